@@ -1,8 +1,8 @@
-package lightning.app;
+package lightning.editor.window;
 
-import static lightning.app.Window.await;
-import static lightning.app.Window.onWindow;
-import static lightning.app.Window.say;
+import static lightning.editor.window.Window.await;
+import static lightning.editor.window.Window.onWindow;
+import static lightning.editor.window.Window.say;
 
 import com.sun.javafx.perf.PerformanceTracker;
 import java.lang.management.ManagementFactory;
@@ -19,10 +19,10 @@ import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
-import lightning.app.model.EditorModel;
-import lightning.edit.Change;
-import lightning.edit.loop.Frame;
-import lightning.engine.choice.Engines;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.document.Change;
+import lightning.editor.loop.Frame;
+import lightning.render.engine.choice.Engines;
 
 /** From the event of a drag to the drawn picture, and what lies between: widgets of the first light's properties, dragged by the mouse. */
 final class Drag {

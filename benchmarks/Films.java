@@ -3,16 +3,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.CRC32C;
-import lightning.image.Film;
-import lightning.jen.JenReader;
-import lightning.relight.Renderer;
-import lightning.relight.Update;
-import lightning.relight.plan.Accuracy;
-import lightning.relight.plan.Reflections;
-import lightning.relight.tile.MirrorStorage;
-import lightning.relight.tile.Options;
+import lightning.render.image.Film;
+import lightning.format.jen.JenReader;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.Update;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
 
 /**
  * Goes through kept sessions by the names that all builds share, for {@code benchmarks/films}: a line for each scene of each

@@ -1,4 +1,4 @@
-package lightning.app;
+package lightning.editor.window;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
@@ -17,15 +17,15 @@ import javafx.scene.control.MenuBar;
 import javafx.scene.control.TabPane;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import lightning.app.model.Arrangement.Canvases;
-import lightning.app.model.EditorModel;
-import lightning.app.model.Speech;
-import lightning.edit.Command;
-import lightning.edit.LightEdits;
-import lightning.edit.NodeEdits;
-import lightning.image.DisplayCurve;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import lightning.editor.window.model.Arrangement.Canvases;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Speech;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.NodeEdits;
+import lightning.render.image.DisplayCurve;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.Placement;
 

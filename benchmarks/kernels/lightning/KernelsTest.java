@@ -3,11 +3,11 @@ package lightning;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import lightning.bench.mesh.RaySet;
-import lightning.engine.Agreement;
-import lightning.engine.lanes.RayKernels;
-import lightning.engine.lanes.ShapeKernels;
-import lightning.shading.RowKernels;
-import lightning.trace.mesh.MeshKernels;
+import lightning.render.engine.Agreement;
+import lightning.render.engine.lanes.RayKernels;
+import lightning.render.engine.lanes.ShapeKernels;
+import lightning.render.shading.RowKernels;
+import lightning.render.trace.mesh.MeshKernels;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;

@@ -17,8 +17,8 @@ module lightning {
     requires org.kordamp.ikonli.materialdesign2;
     requires org.jgroups;
 
-    exports lightning.app to javafx.graphics;
+    exports lightning.editor.window to javafx.graphics;
     opens lightning.cli to info.picocli;
-    opens lightning.accuracy to tools.jackson.databind;
+    opens lightning.bench.accuracy to tools.jackson.databind;
     opens lightning.bench to tools.jackson.databind;
 }

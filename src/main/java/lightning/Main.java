@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import lightning.app.LightningApp;
 import lightning.cli.Lightning;
+import lightning.editor.window.LightningApp;
 
 /** Starts the program. */
 public final class Main {

@@ -3,8 +3,8 @@ package lightning;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import lightning.app.Rehearsal;
 import lightning.cli.Lightning;
+import lightning.editor.window.Rehearsal;
 
 /**
  * Does what starts do, while Java takes down which classes that needs: a picture by the command, and the editor's first

@@ -29,7 +29,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import lightning.text.Told;
+import lightning.base.text.Told;
 
 /**
  * Who may know whom: a row for each package, with all that it may import. Nothing is known that is not told here, and no
@@ -37,79 +37,105 @@ import lightning.text.Told;
  */
 final class Architecture {
     private static final String ENGINE =
-            "text math column scene effects image trace shading engine engine.scalar engine.lanes engine.choice fulltrace warmup cache work"
-                    + " relight.plan relight.tile relight";
-    private static final String DOCUMENT = ENGINE + " file jen scene.shot accuracy edit.loop edit";
-    private static final String DESK = DOCUMENT + " app.widget app.model app.command";
+            "base.text base.math base.work scene scene.effects render.column render.image render.trace.solid"
+                    + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.shading render.engine"
+                    + " render.engine.scalar render.engine.lanes render.engine.choice render.fulltrace render.warmup render.cache"
+                    + " render.relight.plan render.relight.tile render.relight";
+    private static final String DOCUMENT = ENGINE + " base.file scene.shot format.jen format.picture bench.accuracy editor.loop editor.document";
+    private static final String DESK = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
+
+    /** The groups from the bottom of the program up: a package imports from its own group and from those before it. */
+    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "cli");
 
     /** The rows from the bottom of the program up. */
     private static final List<Row> ROWS = List.of(
-            row("text", ""),
-            row("math", ""),
-            row("work", ""),
-            row("column", ""),
-            row("file", "text"),
-            row("mesh", "text file work"),
-            row("mesh.ply", "text math mesh"),
-            row("mesh.obj", "text math mesh"),
-            row("gltf", "text math file mesh work"),
-            row("nff", "text math mesh"),
-            row("mesh.file", "mesh mesh.ply mesh.obj gltf nff work"),
-            row("scene", "text math mesh"),
-            row("scene.shot", "text math scene"),
-            row("ies", "text file mesh scene"),
-            row("hdr", "text file mesh scene"),
-            row("effects", "text math scene"),
-            row("jen", "text math file mesh mesh.file scene scene.shot ies hdr work"),
-            row("exr", "text"),
-            row("image", "text math file exr work"),
-            row("trace.solid", "scene"),
-            row("trace.mesh", "mesh trace.solid"),
-            row("trace.primitive", "math scene trace.solid trace.mesh"),
-            row("trace.tree", "math trace.solid trace.mesh trace.primitive"),
-            row("trace", "math column mesh scene trace.solid trace.mesh trace.primitive trace.tree"),
-            row("shading", "math column scene effects image trace.tree trace trace.mesh trace.primitive"),
-            row("engine", "trace shading"),
-            row("engine.scalar", "math scene trace.primitive trace.tree trace shading engine"),
-            row("engine.lanes", "math scene trace.solid trace.mesh trace.primitive trace.tree trace shading engine engine.scalar"),
-            row("engine.choice", "engine engine.scalar engine.lanes"),
-            row("fulltrace", "scene effects image trace shading engine engine.choice work"),
-            row("warmup", "scene image trace engine engine.choice fulltrace work"),
-            row("cache", "column scene image trace shading"),
-            row("relight.plan", "text math scene image trace shading cache"),
-            row("relight.tile", "scene effects image trace shading engine engine.choice cache work relight.plan"),
-            row("relight", "math column scene effects image trace shading engine cache work relight.plan relight.tile"),
-            row("shot", "text column scene scene.shot image trace shading engine cache work file relight.plan relight.tile relight"),
-            row("cluster.wire", "text"),
-            row("cluster", "text scene scene.shot image jen file mesh work relight shot cluster.wire"),
-            row("layer", ENGINE + " exr file"),
-            row("movie", ENGINE + " file"),
-            row("accuracy", ENGINE),
-            row("edit.loop", ENGINE + " accuracy"),
-            row("edit", ENGINE + " file jen scene.shot accuracy edit.loop"),
-            row("edit.cue", "text math file scene jen image edit"),
-            row("edit.motion", ENGINE + " file scene.shot edit"),
-            row("exchange", "text math file mesh mesh.ply mesh.obj gltf nff mesh.file scene jen image trace fulltrace work"),
-            row("app.widget", "text math scene image edit"),
-            row("app.model", DOCUMENT),
-            row("app.command", DOCUMENT + " exr layer edit.cue exchange app.widget app.model"),
-            row("app.property", DESK),
-            row("app.traced", DESK),
-            row("app.preview", DESK),
-            row("app.animation", DESK + " edit.motion"),
-            row("app.timeline", DESK + " movie shot cluster"),
-            row("app.measure", DESK),
-            row("app.mixer", DESK),
-            row("app.contribution", DESK),
-            row("app.cue", DESK + " edit.cue"),
-            row("app", DESK
-                    + " exchange movie edit.motion app.property app.traced app.preview app.animation app.timeline app.measure app.mixer app.contribution edit.cue app.cue"),
-            row("pov", "math file mesh scene image"),
-            row("bench.mesh", "mesh trace.solid trace.mesh"),
-            row("bench", ENGINE + " file jen mesh trace.mesh accuracy pov bench.mesh"),
-            row("bench.report", ENGINE + " file accuracy bench"),
-            row("cli", ENGINE + " file exr jen scene.shot shot hdr layer movie accuracy mesh exchange pov cluster bench bench.report"),
-            row("", "app cli"));
+            row("base.text", ""),
+            row("base.math", ""),
+            row("base.work", ""),
+            row("base.file", "base.text"),
+            row("scene", "base.text base.math"),
+            row("scene.shot", "base.text base.math scene"),
+            row("scene.effects", "base.math scene"),
+            row("render.column", ""),
+            row("render.image", "base.text base.math"),
+            row("render.trace.solid", "scene"),
+            row("render.trace.mesh", "scene render.trace.solid"),
+            row("render.trace.primitive", "base.math scene render.trace.solid render.trace.mesh"),
+            row("render.trace.tree", "base.math render.trace.solid render.trace.mesh render.trace.primitive"),
+            row("render.trace",
+                    "base.math scene render.column render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree"),
+            row("render.shading",
+                    "base.math scene scene.effects render.column render.image render.trace.primitive render.trace.tree render.trace"),
+            row("render.engine", "render.trace render.shading"),
+            row("render.engine.scalar",
+                    "base.math scene render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
+            row("render.engine.lanes",
+                    "base.math scene render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree render.trace"
+                    + " render.shading render.engine"),
+            row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
+            row("render.fulltrace",
+                    "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"),
+            row("render.warmup", "base.work scene render.image render.trace render.engine render.engine.choice render.fulltrace"),
+            row("render.cache", "scene render.column render.image render.trace render.shading"),
+            row("render.relight.plan", "base.text base.math scene render.image render.trace render.shading render.cache"),
+            row("render.relight.tile",
+                    "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"
+                    + " render.cache render.relight.plan"),
+            row("render.relight",
+                    "base.math base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
+                    + " render.cache render.relight.plan render.relight.tile"),
+            row("format.mesh", "base.text base.work base.file scene"),
+            row("format.mesh.ply", "base.text base.math scene format.mesh"),
+            row("format.mesh.obj", "base.text base.math scene format.mesh"),
+            row("format.gltf", "base.text base.math base.work base.file scene format.mesh"),
+            row("format.nff", "base.text base.math scene format.mesh"),
+            row("format", "base.work format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff"),
+            row("format.ies", "base.text base.file scene format.mesh"),
+            row("format.hdr", "base.text base.file scene format.mesh"),
+            row("format.jen", "base.text base.math base.work base.file scene scene.shot format.mesh format format.ies format.hdr"),
+            row("format.exr", "base.text"),
+            row("format.picture", "base.text base.work base.file render.image format.exr"),
+            row("format.layer", ENGINE + " base.file format.exr"),
+            row("format.pov", "base.math base.file scene render.image format.picture"),
+            row("format.exchange",
+                    "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
+                    + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
+            row("shot",
+                    "base.text base.work base.file scene scene.shot render.column render.image render.trace render.cache"
+                    + " render.relight.plan render.relight.tile render.relight"),
+            row("shot.cluster.wire", "base.text"),
+            row("shot.cluster",
+                    "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
+                    + " shot.cluster.wire"),
+            row("shot.movie", ENGINE),
+            row("bench.accuracy", ENGINE),
+            row("bench.mesh", "scene render.trace.solid render.trace.mesh"),
+            row("bench", ENGINE + " base.file format.jen format.picture format.pov bench.accuracy bench.mesh"),
+            row("bench.report", ENGINE + " base.file format.picture bench.accuracy bench"),
+            row("editor.loop", ENGINE + " bench.accuracy"),
+            row("editor.document", ENGINE + " base.file scene.shot format.jen editor.loop"),
+            row("editor.document.cue", "base.text base.math base.file scene render.image format.jen format.picture editor.document"),
+            row("editor.document.motion", ENGINE + " base.file scene.shot format.picture editor.document"),
+            row("editor.window.widget", "base.text base.math scene render.image editor.document"),
+            row("editor.window.model", DOCUMENT),
+            row("editor.window.command",
+                    DOCUMENT + " format.exr format.layer format.exchange editor.document.cue editor.window.widget editor.window.model"),
+            row("editor.window.property", DESK),
+            row("editor.window.traced", DESK),
+            row("editor.window.preview", DESK),
+            row("editor.window.animation", DESK + " editor.document.motion"),
+            row("editor.window.timeline", DESK + " shot shot.cluster shot.movie"),
+            row("editor.window.measure", DESK),
+            row("editor.window.mixer", DESK),
+            row("editor.window.contribution", DESK),
+            row("editor.window.cue", DESK + " editor.document.cue"),
+            row("editor.window",
+                    DESK + " format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
+                    + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.cue"),
+            row("cli",
+                    ENGINE + " base.file scene.shot format.hdr format.jen format.exr format.picture format.layer format.pov format.exchange"
+                    + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
+            row("", "editor.window cli"));
 
     /** @param known the packages that it may import, beside itself */
     private record Row(String name, Set<String> known) {
@@ -124,7 +150,7 @@ final class Architecture {
     }
 
     /** The class that no reader may have to doubt: the oracle of every equality test. */
-    private static final String REFERENCE = "lightning\\.shading\\.ReferenceTracer(\\$.*)?";
+    private static final String REFERENCE = "lightning\\.render\\.shading\\.ReferenceTracer(\\$.*)?";
 
     private Architecture() {}
 
@@ -140,6 +166,20 @@ final class Architecture {
                     .allowEmptyShould(true));
         }
         return all;
+    }
+
+    /** The rows that stand before one of a lower group, or belong to none: none. */
+    static List<String> rowsOutOfGroup() {
+        List<String> wrong = new ArrayList<>();
+        int highest = 0;
+        for (Row row : ROWS.subList(0, ROWS.size() - 1)) {
+            int group = GROUPS.indexOf(row.name().split("\\.")[0]);
+            if (group < highest) {
+                wrong.add(row.name());
+            }
+            highest = Math.max(highest, group);
+        }
+        return wrong;
     }
 
     /** The rows that are told one that comes after them, or that there is not: none. */
@@ -181,15 +221,15 @@ final class Architecture {
     }
 
     static ArchRule onlyAppSeesJavaFx() {
-        return noClasses().that(not(resideInAPackage(packageOf("app"))))
+        return noClasses().that(not(resideInAPackage(packageOf("editor.window"))))
                 .should().dependOnClassesThat().resideInAnyPackage("javafx..", "com.sun.javafx..")
-                .as("only lightning.app sees JavaFX")
+                .as("only lightning.editor.window sees JavaFX")
                 .allowEmptyShould(true);
     }
 
     /** Whatever a menu offers is made of a command. A menu within a menu and a line between items do nothing. */
     static ArchRule onlyCommandItemsMakeItems() {
-        return noClasses().that(not(nameMatching("lightning\\.app\\.command\\.CommandItems")))
+        return noClasses().that(not(nameMatching("lightning\\.editor\\.window\\.command\\.CommandItems")))
                 .should().callConstructorWhere(target(owner(assignableTo("javafx.scene.control.MenuItem")
                         .and(not(nameMatching("javafx\\.scene\\.control\\.(Menu|SeparatorMenuItem)").forSubtype())))))
                 .as("only CommandItems makes items of menus")
@@ -209,7 +249,7 @@ final class Architecture {
      */
     static ArchRule namedFilesAreOpenedInOnePlace() {
         DescribedPredicate<JavaClass> own =
-                resideInAnyPackage(packageOf("file"), packageOf("cluster"), packageOf("bench"), packageOf("pov"))
+                resideInAnyPackage(packageOf("base.file"), packageOf("shot.cluster"), packageOf("bench"), packageOf("format.pov"))
                         .or(nameMatching(".*\\.(Recovery|Presence|SceneSaver|Preferences)"));
         return CompositeArchRule
                 .of(noClasses().that(not(own))
@@ -241,8 +281,8 @@ final class Architecture {
     static ArchRule referenceTracerKnowsNoFastCode() {
         return CompositeArchRule
                 .of(noClasses().that(nameMatching(REFERENCE))
-                        .should().transitivelyDependOnClassesThat(resideInAnyPackage(packageOf("cache"),
-                                packageOf("relight"), packageOf("engine")).or(kernel(".*(Packet|Lanes).*")))
+                        .should().transitivelyDependOnClassesThat(resideInAnyPackage(packageOf("render.cache"),
+                                packageOf("render.relight"), packageOf("render.engine")).or(kernel(".*(Packet|Lanes).*")))
                         .as("the reference tracer knows neither cache nor relight nor engine nor fast kernels")
                         .allowEmptyShould(true))
                 .and(noClasses().that(nameMatching(REFERENCE))
@@ -252,7 +292,7 @@ final class Architecture {
     }
 
     private static DescribedPredicate<JavaClass> kernel(String name) {
-        return resideInAPackage(packageOf("trace")).and(nameMatching(name));
+        return resideInAPackage(packageOf("render.trace")).and(nameMatching(name));
     }
 
     private static String packageOf(String row) {

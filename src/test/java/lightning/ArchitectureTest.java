@@ -45,6 +45,11 @@ class ArchitectureTest {
     }
 
     @Test
+    void rows_standInTheOrderOfTheirGroups() {
+        assertThat(Architecture.rowsOutOfGroup()).isEmpty();
+    }
+
+    @Test
     void program_hasOneClassOfEachName() {
         Architecture.classesHaveNamesOfTheirOwn().check(PROGRAM);
     }
@@ -67,7 +72,7 @@ class ArchitectureTest {
     @Test
     void exceptionThatNobodyCanRead_isCaught() throws IOException {
         assertCaught(Architecture.checkedExceptionsAreTold(), "checked exceptions are for users to read",
-                "package lightning.mesh; class Bad extends Exception {}");
+                "package lightning.format.mesh; class Bad extends Exception {}");
     }
 
     @Test
@@ -78,10 +83,10 @@ class ArchitectureTest {
     @Test
     void fileOpenedWithoutACheck_isCaught() throws IOException {
         assertCaught(Architecture.namedFilesAreOpenedInOnePlace(), "only OrdinaryFile opens files that users name",
-                "package lightning.mesh; class Bad { Object in(java.nio.file.Path file) throws java.io.IOException {"
+                "package lightning.format.mesh; class Bad { Object in(java.nio.file.Path file) throws java.io.IOException {"
                         + " return java.nio.file.Files.newInputStream(file); } }");
         assertCaught(Architecture.namedFilesAreOpenedInOnePlace(), "only OrdinaryFile opens files that users name",
-                "package lightning.mesh; class Bad { Object in(String file) throws java.io.IOException {"
+                "package lightning.format.mesh; class Bad { Object in(String file) throws java.io.IOException {"
                         + " return new java.io.FileInputStream(file); } }");
     }
 
@@ -100,49 +105,49 @@ class ArchitectureTest {
         assertCaught(Architecture.onlyCommandItemsMakeItems(), "only CommandItems makes items of menus",
                 "package javafx.scene.control; public class MenuItem {}",
                 "package javafx.scene.control; public class RadioMenuItem extends MenuItem {}",
-                "package lightning.app.property; class Bad { Object item = new javafx.scene.control.RadioMenuItem(); }");
+                "package lightning.editor.window.property; class Bad { Object item = new javafx.scene.control.RadioMenuItem(); }");
     }
 
     @Test
     void secondClassOfAName_isCaught() throws IOException {
         assertCaught(Architecture.classesHaveNamesOfTheirOwn(), "no two classes have one name",
-                "package lightning.math; public class Thing {}",
+                "package lightning.base.math; public class Thing {}",
                 "package lightning.scene; class Thing { int count; }");
     }
 
     @Test
     void lowerRowKnowingAHigherOne_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.math knows only rows above it",
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.base.math knows only rows above it",
                 "package lightning.scene; public class Thing {}",
-                "package lightning.math; class Bad { lightning.scene.Thing thing; }");
+                "package lightning.base.math; class Bad { lightning.scene.Thing thing; }");
     }
 
     @Test
     void narrowedRowKnowingARowAbove_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.image knows only rows above it",
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.render.image knows only rows above it",
                 "package lightning.scene; public class Thing {}",
-                "package lightning.image; class Bad { lightning.scene.Thing thing; }");
+                "package lightning.render.image; class Bad { lightning.scene.Thing thing; }");
     }
 
     @Test
     void commandKnowingTheEditor_isCaught() throws IOException {
         assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.cli knows only rows above it",
-                "package lightning.app; public class Window {}",
-                "package lightning.cli; class Bad { lightning.app.Window window; }");
+                "package lightning.editor.window; public class Window {}",
+                "package lightning.cli; class Bad { lightning.editor.window.Window window; }");
     }
 
     @Test
     void planKnowingTheTiles_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.relight.plan knows only rows above it",
-                "package lightning.relight.tile; public class Worker {}",
-                "package lightning.relight.plan; class Bad { lightning.relight.tile.Worker worker; }");
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.render.relight.plan knows only rows above it",
+                "package lightning.render.relight.tile; public class Worker {}",
+                "package lightning.render.relight.plan; class Bad { lightning.render.relight.tile.Worker worker; }");
     }
 
     @Test
     void paneKnowingAnotherPane_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.app.traced knows only rows above it",
-                "package lightning.app.preview; public class Pane {}",
-                "package lightning.app.traced; class Bad { lightning.app.preview.Pane pane; }");
+        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.editor.window.traced knows only rows above it",
+                "package lightning.editor.window.preview; public class Pane {}",
+                "package lightning.editor.window.traced; class Bad { lightning.editor.window.preview.Pane pane; }");
     }
 
     @Test
@@ -160,22 +165,22 @@ class ArchitectureTest {
 
     @Test
     void higherRowKnowingALowerOne_isAllowed() throws IOException {
-        JavaClasses classes = compiled("package lightning.math; public class Number {}",
-                "package lightning.trace; class Good { lightning.math.Number number; }");
+        JavaClasses classes = compiled("package lightning.base.math; public class Number {}",
+                "package lightning.render.trace; class Good { lightning.base.math.Number number; }");
         assertThatCode(() -> Architecture.rowsKnowOnlyRowsAbove().check(classes)).doesNotThrowAnyException();
     }
 
     @Test
     void javaFxOutsideTheEditor_isCaught() throws IOException {
-        assertCaught(Architecture.onlyAppSeesJavaFx(), "only lightning.app sees JavaFX",
+        assertCaught(Architecture.onlyAppSeesJavaFx(), "only lightning.editor.window sees JavaFX",
                 "package javafx.scene; public class Node {}",
-                "package lightning.edit; class Bad { javafx.scene.Node node; }");
+                "package lightning.editor.document; class Bad { javafx.scene.Node node; }");
     }
 
     @Test
     void printingInTheEngine_isCaught() throws IOException {
         assertCaught(Architecture.onlyCommandsPrint(), "print",
-                "package lightning.relight; class Bad { void say() { System.out.println(); } }");
+                "package lightning.render.relight; class Bad { void say() { System.out.println(); } }");
     }
 
     @Test
@@ -188,30 +193,30 @@ class ArchitectureTest {
     @Test
     void referenceTracerReachingFastCodeThroughAHelper_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
-                "package lightning.trace.solid; public class SphereLanes {}",
-                "package lightning.trace; public class Nearest { lightning.trace.solid.SphereLanes lanes; }",
-                "package lightning.shading; class ReferenceTracer { lightning.trace.Nearest nearest; }");
+                "package lightning.render.trace.solid; public class SphereLanes {}",
+                "package lightning.render.trace; public class Nearest { lightning.render.trace.solid.SphereLanes lanes; }",
+                "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.Nearest nearest; }");
     }
 
     @Test
     void referenceTracerKnowingAnEngine_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
-                "package lightning.engine; public class Crew {}",
-                "package lightning.shading; class ReferenceTracer { lightning.engine.Crew crew; }");
+                "package lightning.render.engine; public class Crew {}",
+                "package lightning.render.shading; class ReferenceTracer { lightning.render.engine.Crew crew; }");
     }
 
     @Test
     void referenceTracerAskingATree_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "asks every shape, and no tree of boxes",
-                "package lightning.trace.tree; public class Bvh {}",
-                "package lightning.shading; class ReferenceTracer { lightning.trace.tree.Bvh bvh; }");
+                "package lightning.render.trace.tree; public class Bvh {}",
+                "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.tree.Bvh bvh; }");
     }
 
     @Test
     void referenceTracerKnowingTheCache_isCaught() throws IOException {
         assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
-                "package lightning.cache; public class Rows {}",
-                "package lightning.shading; class ReferenceTracer { void use() { new lightning.cache.Rows(); } }");
+                "package lightning.render.cache; public class Rows {}",
+                "package lightning.render.shading; class ReferenceTracer { void use() { new lightning.render.cache.Rows(); } }");
     }
 
     private void assertCaught(ArchRule rule, String sentence, String... sources) throws IOException {

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.ExampleProcess.Result;
 import lightning.cli.HelpPages;
-import lightning.gltf.Gltf;
+import lightning.format.gltf.Gltf;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;

@@ -5,8 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PictureError;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PictureError;
 
 /**
  * Compares results with older ones.

@@ -7,9 +7,9 @@ import java.util.Comparator;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
-import lightning.pov.PovRay;
-import lightning.pov.PovScene;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
+import lightning.format.pov.PovRay;
+import lightning.format.pov.PovScene;
 
 /** Measures whole processes that render a picture from cold: ours, and POV-Ray's in turns with them where it is installed. */
 final class ColdBench {

@@ -4,8 +4,8 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import lightning.accuracy.PictureError;
-import lightning.text.Decimal;
+import lightning.base.text.Decimal;
+import lightning.bench.accuracy.PictureError;
 
 /**
  * One measurement. A text that a spreadsheet would compute has an apostrophe before it. What a kind of measurement does not have is NaN, 0 or empty.

@@ -2,18 +2,18 @@ package lightning.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.accuracy.OrdinaryEdits;
-import lightning.accuracy.PictureError;
-import lightning.fulltrace.TraditionalTracer;
-import lightning.image.Film;
-import lightning.relight.Renderer;
-import lightning.relight.Update;
-import lightning.relight.plan.Accuracy;
-import lightning.relight.plan.Reflections;
-import lightning.relight.tile.Options;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.bench.accuracy.OrdinaryEdits;
+import lightning.bench.accuracy.PictureError;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.Update;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.work.Progress;
-import lightning.work.Workers;
 
 /** Measures what becomes of a picture after 1, 10, 100, … edits, at the grades ratio and exact. */
 final class DriftBench {

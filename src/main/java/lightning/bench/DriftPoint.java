@@ -1,7 +1,7 @@
 package lightning.bench;
 
-import lightning.accuracy.PictureError;
-import lightning.relight.plan.Accuracy;
+import lightning.bench.accuracy.PictureError;
+import lightning.render.relight.plan.Accuracy;
 
 /**
  * A picture after so many edits.

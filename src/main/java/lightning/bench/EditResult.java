@@ -3,8 +3,8 @@ package lightning.bench;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PaperCase;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PaperCase;
 
 /**
  * One kind of edit on a scene, with each of its varying values.

@@ -5,19 +5,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.IntFunction;
-import lightning.accuracy.Timing;
-import lightning.jen.JenDocument;
-import lightning.jen.JenException;
-import lightning.jen.JenReader;
-import lightning.jen.JenWriter;
-import lightning.math.Vec3;
-import lightning.relight.Renderer;
-import lightning.relight.tile.Options;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.bench.accuracy.Timing;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.format.jen.JenWriter;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.PixelExplainer;
+import lightning.render.trace.Geometry;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.shading.PixelExplainer;
-import lightning.trace.Geometry;
-import lightning.work.Progress;
 
 /**
  * Measures what editing costs in generated scenes of up to a million shapes and a thousand lights, below the editor: reading, the

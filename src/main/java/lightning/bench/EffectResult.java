@@ -1,7 +1,7 @@
 package lightning.bench;
 
 import java.util.List;
-import lightning.accuracy.EffectCost;
+import lightning.bench.accuracy.EffectCost;
 
 /**
  * What an effect takes on a scene, or what its absence saves there; see {@link EffectCost}.

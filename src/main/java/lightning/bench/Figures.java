@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.accuracy.PaperCase;
+import lightning.bench.accuracy.PaperCase;
 
 /** Which edits the paper's figures are about: a figure of pictures is followed by one of times. */
 public final class Figures {

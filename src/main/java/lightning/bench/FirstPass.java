@@ -1,6 +1,6 @@
 package lightning.bench;
 
-import lightning.accuracy.FirstPassCost;
+import lightning.bench.accuracy.FirstPassCost;
 
 /**
  * What the first pass costs, beside the traditional trace that keeps nothing.

@@ -2,8 +2,8 @@ package lightning.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.image.ViewTransform;
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
+import lightning.render.image.ViewTransform;
 import lightning.scene.Group;
 import lightning.scene.Material;
 import lightning.scene.Node;

@@ -5,15 +5,15 @@ import java.util.List;
 import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import lightning.accuracy.PaperCase;
-import lightning.accuracy.PaperCases;
-import lightning.accuracy.Saving;
-import lightning.accuracy.SavingMeter;
-import lightning.relight.MemoryNeed;
-import lightning.relight.plan.Reflections;
-import lightning.relight.tile.Options;
+import lightning.base.work.Progress;
+import lightning.bench.accuracy.PaperCase;
+import lightning.bench.accuracy.PaperCases;
+import lightning.bench.accuracy.Saving;
+import lightning.bench.accuracy.SavingMeter;
+import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.work.Progress;
 
 /** Measures how the times of edits grow with pixels, lights, shapes and mirror bounces, on generated scenes. */
 final class GrowthBench {

@@ -9,16 +9,16 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
-import lightning.accuracy.Bandwidth;
-import lightning.accuracy.BrokenPromise;
-import lightning.accuracy.LadderMeter;
-import lightning.accuracy.PaperCase;
-import lightning.accuracy.PaperCases;
-import lightning.relight.MemoryNeed;
-import lightning.relight.PictureTooLarge;
-import lightning.relight.tile.Options;
-import lightning.work.Progress;
-import lightning.work.Workers;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.bench.accuracy.Bandwidth;
+import lightning.bench.accuracy.BrokenPromise;
+import lightning.bench.accuracy.LadderMeter;
+import lightning.bench.accuracy.PaperCase;
+import lightning.bench.accuracy.PaperCases;
+import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.PictureTooLarge;
+import lightning.render.relight.tile.Options;
 
 /**
  * A run: measures scenes, part by part.

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.accuracy.FirstPassCost;
-import lightning.accuracy.Grade;
+import lightning.bench.accuracy.FirstPassCost;
+import lightning.bench.accuracy.Grade;
 
 /** What was measured until now. */
 final class Ledger {

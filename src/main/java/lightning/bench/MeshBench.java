@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import lightning.accuracy.Timing;
+import lightning.base.work.Progress;
+import lightning.bench.accuracy.Timing;
 import lightning.bench.mesh.BumpyBall;
 import lightning.bench.mesh.Embree;
 import lightning.bench.mesh.OwnSearch;
 import lightning.bench.mesh.RaySet;
 import lightning.bench.mesh.RaySets;
-import lightning.mesh.Mesh;
-import lightning.trace.mesh.MeshSolid;
-import lightning.work.Progress;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.scene.Mesh;
 
 /**
  * Measures how fast rays are traced against generated meshes of up to ten million triangles, and Embree's in turns with it where that is

@@ -1,10 +1,10 @@
 package lightning.bench;
 
-import lightning.engine.choice.Engines;
-import lightning.fulltrace.TraditionalTracer;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.render.engine.choice.Engines;
+import lightning.render.fulltrace.TraditionalTracer;
 import lightning.scene.Scene;
-import lightning.work.Progress;
-import lightning.work.Workers;
 
 /**
  * How fast a scene is traced in full here: what predictions are made of.

@@ -1,7 +1,7 @@
 package lightning.bench;
 
 import java.io.IOException;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
 
 /**
  * A part of a run.

@@ -3,10 +3,10 @@ package lightning.bench;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import lightning.image.DifferencePicture;
-import lightning.image.Film;
-import lightning.image.PictureFile;
-import lightning.image.ViewTransform;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.DifferencePicture;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 
 /** Writes the pictures of a run, small enough for a page. */
 final class Pictures {

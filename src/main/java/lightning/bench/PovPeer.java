@@ -2,17 +2,17 @@ package lightning.bench;
 
 import java.io.IOException;
 import java.util.Optional;
-import lightning.accuracy.SavingMeter;
-import lightning.accuracy.TurnTimes;
-import lightning.fulltrace.TraditionalTracer;
-import lightning.image.Film;
-import lightning.image.ViewTransform;
-import lightning.pov.PovRay;
-import lightning.pov.PovScene;
-import lightning.relight.tile.Options;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.bench.accuracy.SavingMeter;
+import lightning.bench.accuracy.TurnTimes;
+import lightning.format.pov.PovRay;
+import lightning.format.pov.PovScene;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.work.Progress;
-import lightning.work.Workers;
 
 /** Measures POV-Ray beside our full trace, and compares what the two see. */
 final class PovPeer {

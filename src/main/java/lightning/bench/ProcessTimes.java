@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import lightning.accuracy.Timing;
+import lightning.bench.accuracy.Timing;
 
 /** How long processes take that are started one after the other, from the start of each to its end. */
 final class ProcessTimes {

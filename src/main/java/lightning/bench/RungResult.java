@@ -2,8 +2,8 @@ package lightning.bench;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Objects;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PictureError;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PictureError;
 
 /**
  * One grade of accuracy for one edit.

@@ -1,7 +1,7 @@
 package lightning.bench;
 
 import java.util.List;
-import lightning.accuracy.Timing;
+import lightning.bench.accuracy.Timing;
 
 /**
  * One work's times, milliseconds.

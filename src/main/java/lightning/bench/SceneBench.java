@@ -6,19 +6,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import lightning.accuracy.EffectCost;
-import lightning.accuracy.EffectCosts;
-import lightning.accuracy.Grade;
-import lightning.accuracy.Ladder;
-import lightning.accuracy.LadderMeter;
-import lightning.accuracy.PaperCase;
-import lightning.accuracy.PaperCases;
-import lightning.accuracy.Rung;
-import lightning.accuracy.SavingMeter;
-import lightning.image.Film;
-import lightning.relight.tile.Options;
+import lightning.base.work.Progress;
+import lightning.bench.accuracy.EffectCost;
+import lightning.bench.accuracy.EffectCosts;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.Ladder;
+import lightning.bench.accuracy.LadderMeter;
+import lightning.bench.accuracy.PaperCase;
+import lightning.bench.accuracy.PaperCases;
+import lightning.bench.accuracy.Rung;
+import lightning.bench.accuracy.SavingMeter;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.work.Progress;
 
 /** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
 final class SceneBench implements AutoCloseable {

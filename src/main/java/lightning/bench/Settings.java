@@ -1,8 +1,8 @@
 package lightning.bench;
 
 import java.util.List;
-import lightning.accuracy.PaperCase;
-import lightning.accuracy.PaperCases;
+import lightning.bench.accuracy.PaperCase;
+import lightning.bench.accuracy.PaperCases;
 
 /**
  * What a run measures, and how thoroughly.

@@ -1,6 +1,6 @@
 package lightning.bench;
 
-import lightning.work.Progress;
+import lightning.base.work.Progress;
 
 /**
  * The progress of a part, as a share of the whole.

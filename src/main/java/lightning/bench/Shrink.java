@@ -1,7 +1,7 @@
 package lightning.bench;
 
 import java.util.function.DoubleBinaryOperator;
-import lightning.image.Film;
+import lightning.render.image.Film;
 
 /** Makes a picture smaller by a whole factor: a square of its pixels becomes one. */
 final class Shrink {

@@ -2,7 +2,7 @@ package lightning.bench;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.accuracy.Grade;
+import lightning.bench.accuracy.Grade;
 
 /**
  * One edit with one value.

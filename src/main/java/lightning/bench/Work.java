@@ -1,8 +1,8 @@
 package lightning.bench;
 
-import lightning.accuracy.Saving;
-import lightning.relight.Update;
-import lightning.shading.TraceCounts;
+import lightning.bench.accuracy.Saving;
+import lightning.render.relight.Update;
+import lightning.render.shading.TraceCounts;
 
 /**
  * What a re-render did.

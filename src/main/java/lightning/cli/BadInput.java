@@ -1,6 +1,6 @@
 package lightning.cli;
 
-import lightning.text.Told;
+import lightning.base.text.Told;
 
 /** A command cannot do what it was asked; the message is a sentence for the user. */
 final class BadInput extends Exception implements Told {

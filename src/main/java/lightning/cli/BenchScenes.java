@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.base.file.FileSentence;
+import lightning.base.file.ShippedFile;
 import lightning.bench.Failure;
 import lightning.bench.NamedScene;
-import lightning.file.FileSentence;
-import lightning.file.ShippedFile;
-import lightning.jen.JenException;
-import lightning.jen.JenReader;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 
 /**
  * The scenes of a benchmark that could be read, and why others could not.

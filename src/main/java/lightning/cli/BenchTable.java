@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import lightning.accuracy.Grade;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
 import lightning.bench.Editing;
@@ -15,6 +14,7 @@ import lightning.bench.RayPace;
 import lightning.bench.Results;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
+import lightning.bench.accuracy.Grade;
 
 /** The table of a benchmark, printed as it grows. */
 final class BenchTable {

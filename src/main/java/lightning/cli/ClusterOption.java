@@ -2,9 +2,9 @@ package lightning.cli;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.cluster.HostPort;
-import lightning.cluster.JoinException;
-import lightning.cluster.Place;
+import lightning.shot.cluster.HostPort;
+import lightning.shot.cluster.JoinException;
+import lightning.shot.cluster.Place;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 

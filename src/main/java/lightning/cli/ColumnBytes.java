@@ -3,12 +3,12 @@ package lightning.cli;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import lightning.cache.CachedTile;
-import lightning.cache.PixelCache;
-import lightning.cache.TileLevel;
-import lightning.shading.LightLayer;
-import lightning.shading.LightRows;
-import lightning.trace.HitRows;
+import lightning.render.cache.CachedTile;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.LightRows;
+import lightning.render.trace.HitRows;
 
 /**
  * The bytes of a cache by kind of column, the film and array headers left out.

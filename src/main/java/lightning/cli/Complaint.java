@@ -5,12 +5,12 @@ import java.nio.file.InvalidPathException;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
-import lightning.file.FileHandles;
-import lightning.file.FileSentence;
-import lightning.jen.JenException;
-import lightning.relight.PictureTooLarge;
-import lightning.text.Quote;
-import lightning.text.Told;
+import lightning.base.file.FileHandles;
+import lightning.base.file.FileSentence;
+import lightning.base.text.Quote;
+import lightning.base.text.Told;
+import lightning.format.jen.JenException;
+import lightning.render.relight.PictureTooLarge;
 
 /** Turns whatever went wrong into sentences and an exit code; the only place that does. */
 final class Complaint {

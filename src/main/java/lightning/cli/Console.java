@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.text.Quote;
-import lightning.text.Visible;
+import lightning.base.text.Quote;
+import lightning.base.text.Visible;
 
 /**
  * Where a command writes to.

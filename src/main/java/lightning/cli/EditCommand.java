@@ -2,8 +2,8 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import lightning.exchange.Importer;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
+import lightning.format.exchange.Importer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;

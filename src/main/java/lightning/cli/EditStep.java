@@ -2,11 +2,11 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.List;
-import lightning.accuracy.PaperCase;
-import lightning.accuracy.PaperCases;
-import lightning.jen.PropertyEdit;
+import lightning.base.text.Quote;
+import lightning.bench.accuracy.PaperCase;
+import lightning.bench.accuracy.PaperCases;
+import lightning.format.jen.PropertyEdit;
 import lightning.scene.Scene;
-import lightning.text.Quote;
 import picocli.CommandLine.Option;
 
 /** One word of an edit on the command line; exactly one of the fields is set. */

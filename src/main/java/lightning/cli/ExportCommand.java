@@ -3,7 +3,7 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import lightning.pov.PovScene;
+import lightning.format.pov.PovScene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;

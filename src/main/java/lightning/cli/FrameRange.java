@@ -2,8 +2,8 @@ package lightning.cli;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.base.text.Quote;
 import lightning.scene.shot.Shot;
-import lightning.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 

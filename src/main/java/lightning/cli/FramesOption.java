@@ -1,7 +1,7 @@
 package lightning.cli;
 
 import java.nio.file.Path;
-import lightning.jen.JenDocument;
+import lightning.format.jen.JenDocument;
 import picocli.CommandLine.Option;
 
 /** The option {@code --frames}. */

@@ -1,6 +1,6 @@
 package lightning.cli;
 
-import lightning.cluster.HostPort;
+import lightning.shot.cluster.HostPort;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 

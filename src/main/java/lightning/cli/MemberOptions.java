@@ -7,9 +7,9 @@ import java.net.SocketException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import lightning.cluster.HostPort;
-import lightning.cluster.JoinException;
-import lightning.cluster.Place;
+import lightning.shot.cluster.HostPort;
+import lightning.shot.cluster.JoinException;
+import lightning.shot.cluster.Place;
 import picocli.CommandLine.Option;
 
 /** How a process takes part in a cluster. */

@@ -2,8 +2,8 @@ package lightning.cli;
 
 import java.math.BigDecimal;
 import java.util.function.Function;
-import lightning.text.Decimal;
-import lightning.text.Quote;
+import lightning.base.text.Decimal;
+import lightning.base.text.Quote;
 import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;

@@ -6,7 +6,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
-import lightning.work.OwnThread;
+import lightning.base.work.OwnThread;
 
 /** Writes pictures beside the work on the next ones. What is begun is written to its end; the first failure is told at the end. */
 final class PictureWriting implements AutoCloseable {

@@ -2,7 +2,7 @@ package lightning.cli;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 

@@ -1,10 +1,10 @@
 package lightning.cli;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
+import lightning.render.shading.LightReport;
+import lightning.render.shading.SurfaceShare;
+import lightning.render.trace.SurfacePoint;
 import lightning.scene.Material;
-import lightning.shading.LightReport;
-import lightning.shading.SurfaceShare;
-import lightning.trace.SurfacePoint;
 
 /** What each part of the equation adds to the colour of a point, for people: sums of them are rounded once more. */
 record PointParts(SurfacePoint at, float[] kr, SurfaceShare shared) {

@@ -1,7 +1,7 @@
 package lightning.cli;
 
 import java.util.function.LongSupplier;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
 
 /**
  * A line on the terminal that tells how far a work is and how long it will still take, once it has taken a second;

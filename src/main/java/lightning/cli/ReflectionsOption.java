@@ -1,6 +1,6 @@
 package lightning.cli;
 
-import lightning.relight.plan.Reflections;
+import lightning.render.relight.plan.Reflections;
 import picocli.CommandLine.Option;
 
 /** The option {@code --reflections}. */

@@ -11,18 +11,18 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
-import lightning.cluster.DistributedShot;
-import lightning.cluster.HostPort;
-import lightning.cluster.Place;
-import lightning.image.Film;
-import lightning.movie.FrameFiles;
+import lightning.base.work.OwnThread;
+import lightning.render.image.Film;
 import lightning.shot.FrameState;
 import lightning.shot.FrameUpdate;
 import lightning.shot.KeeperGoneException;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
 import lightning.shot.Take;
-import lightning.work.OwnThread;
+import lightning.shot.cluster.DistributedShot;
+import lightning.shot.cluster.HostPort;
+import lightning.shot.cluster.Place;
+import lightning.shot.movie.FrameFiles;
 
 /**
  * Makes edits in all frames of a shot that nodes of a cluster hold, and writes their pictures.

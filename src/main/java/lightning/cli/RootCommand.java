@@ -2,7 +2,7 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import lightning.text.Release;
+import lightning.base.text.Release;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;

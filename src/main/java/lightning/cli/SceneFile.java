@@ -2,10 +2,10 @@ package lightning.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import lightning.file.ShippedFile;
-import lightning.jen.JenDocument;
-import lightning.jen.JenException;
-import lightning.jen.JenReader;
+import lightning.base.file.ShippedFile;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 import picocli.CommandLine.Parameters;
 
 /** The argument {@code scene.jen}. */

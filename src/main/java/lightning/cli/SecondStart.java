@@ -2,9 +2,9 @@ package lightning.cli;
 
 import java.util.ArrayList;
 import java.util.List;
+import lightning.base.work.Successor;
+import lightning.render.warmup.LongPicture;
 import lightning.scene.Scene;
-import lightning.warmup.LongPicture;
-import lightning.work.Successor;
 
 /**
  * Gives a long picture over to a Java that is slower to start and faster in the end, where the launcher began with one that is quick to

@@ -2,7 +2,7 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
-import lightning.jen.JenDocument;
+import lightning.format.jen.JenDocument;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 

@@ -1,6 +1,6 @@
 package lightning.cli;
 
-import lightning.work.Workers;
+import lightning.base.work.Workers;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;

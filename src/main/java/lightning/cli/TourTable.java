@@ -1,9 +1,9 @@
 package lightning.cli;
 
-import lightning.accuracy.FirstPassCost;
-import lightning.accuracy.PreviewCost;
-import lightning.accuracy.Saving;
-import lightning.accuracy.TurnTimes;
+import lightning.bench.accuracy.FirstPassCost;
+import lightning.bench.accuracy.PreviewCost;
+import lightning.bench.accuracy.Saving;
+import lightning.bench.accuracy.TurnTimes;
 
 /** The tour's table, one line at a time. */
 final class TourTable {

@@ -1,6 +1,6 @@
 package lightning.scene;
 
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 
 /**
  * How large a light is. Its type decides which of these act; {@link LightAttribute} tells their ranges and units.

@@ -1,7 +1,7 @@
 package lightning.scene;
 
 import java.util.List;
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /**
  * Lights that are mastered together, as by one fader of a lighting desk: a light may belong to one, by its name

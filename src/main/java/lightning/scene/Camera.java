@@ -1,7 +1,7 @@
 package lightning.scene;
 
 import java.util.List;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 
 /**
  * A pinhole camera.

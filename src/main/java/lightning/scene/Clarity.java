@@ -1,6 +1,6 @@
 package lightning.scene;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /**
  * What passes through a surface, and what a body made of the material does to light inside.

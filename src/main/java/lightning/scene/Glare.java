@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.Optional;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /**
  * Lights that are too bright together for a metallic material: its sharp highlights are brighter than the light is, so that sums of

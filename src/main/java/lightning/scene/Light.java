@@ -2,8 +2,8 @@ package lightning.scene;
 
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 
 /**
  * A light with all attributes, whatever its type; the type decides which of them act (paper §4.5). {@link LightAttribute}

@@ -11,9 +11,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
-import lightning.text.Texts;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.Texts;
 
 /**
  * The attributes of lights, each described here and nowhere else, in the order in which a file writes them. What a light does

@@ -1,11 +1,11 @@
 package lightning.scene;
 
 import java.util.function.Supplier;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
-import lightning.text.Decimal;
-import lightning.text.Quote;
-import lightning.text.Visible;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.Decimal;
+import lightning.base.text.Quote;
+import lightning.base.text.Visible;
 
 /**
  * The ranges of everything that a scene may hold, stated once.

@@ -5,8 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import lightning.text.Quote;
-import lightning.text.Texts;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
 
 /**
  * Which shapes something of a light concerns: those named alone, or all but those. The name of a group stands for all shapes in it.

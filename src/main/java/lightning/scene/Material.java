@@ -1,7 +1,7 @@
 package lightning.scene;
 
 import java.util.Optional;
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /**
  * How a surface answers light. All colours are linear; {@link MaterialAttribute} tells the ranges, and which attributes act by

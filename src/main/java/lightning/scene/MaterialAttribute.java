@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import lightning.math.Rgb;
-import lightning.text.Texts;
+import lightning.base.math.Rgb;
+import lightning.base.text.Texts;
 
 /** The attributes of materials, each described here and nowhere else, in the order in which a file writes them. */
 public final class MaterialAttribute<V> extends Attribute<Material, V> {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /** For each material of some shapes the first of these that has it, in the order of the shapes. */
 final class MaterialUsers {

@@ -2,7 +2,7 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 
 /**
  * Cuts a sky into parts of about the same light, each of which becomes a lamp at its middle (Debevec, A Median Cut Algorithm for Light Probe

@@ -2,8 +2,8 @@ package lightning.scene;
 
 import java.util.List;
 import java.util.stream.Stream;
-import lightning.math.Vec3;
-import lightning.text.Measure;
+import lightning.base.math.Vec3;
+import lightning.base.text.Measure;
 
 /** One entry of the scene's tree: a shape, or a group that places several nodes together. */
 public sealed interface Node permits Shape, Group {

@@ -3,9 +3,8 @@ package lightning.scene;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.math.Transform;
-import lightning.math.Vec3;
-import lightning.mesh.Mesh;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
 
 /** A box that holds some shapes and groups with all that is in them, those included that are not visible; no tighter than is quick to find. */
 public final class NodeBox {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /** The names of shapes and groups, each of which one has, sorted: a table of hashes would be slow where a file chose names that collide. */
 final class NodeNames {

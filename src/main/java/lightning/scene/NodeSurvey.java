@@ -2,7 +2,7 @@ package lightning.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /** All that is in some nodes, checked for limits: in the order of the file. */
 final class NodeSurvey {

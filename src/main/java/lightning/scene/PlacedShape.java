@@ -1,6 +1,6 @@
 package lightning.scene;
 
-import lightning.math.Transform;
+import lightning.base.math.Transform;
 
 /**
  * A shape of the tree with its material looked up and all the groups around it multiplied in.

@@ -1,7 +1,7 @@
 package lightning.scene;
 
-import lightning.math.Transform;
-import lightning.math.Vec3;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
 
 /**
  * Where a shape or a group stands: scaled first, then rotated about x, y and z in this order, then

@@ -1,7 +1,7 @@
 package lightning.scene;
 
-import lightning.math.Transform;
-import lightning.math.Vec3;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
 
 /**
  * Bounds on the error of a placed shape's maps against those that its numbers mean, group by group: a running error

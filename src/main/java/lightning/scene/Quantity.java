@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
-import lightning.text.Measure;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.Measure;
 
 /**
  * A value made of one or several numbers, each with the same range.

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /**
  * The lights of a scene, in the order in which their contributions are summed, and the banks that master some of them. Immutable;

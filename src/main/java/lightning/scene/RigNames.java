@@ -3,7 +3,7 @@ package lightning.scene;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /** The names of a rig's lights and banks, shared by all rigs that differ in their attributes alone. */
 final class RigNames {

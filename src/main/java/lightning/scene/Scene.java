@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import lightning.text.Quote;
+import lightning.base.text.Quote;
 
 /**
  * Everything a picture depends on. Two equal scenes give the same picture in every bit.

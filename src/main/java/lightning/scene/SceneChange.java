@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import lightning.math.Vec3;
-import lightning.text.Texts;
+import lightning.base.math.Vec3;
+import lightning.base.text.Texts;
 
 /** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
 public final class SceneChange {

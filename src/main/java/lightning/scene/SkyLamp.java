@@ -1,6 +1,6 @@
 package lightning.scene;
 
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 
 /**
  * A directional lamp that stands for a part of a sky.

@@ -3,7 +3,6 @@ package lightning.scene;
 import java.util.List;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import lightning.mesh.Mesh;
 
 /** The form of a shape: of a canonical size, or as large as its triangles are. All that a file may say of a solid stands here. */
 public sealed interface Solid {

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
-import lightning.math.Transform;
-import lightning.text.Quote;
+import lightning.base.math.Transform;
+import lightning.base.text.Quote;
 
 /**
  * What stands before the camera: shapes, in groups, and their materials. Checked once, when it is made, and shared by all

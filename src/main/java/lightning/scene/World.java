@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
-import lightning.math.Rgb;
-import lightning.math.Transform;
-import lightning.math.Vec3;
-import lightning.text.Texts;
+import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.base.text.Texts;
 
 /**
  * What surrounds the shapes.

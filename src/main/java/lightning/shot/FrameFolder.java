@@ -7,13 +7,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
-import lightning.cache.CacheColumns;
-import lightning.cache.CacheOutline;
-import lightning.cache.PixelCache;
-import lightning.column.ColumnReader;
-import lightning.column.ColumnWriter;
-import lightning.file.ScratchFolder;
-import lightning.text.Texts;
+import lightning.base.file.ScratchFolder;
+import lightning.base.text.Texts;
+import lightning.render.cache.CacheColumns;
+import lightning.render.cache.CacheOutline;
+import lightning.render.cache.PixelCache;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
 
 /**
  * The rows and colours of frames as files, mapped for reading. A file is never written twice; what is damaged, or could not be written,

@@ -2,9 +2,9 @@ package lightning.shot;
 
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import lightning.image.Downscale;
-import lightning.image.Film;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
+import lightning.render.image.Downscale;
+import lightning.render.image.Film;
 
 /**
  * What holds frames: the caches of some of them, from which it relights. Here in this process ({@link LocalKeeper}), or anywhere else:
@@ -21,7 +21,7 @@ public interface FrameKeeper extends AutoCloseable {
      * @param progress asked before each tile; it may keep its caller waiting while something is more urgent
      * @throws CancellationException                if {@code progress} asked to stop; what is kept is as before
      * @throws IllegalArgumentException             if the take has no such frame, or its scene cannot be
-     * @throws lightning.relight.PictureTooLarge    if it does not fit into memory
+     * @throws lightning.render.relight.PictureTooLarge    if it does not fit into memory
      * @throws FrameRefusedException                if it cannot be held here; nothing is kept of it, and others are asked
      * @throws KeeperGoneException                  if frames are held here no more; nobody asks again
      */

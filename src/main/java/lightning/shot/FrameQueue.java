@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
 
 /**
  * Which frame is worked on next, and what work is of no use any more: the frame that is looked at first, then its neighbours outwards,

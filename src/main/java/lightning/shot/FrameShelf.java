@@ -3,11 +3,11 @@ package lightning.shot;
 import java.io.IOException;
 import java.util.Map;
 import java.util.TreeMap;
-import lightning.cache.CacheColumns;
-import lightning.cache.CacheOutline;
-import lightning.cache.PixelCache;
-import lightning.relight.MemoryNeed;
-import lightning.text.Texts;
+import lightning.base.text.Texts;
+import lightning.render.cache.CacheColumns;
+import lightning.render.cache.CacheOutline;
+import lightning.render.cache.PixelCache;
+import lightning.render.relight.MemoryNeed;
 
 /**
  * The caches of frames: in memory as far as they have room there, those nearest to the focus; the others on disk; and where that has no

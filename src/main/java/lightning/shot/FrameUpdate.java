@@ -2,7 +2,7 @@ package lightning.shot;
 
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
-import lightning.image.Film;
+import lightning.render.image.Film;
 
 /**
  * What was done for a frame.

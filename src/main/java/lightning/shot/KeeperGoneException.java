@@ -1,6 +1,6 @@
 package lightning.shot;
 
-import lightning.text.Told;
+import lightning.base.text.Told;
 
 /** What held frames is there no more, as when its process ended: others trace them again. The message is a sentence. */
 public final class KeeperGoneException extends Exception implements Told {

@@ -1,7 +1,7 @@
 package lightning.shot;
 
 import java.util.concurrent.CancellationException;
-import lightning.text.Texts;
+import lightning.base.text.Texts;
 
 /** One frame after the other, for one lane of one keeper, until the queue is closed or the keeper is gone. */
 record KeeperTurns(FrameQueue queue, int number, FrameQueue.Lane lane, FrameKeeper keeper, ShotListener listener) implements Runnable {

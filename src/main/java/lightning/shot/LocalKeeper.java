@@ -4,20 +4,20 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Optional;
-import lightning.cache.PixelCache;
-import lightning.image.Film;
-import lightning.relight.MemoryNeed;
-import lightning.relight.Renderer;
-import lightning.relight.Update;
-import lightning.relight.plan.Accuracy;
-import lightning.relight.plan.Reflections;
-import lightning.relight.plan.UpdatePlan;
-import lightning.relight.tile.MirrorStorage;
-import lightning.relight.tile.Options;
+import lightning.base.text.Texts;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.Film;
+import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.Update;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
-import lightning.text.Texts;
-import lightning.trace.Geometry;
-import lightning.work.Progress;
 
 /** Holds frames in this process. */
 public final class LocalKeeper implements FrameKeeper {

@@ -3,8 +3,8 @@ package lightning.shot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.image.Film;
-import lightning.work.OwnThread;
+import lightning.base.work.OwnThread;
+import lightning.render.image.Film;
 
 /**
  * The frames of a shot, each brought to the newest edit: the one in focus first, then its neighbours outwards. An edit replaces the one

@@ -2,11 +2,11 @@ package lightning.shot;
 
 import java.util.Locale;
 import java.util.stream.IntStream;
-import lightning.relight.MemoryNeed;
-import lightning.relight.tile.Options;
+import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.tile.Options;
+import lightning.render.trace.MeshMemory;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.trace.MeshMemory;
 
 /**
  * How much it takes to keep the frames of a shot, before any of them is traced.

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import lightning.pov.PovRay;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
+import lightning.format.pov.PovRay;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

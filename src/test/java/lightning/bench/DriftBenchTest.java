@@ -2,8 +2,8 @@ package lightning.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.relight.plan.Accuracy;
-import lightning.work.Progress;
+import lightning.base.work.Progress;
+import lightning.render.relight.plan.Accuracy;
 import org.junit.jupiter.api.Test;
 
 class DriftBenchTest {

@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.accuracy.Grade;
+import lightning.bench.accuracy.Grade;
 
 /** The results of {@code benchmarks/run} that are kept, by the names of its parts. */
 record KeptRuns(Map<String, Results> parts) {

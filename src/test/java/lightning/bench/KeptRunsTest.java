@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PictureError;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PictureError;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

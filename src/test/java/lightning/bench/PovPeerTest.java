@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.HashSet;
 import java.util.Set;
-import lightning.image.Film;
-import lightning.image.ViewTransform;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.shading.ReferenceTracer;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.shading.ReferenceTracer;
 import org.junit.jupiter.api.Test;
 
 class PovPeerTest {

@@ -2,9 +2,9 @@ package lightning.bench;
 
 import java.util.Arrays;
 import java.util.List;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PictureError;
-import lightning.accuracy.Timing;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PictureError;
+import lightning.bench.accuracy.Timing;
 
 /** Results made by hand. */
 final class Sample {

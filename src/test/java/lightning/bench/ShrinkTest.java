@@ -2,7 +2,7 @@ package lightning.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.image.Film;
+import lightning.render.image.Film;
 import org.junit.jupiter.api.Test;
 
 class ShrinkTest {

@@ -2,7 +2,7 @@ package lightning.bodies;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 
 /** The bodies of the scenes, by the names of their files. */
 final class Bodies {

@@ -1,6 +1,6 @@
 package lightning.bodies;
 
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 
 /** A valley with a lake, forty units across: hills by waves of many lengths, each turned against the one before. */
 final class Land {

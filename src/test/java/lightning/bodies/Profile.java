@@ -1,7 +1,7 @@
 package lightning.bodies;
 
+import lightning.base.math.Vec3;
 import lightning.bodies.Skin.Form;
-import lightning.math.Vec3;
 
 /**
  * A curve through points in the half plane of radius and height, by Catmull and Rom's splines (1974): what a lathe follows.

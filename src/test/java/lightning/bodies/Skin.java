@@ -6,8 +6,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
-import lightning.file.SafeFile;
-import lightning.math.Vec3;
+import lightning.base.file.SafeFile;
+import lightning.base.math.Vec3;
 
 /**
  * A surface over the unit square, as a grid of quadrilaterals.

@@ -6,8 +6,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import lightning.accuracy.FirstPassCost;
-import lightning.accuracy.Timing;
+import lightning.bench.accuracy.FirstPassCost;
+import lightning.bench.accuracy.Timing;
 import org.junit.jupiter.api.Test;
 
 class TourTableTest {

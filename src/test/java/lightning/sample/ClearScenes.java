@@ -1,8 +1,8 @@
 package lightning.sample;
 
 import java.nio.file.Path;
-import lightning.jen.JenException;
-import lightning.jen.JenReader;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
 
 /** Scenes in which a floor is seen through something clear, and no material is {@code reflective}. */

@@ -2,9 +2,9 @@ package lightning.sample;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import lightning.engine.Engine;
-import lightning.engine.EngineChoice;
-import lightning.engine.choice.Engines;
+import lightning.render.engine.Engine;
+import lightning.render.engine.EngineChoice;
+import lightning.render.engine.choice.Engines;
 
 /**
  * Draws an engine each time a tile is asked for, so that a picture's tiles, and what becomes of one tile by edits, come from

@@ -1,6 +1,6 @@
 package lightning.sample;
 
-import lightning.engine.choice.Engines;
+import lightning.render.engine.choice.Engines;
 import net.jqwik.api.lifecycle.BeforeContainerHook;
 import net.jqwik.api.lifecycle.ContainerLifecycleContext;
 import net.jqwik.api.lifecycle.PropagationMode;

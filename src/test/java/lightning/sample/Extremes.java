@@ -1,8 +1,8 @@
 package lightning.sample;
 
 import java.util.List;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import lightning.scene.Antialias;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;

@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import lightning.jen.JenWriter;
+import lightning.format.jen.JenWriter;
 import lightning.scene.Scene;
 
 /**

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
-import lightning.jen.JenReader;
+import lightning.format.jen.JenReader;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;

@@ -1,6 +1,6 @@
 package lightning.sample;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 import lightning.scene.Area;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;

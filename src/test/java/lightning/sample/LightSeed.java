@@ -1,6 +1,6 @@
 package lightning.sample;
 
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 import lightning.scene.Area;
 import lightning.scene.Camera;
 import lightning.scene.Light;

@@ -2,7 +2,7 @@ package lightning.sample;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 import lightning.scene.Clarity;
 import lightning.scene.Cutout;
 import lightning.scene.Material;

@@ -3,7 +3,7 @@ package lightning.sample;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
-import lightning.mesh.Mesh;
+import lightning.scene.Mesh;
 import lightning.scene.Solid;
 
 /** Small meshes for tests: closed bodies, smooth and flat, and heaps of triangles that no modeller would make. */

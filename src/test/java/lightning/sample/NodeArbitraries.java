@@ -2,7 +2,7 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Placement;

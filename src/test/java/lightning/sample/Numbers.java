@@ -1,7 +1,7 @@
 package lightning.sample;
 
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

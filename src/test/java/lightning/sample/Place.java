@@ -1,14 +1,14 @@
 package lightning.sample;
 
 import java.util.List;
-import lightning.math.Ray;
-import lightning.math.Vec3;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.trace.Eye;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.SurfacePoint;
 import lightning.scene.Camera;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.trace.Eye;
-import lightning.trace.Geometry;
-import lightning.trace.SurfacePoint;
 
 /** Where a light stands, told so that it means something in any scene. */
 sealed interface Place {

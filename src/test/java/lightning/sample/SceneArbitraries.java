@@ -3,7 +3,7 @@ package lightning.sample;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 import lightning.scene.Antialias;
 import lightning.scene.Bank;
 import lightning.scene.Camera;

@@ -2,7 +2,7 @@ package lightning.sample;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.jen.JenWriter;
+import lightning.format.jen.JenWriter;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

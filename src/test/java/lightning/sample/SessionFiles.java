@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import javax.imageio.ImageIO;
-import lightning.jen.JenWriter;
+import lightning.format.jen.JenWriter;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Texture;

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.stream.Stream;
-import lightning.math.Rgb;
-import lightning.relight.Renderer;
-import lightning.relight.tile.Options;
+import lightning.base.math.Rgb;
+import lightning.base.work.Progress;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.Luminaire;
+import lightning.render.shading.TraceCounts;
 import lightning.sample.StudioScene;
-import lightning.shading.Luminaire;
-import lightning.shading.TraceCounts;
-import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 
 class BankTest {

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
-import lightning.edit.LightEdits;
-import lightning.edit.MaterialEdits;
-import lightning.jen.JenException;
-import lightning.jen.JenReader;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.MaterialEdits;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
 import org.junit.jupiter.api.Test;
 
 class GlareTest {

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import lightning.math.Transform;
-import lightning.math.Vec3;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
 import org.junit.jupiter.api.Test;
 
 class PlacementTest {

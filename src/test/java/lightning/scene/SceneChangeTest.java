@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.edit.Desk;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Desk;
 import org.junit.jupiter.api.Test;
 
 class SceneChangeTest {

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
-import lightning.math.Rgb;
-import lightning.math.Vec3;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.Quote;
 import lightning.sample.StudioScene;
-import lightning.text.Quote;
 import org.junit.jupiter.api.Test;
 
 class SceneTest {

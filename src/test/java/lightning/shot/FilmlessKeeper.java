@@ -1,7 +1,7 @@
 package lightning.shot;
 
 import java.util.Optional;
-import lightning.image.Film;
+import lightning.render.image.Film;
 
 /** A keeper that has no films and keeps no bytes: what is done with frames is all that it is asked. */
 public abstract class FilmlessKeeper implements FrameKeeper {

@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import lightning.edit.Desk;
+import lightning.base.work.Progress;
+import lightning.editor.document.Desk;
 import lightning.model.Schedules;
 import lightning.scene.shot.Shot;
-import lightning.work.Progress;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
-import lightning.edit.Desk;
+import lightning.base.work.Progress;
+import lightning.base.work.Wait;
+import lightning.editor.document.Desk;
 import lightning.scene.shot.Shot;
-import lightning.work.Progress;
-import lightning.work.Wait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

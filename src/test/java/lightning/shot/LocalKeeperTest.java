@@ -12,12 +12,12 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
-import lightning.edit.Desk;
-import lightning.relight.tile.Options;
+import lightning.base.work.Progress;
+import lightning.editor.document.Desk;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
-import lightning.shading.ReferenceTracer;
-import lightning.work.Progress;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -4,15 +4,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
-import lightning.fulltrace.TraditionalTracer;
-import lightning.jen.JenDocument;
-import lightning.jen.JenReader;
-import lightning.jen.PropertyEdit;
-import lightning.relight.tile.Options;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenReader;
+import lightning.format.jen.PropertyEdit;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
-import lightning.work.Progress;
-import lightning.work.Workers;
 
 /** What it takes to relight all frames of scenes/dusk.jen, from memory and from disk, beside tracing each; run by hand. */
 final class RelitShotCost {

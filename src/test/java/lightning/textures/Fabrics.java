@@ -7,7 +7,7 @@ import static lightning.textures.Paint.line;
 import static lightning.textures.Paint.mix;
 import static lightning.textures.Paint.smooth;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** What lies on a desk: cloth, leather, a book's cover and a printed page. */
 final class Fabrics {

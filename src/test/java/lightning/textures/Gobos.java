@@ -1,6 +1,6 @@
 package lightning.textures;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** Pictures that spots project: white where light passes. Black all around, so that they repeat without a seam. */
 final class Gobos {

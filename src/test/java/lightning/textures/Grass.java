@@ -6,7 +6,7 @@ import static lightning.textures.Paint.hex;
 import static lightning.textures.Paint.mix;
 import static lightning.textures.Paint.smooth;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** A lawn seen from above: some thousand bent blades over each other, dark at the root and light at the tip. */
 final class Grass implements Pattern {

@@ -7,7 +7,7 @@ import static lightning.textures.Paint.line;
 import static lightning.textures.Paint.mix;
 import static lightning.textures.Paint.smooth;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** What a mason lays: brick, checker, stone and roof. */
 final class Masonry {

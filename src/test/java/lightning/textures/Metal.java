@@ -8,7 +8,7 @@ import static lightning.textures.Paint.smooth;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** The hull of a spaceship: plates of many sizes with seams, rivets, vents, marks of colour, streaks and scratches. */
 final class Metal implements Pattern {

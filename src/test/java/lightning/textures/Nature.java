@@ -6,7 +6,7 @@ import static lightning.textures.Paint.hex;
 import static lightning.textures.Paint.mix;
 import static lightning.textures.Paint.smooth;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** What grows, lies or shines by itself: marble, orange peel, sand and the night sky. */
 final class Nature {

@@ -1,6 +1,6 @@
 package lightning.textures;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** Mixing display colours and shaping numbers. */
 final class Paint {

@@ -1,6 +1,6 @@
 package lightning.textures;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** A surface over the unit square that repeats with period 1 in both directions. */
 @FunctionalInterface

@@ -5,10 +5,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import lightning.image.Film;
-import lightning.image.PictureFile;
-import lightning.image.ViewTransform;
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 
 /**
  * Paints the pictures in {@code textures/}. Nothing of it is random: the same program gives the same files.

@@ -6,7 +6,7 @@ import static lightning.textures.Paint.line;
 import static lightning.textures.Paint.mix;
 import static lightning.textures.Paint.smooth;
 
-import lightning.math.Rgb;
+import lightning.base.math.Rgb;
 
 /** Oak planks: six rows along u, each plank with its own tone, growth rings, fibres, pores and now and then a knot. */
 final class Wood implements Pattern {

@@ -1,6 +1,6 @@
 package lightning.bench.mesh;
 
-import lightning.mesh.Mesh;
+import lightning.scene.Mesh;
 
 /** A ball of radius 1 with bumps of many sizes, of any number of triangles: six grids, as the sides of a cube, blown up. */
 public final class BumpyBall {

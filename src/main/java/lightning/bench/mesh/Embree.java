@@ -18,7 +18,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.stream.Stream;
-import lightning.mesh.Mesh;
+import lightning.scene.Mesh;
 
 /**
  * Embree 3 in a process of its own: a small program in C that comes with this one, translated where Embree's headers and a C compiler

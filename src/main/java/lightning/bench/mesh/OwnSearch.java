@@ -3,9 +3,9 @@ package lightning.bench.mesh;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
-import lightning.trace.mesh.MeshPackets;
-import lightning.trace.mesh.MeshSolid;
-import lightning.trace.solid.Rays;
+import lightning.render.trace.mesh.MeshPackets;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.render.trace.solid.Rays;
 
 /** Traces sets of rays by our lanes, on the calling thread. */
 public final class OwnSearch {

@@ -1,8 +1,8 @@
 package lightning.bench.mesh;
 
-import lightning.mesh.Mesh;
-import lightning.trace.mesh.MeshProbe;
-import lightning.trace.mesh.MeshSolid;
+import lightning.render.trace.mesh.MeshProbe;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.scene.Mesh;
 
 /** The sets of rays that a mesh about the origin is measured with: those of an eye, and what follows of what it sees. */
 public final class RaySets {

@@ -11,7 +11,7 @@ import lightning.bench.DriftPoint;
 import lightning.bench.Growth;
 import lightning.bench.GrowthPoint;
 import lightning.bench.Results;
-import lightning.relight.plan.Accuracy;
+import lightning.render.relight.plan.Accuracy;
 
 /** What becomes of pictures after many edits, and how times grow. */
 final class CurveSections {

@@ -3,12 +3,12 @@ package lightning.bench.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PictureError;
 import lightning.bench.EditResult;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
 import lightning.bench.ValueResult;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PictureError;
 
 /** Each edit by itself: its pictures to wipe between, its grades, its error against time. */
 final class EditPictures {

@@ -1,11 +1,11 @@
 package lightning.bench.report;
 
 import java.util.Optional;
-import lightning.accuracy.Grade;
 import lightning.bench.EditResult;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
 import lightning.bench.Work;
+import lightning.bench.accuracy.Grade;
 
 /** The table of a scene's edits: what each did, what it saved, and why not more. */
 final class EditTable {

@@ -6,10 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
-import lightning.accuracy.Grade;
-import lightning.accuracy.PictureError;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
+import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.PictureError;
 
 /** One grade of accuracy over all edits of a scene. */
 record GradeSummary(Grade grade, List<RungResult> rungs) {

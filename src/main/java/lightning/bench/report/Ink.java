@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lightning.accuracy.Grade;
+import lightning.bench.accuracy.Grade;
 
 /**
  * The colours of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change

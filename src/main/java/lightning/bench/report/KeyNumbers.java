@@ -3,11 +3,11 @@ package lightning.bench.report;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import lightning.accuracy.Grade;
 import lightning.bench.EditResult;
 import lightning.bench.Results;
 import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
+import lightning.bench.accuracy.Grade;
 
 /** The run in four numbers, all of the default grade: a headline that mixes grades would promise what none of them keeps. */
 final class KeyNumbers {

@@ -3,7 +3,7 @@ package lightning.bench.report;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import lightning.accuracy.Grade;
+import lightning.bench.accuracy.Grade;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
 import org.jfree.chart.renderer.xy.XYStepRenderer;

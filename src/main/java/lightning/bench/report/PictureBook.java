@@ -15,9 +15,9 @@ import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
-import lightning.image.Film;
-import lightning.image.PictureFile;
-import lightning.image.ViewTransform;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 
 /**
  * The pictures inside the page, each once, however often it is shown: a class of the style sheet with the picture as its

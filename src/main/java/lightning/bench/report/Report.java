@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import lightning.base.file.SafeFile;
 import lightning.bench.Results;
-import lightning.file.SafeFile;
 
 /** Writes the report of a run as one HTML file that needs nothing else, no network either. */
 public final class Report {

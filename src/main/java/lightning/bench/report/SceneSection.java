@@ -2,12 +2,12 @@ package lightning.bench.report;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.accuracy.Grade;
 import lightning.bench.Cold;
 import lightning.bench.EditResult;
 import lightning.bench.FirstPass;
 import lightning.bench.Peer;
 import lightning.bench.SceneResult;
+import lightning.bench.accuracy.Grade;
 
 /** All that was measured on one scene at one size. */
 final class SceneSection {

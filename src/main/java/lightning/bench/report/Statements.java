@@ -11,7 +11,6 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.accuracy.Grade;
 import lightning.bench.EditResult;
 import lightning.bench.FirstPass;
 import lightning.bench.Machine;
@@ -20,6 +19,7 @@ import lightning.bench.Results;
 import lightning.bench.Run;
 import lightning.bench.SceneResult;
 import lightning.bench.ValueResult;
+import lightning.bench.accuracy.Grade;
 
 /** Parts of sentences that say what was measured, for documents: each is named, and made from results alone. */
 public final class Statements {

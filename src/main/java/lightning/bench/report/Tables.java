@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import lightning.accuracy.Grade;
 import lightning.bench.Cold;
 import lightning.bench.Drift;
 import lightning.bench.EditResult;
@@ -21,6 +20,7 @@ import lightning.bench.Run;
 import lightning.bench.RungResult;
 import lightning.bench.Samples;
 import lightning.bench.SceneResult;
+import lightning.bench.accuracy.Grade;
 
 /** The tables of a run as Markdown, for documents: each is named, and made from the results alone. */
 public final class Tables {

@@ -2,8 +2,8 @@ package lightning.scene.shot;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.math.Rotation;
-import lightning.math.Vec3;
+import lightning.base.math.Rotation;
+import lightning.base.math.Vec3;
 import lightning.scene.Quantity;
 
 /** What lies between the numbers of two keys. */

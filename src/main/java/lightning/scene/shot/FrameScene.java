@@ -3,7 +3,7 @@ package lightning.scene.shot;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Camera;

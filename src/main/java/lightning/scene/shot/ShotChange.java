@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
 import lightning.scene.Attribute;
 import lightning.scene.Scene;
 import lightning.scene.SceneChange;
-import lightning.text.Quote;
-import lightning.text.Texts;
 
 /** Says what changed of a scene and its keys in one line for a menu: {@code key: intensity at frame 12}. */
 public final class ShotChange {

@@ -2,6 +2,7 @@ package lightning.scene.shot;
 
 import java.util.List;
 import java.util.Optional;
+import lightning.base.text.Quote;
 import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
@@ -11,7 +12,6 @@ import lightning.scene.Node;
 import lightning.scene.Quantity;
 import lightning.scene.Scene;
 import lightning.scene.ValueKind;
-import lightning.text.Quote;
 
 /**
  * What has keys.

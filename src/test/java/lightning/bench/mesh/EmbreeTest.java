@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Random;
-import lightning.mesh.Mesh;
-import lightning.trace.mesh.MeshProbe;
-import lightning.trace.mesh.MeshSolid;
+import lightning.render.trace.mesh.MeshProbe;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.scene.Mesh;
 import org.junit.jupiter.api.Test;
 
 /** Another program's answers, where it is installed: {@code -Dlightning.embree=1000000} asks for as many. */

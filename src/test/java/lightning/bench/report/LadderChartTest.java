@@ -3,7 +3,7 @@ package lightning.bench.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import lightning.accuracy.Grade;
+import lightning.bench.accuracy.Grade;
 import lightning.bench.report.LadderChart.Point;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;

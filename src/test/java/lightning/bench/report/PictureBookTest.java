@@ -10,10 +10,10 @@ import java.util.Base64;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
-import lightning.image.DifferencePicture;
-import lightning.image.Film;
-import lightning.image.PictureFile;
-import lightning.image.ViewTransform;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.DifferencePicture;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

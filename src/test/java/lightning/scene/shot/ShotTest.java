@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import lightning.math.Vec3;
+import lightning.base.math.Vec3;
 import lightning.sample.SceneArbitraries;
 import lightning.sample.ShotArbitraries;
 import lightning.scene.Attribute;

@@ -1,0 +1,159 @@
+package lightning.render.engine.lanes;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.format.jen.JenReader;
+import lightning.render.engine.Agreement;
+import lightning.render.trace.CameraRays;
+import lightning.render.trace.Eye;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.SurfacePoint;
+import lightning.render.trace.tree.Beam;
+import lightning.render.trace.tree.Candidates;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** Nanoseconds per ray of a scene: packets of a tile among the shapes that its beam touches. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Warmup(iterations = 5, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(1)
+public class RayKernels {
+    private static final int SIZE = 256;
+    private static final int TILE = 32;
+    private static final int EYE_RAYS = SIZE * SIZE;
+    private static final int SHADOW_RAYS = 16384;
+    private static final int W = RayPacket.WIDTH;
+
+    @Param({"bird", "balls", "house"})
+    public String scene;
+
+    /** The shadow rays of one tile towards the first light with a position. */
+    private record ShadowTile(Beam beam, List<Ray> rays) {}
+
+    private final RayPacket p = new RayPacket();
+    private final Beam beam = new Beam();
+    private final Candidates candidates = new Candidates();
+    private final List<ShadowTile> shadows = new ArrayList<>();
+    private final int[] nearest = new int[EYE_RAYS];
+    private final boolean[] blocked = new boolean[SHADOW_RAYS];
+    private Geometry geometry;
+    private CameraRays camera;
+    private PacketTracer tracer;
+    private Vec3 light;
+
+    /** Reads the scene, and refuses kernels that do not agree with the readable code. */
+    @Setup
+    public void prepare() throws Exception {
+        Scene read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
+        geometry = new Geometry(read);
+        camera = new CameraRays(read.camera(), new Picture(SIZE, SIZE, 0));
+        tracer = new PacketTracer(geometry);
+        light = geometry.toRenderSpace(read.lights().stream().filter(l -> l.type().hasPosition()).findFirst().orElseThrow().position());
+        primary();
+        for (int i = 0; i < EYE_RAYS; i++) {
+            Agreement.require(nearest[i] == geometry.nearestOfAll(camera.through(i % SIZE, i / SIZE)), "primary ray", i);
+        }
+        collectShadowRays();
+        shadow();
+        int at = 0;
+        for (ShadowTile tile : shadows) {
+            for (Ray ray : tile.rays) {
+                Agreement.require(blocked[at] == geometry.blockedByAny(ray, 1), "shadow ray", at++);
+            }
+        }
+    }
+
+    private void collectShadowRays() {
+        int count = 0;
+        for (int tile = 0; tile < EYE_RAYS / (TILE * TILE) && count < SHADOW_RAYS; tile++) {
+            ShadowTile rays = new ShadowTile(new Beam(), new ArrayList<>());
+            for (int i = 0; i < TILE * TILE && count < SHADOW_RAYS; i++) {
+                int x = tile % (SIZE / TILE) * TILE + i % TILE;
+                int y = tile / (SIZE / TILE) * TILE + i / TILE;
+                if (nearest[y * SIZE + x] >= 0) {
+                    SurfacePoint point = geometry.surface(nearest[y * SIZE + x], camera.through(x, y));
+                    Vec3 from = new Vec3(point.px(), point.py(), point.pz());
+                    Vec3 way = light.minus(from);
+                    if (way.dot(new Vec3(point.nx(), point.ny(), point.nz())) > 0) {
+                        rays.rays.add(new Ray(from, way));
+                        rays.beam.origin(from.x(), from.y(), from.z());
+                        count++;
+                    }
+                }
+            }
+            shadows.add(rays);
+        }
+        if (count < SHADOW_RAYS) {
+            throw new IllegalStateException(scene + " has only " + count + " shadow rays at this size");
+        }
+    }
+
+    /** Eye rays to the nearest shape. */
+    @Benchmark
+    @OperationsPerInvocation(EYE_RAYS)
+    public int[] primary() {
+        for (int top = 0; top < SIZE; top += TILE) {
+            for (int left = 0; left < SIZE; left += TILE) {
+                camera.sweep(beam, left, top, TILE, TILE);
+                candidates.collect(geometry.bvh(), beam);
+                for (int y = top; y < top + TILE; y++) {
+                    for (int x = left; x < left + TILE; x += W) {
+                        eye(camera, x, y);
+                        tracer.nearest(p, W, candidates);
+                        System.arraycopy(p.primitive, 0, nearest, y * SIZE + x, W);
+                    }
+                }
+            }
+        }
+        return nearest;
+    }
+
+    private void eye(CameraRays camera, int x, int y) {
+        Arrays.fill(p.ox, 0);
+        Arrays.fill(p.oy, 0);
+        Arrays.fill(p.oz, 0);
+        EyeLanes.through(camera, x, y, p.dx, p.dy, p.dz, 0);
+    }
+
+    /** Whether anything is between a row and the light; loading the rays included. */
+    @Benchmark
+    @OperationsPerInvocation(SHADOW_RAYS)
+    public boolean[] shadow() {
+        int at = 0;
+        for (ShadowTile tile : shadows) {
+            tile.beam.towards(light);
+            candidates.collect(geometry.bvh(), tile.beam);
+            for (int i = 0; i < tile.rays.size(); i += W) {
+                int live = Math.min(W, tile.rays.size() - i);
+                for (int lane = 0; lane < live; lane++) {
+                    Packets.set(p, lane, tile.rays.get(i + lane), 1);
+                }
+                int mask = candidates.isEmpty() ? 0 : tracer.blocked(p, live, candidates);
+                for (int lane = 0; lane < live; lane++) {
+                    blocked[at++] = (mask >>> lane & 1) != 0;
+                }
+            }
+        }
+        return blocked;
+    }
+}

@@ -1,0 +1,180 @@
+package lightning.render.shading;
+
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import lightning.base.math.Power;
+import lightning.format.jen.JenReader;
+import lightning.render.engine.choice.Engines;
+import lightning.render.engine.lanes.PowerLanes;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.TileVisibility;
+import lightning.render.trace.Tracer;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** Nanoseconds per row of what edits run over the rows of a full tile of a scene, in the cache of the processor. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Warmup(iterations = 5, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(1)
+public class RowKernels {
+    private static final int ROWS = 1024;
+    private static final double EXPONENT = 37.25;
+
+    @Param({"bird", "balls"})
+    public String scene;
+
+    private final Terms terms = Engines.LANES.terms();
+    private final float[] falloff = new float[ROWS];
+    private final double[] bases = new double[ROWS];
+    private final double[] powers = new double[ROWS];
+    private Scene read;
+    private HitRows rows;
+    private Composer composer;
+    private final float[][] colors = new float[3][ROWS];
+    private LightKernel light;
+    private RatioKernel ratio;
+    private Luminaire[] lights;
+    private LightLayer[] layers;
+    private float[][] mirrored;
+    private Luminaire spot;
+    private Luminaire brighter;
+    private RatioRows contributions;
+
+    /** Finds a tile, and refuses kernels that do not agree with the readable code. */
+    @Setup
+    public void prepare() throws Exception {
+        read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
+        Geometry geometry = new Geometry(read);
+        Tracer tracer = Engines.LANES.tracer(geometry);
+        composer = new Composer(geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
+        light = new LightKernel(geometry, tracer, Engines.LANES.terms(), ViewEffects.ALL);
+        ratio = new RatioKernel(light);
+        lights = Luminaire.all(read);
+        Light first = read.lights().stream().filter(l -> l.type() == LightType.SPOT).findFirst().orElseThrow();
+        spot = Luminaire.of(first, read);
+        brighter = Luminaire.of(first.withIntensity(1.25 * first.intensity()), read);
+        findTile(new TileVisibility(geometry, read, tracer));
+        layers = new LightLayer[lights.length];
+        for (int i = 0; i < lights.length; i++) {
+            layers[i] = light.full(rows, lights[i].lamp(), Columns.FRESH);
+        }
+        mirrored = new float[3][HitRows.padded(rows.count)];
+        for (int i = 0; i < ROWS; i++) {
+            bases[i] = (i + 0.5) / ROWS;
+            mirrored[i % 3][i] = i / 1024f;
+        }
+        new ReadableRows(rows, geometry).require(this);
+    }
+
+    /** The first tile of 1024 rows, some of them, but not all, lit by the spot light. */
+    private void findTile(TileVisibility visibility) {
+        for (int y = 0; y + 32 <= read.picture().height(); y += 32) {
+            for (int x = 0; x + 32 <= read.picture().width(); x += 32) {
+                rows = visibility.eye(x, y, 32, (count, textured, clear) -> new HitRows(count, textured, clear, false, false));
+                if (rows.count == ROWS) {
+                    contributions = ratio.full(rows, spot);
+                    if (contributions.lit() > ROWS / 4 && contributions.lit() < ROWS) {
+                        return;
+                    }
+                }
+            }
+        }
+        throw new IllegalStateException(scene + " has no full tile that its spot light lights in part");
+    }
+
+    Luminaire spot() {
+        return spot;
+    }
+
+    Luminaire[] lights() {
+        return lights;
+    }
+
+    LightLayer[] layers() {
+        return layers;
+    }
+
+    float[][] mirrored() {
+        return mirrored;
+    }
+
+    float ambience() {
+        return (float) read.world().ambience();
+    }
+
+    RatioRows contributions() {
+        return contributions;
+    }
+
+    float intensityRatio() {
+        return brighter.red() / spot.red();
+    }
+
+    double power(int i) {
+        return Power.of(bases[i], EXPONENT);
+    }
+
+    /** All lights into linear colours. */
+    @Benchmark
+    @OperationsPerInvocation(ROWS)
+    public Object compose() {
+        composer.compose(rows, lights, layers, null, read.world(), new Images(mirrored, null), colors);
+        return colors;
+    }
+
+    float[][] composed() {
+        compose();
+        return colors;
+    }
+
+    /** The falloff column of a spot light: attenuation and dropoff. */
+    @Benchmark
+    @OperationsPerInvocation(ROWS)
+    public float[] attenuation() {
+        terms.aim(rows, spot.lamp());
+        terms.aimCone(rows, spot.lamp());
+        terms.falloffs(rows, spot.lamp(), falloff);
+        return falloff;
+    }
+
+    /** A spot light's whole layer, shadow rays included. */
+    @Benchmark
+    @OperationsPerInvocation(ROWS)
+    public LightRows reshade() {
+        return light.full(rows, spot.lamp(), Columns.FRESH);
+    }
+
+    /** x to the power 37.25. */
+    @Benchmark
+    @OperationsPerInvocation(ROWS)
+    public double[] power() {
+        System.arraycopy(bases, 0, powers, 0, ROWS);
+        PowerLanes.of(powers, 0, ROWS, EXPONENT);
+        return powers;
+    }
+
+    /** The paper's update of an intensity: contributions scaled by a ratio. */
+    @Benchmark
+    @OperationsPerInvocation(ROWS)
+    public RatioRows ratioScaling() {
+        return ratio.partial(rows, spot, brighter, contributions, ConeChange.NONE, false);
+    }
+}

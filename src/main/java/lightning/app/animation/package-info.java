@@ -1,4 +1,0 @@
-/**
- * The animation of one light: record, play, scrub, export.
- */
-package lightning.app.animation;

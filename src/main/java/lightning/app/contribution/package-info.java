@@ -1,4 +1,0 @@
-/**
- * Which lights matter to the picture, to a part of it, and to a pixel.
- */
-package lightning.app.contribution;

@@ -1,4 +1,0 @@
-/**
- * The gallery of cues: how a scene was lit, to be restored, compared and blended.
- */
-package lightning.app.cue;

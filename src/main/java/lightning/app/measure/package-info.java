@@ -1,4 +1,0 @@
-/**
- * What accuracy and effects cost, measured when the artist asks.
- */
-package lightning.app.measure;

@@ -1,4 +1,0 @@
-/**
- * The light mixer: a board with a strip for each light and bank of the scene.
- */
-package lightning.app.mixer;

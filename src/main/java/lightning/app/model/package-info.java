@@ -1,5 +1,0 @@
-/**
- * What the panes show and do, without a pane: the open document, its picture and how far it is, and what is remembered from one
- * run to the next.
- */
-package lightning.app.model;

@@ -1,4 +1,0 @@
-/**
- * The drawn preview, in which lights are taken by hand.
- */
-package lightning.app.preview;

@@ -1,4 +1,0 @@
-/**
- * The lights and materials of the scene: the list and what each is set to.
- */
-package lightning.app.property;

@@ -1,4 +1,0 @@
-/**
- * The timeline: the keys of a shot over its frames, and the frame that is shown.
- */
-package lightning.app.timeline;

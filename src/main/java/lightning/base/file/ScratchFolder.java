@@ -1,0 +1,160 @@
+package lightning.base.file;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Pattern;
+import lightning.base.text.Quote;
+
+/**
+ * A folder for files that nobody needs when the process has ended: their owner's alone, never brought to the disk on purpose, and removed
+ * in the end. A process that is killed leaves its folder behind; the next that makes one in the same place removes it. Whether a process
+ * still uses a folder is told by a lock, which the system gives up with the process.
+ */
+public final class ScratchFolder implements AutoCloseable {
+    private static final Pattern OURS = Pattern.compile("lightning-scratch-[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
+    private static final String LOCK = "in-use";
+    /** A folder without a lock is one that is just being made, or was not made to its end. */
+    private static final Duration HALF_MADE = Duration.ofHours(1);
+
+    /** Those of this process: where their locks are only looked at, POSIX gives them up with the stream that looked. */
+    private static final Set<Path> OWN = ConcurrentHashMap.newKeySet();
+
+    private final Path folder;
+    private final FileChannel lock;
+
+    private ScratchFolder(Path folder, FileChannel lock) {
+        this.folder = folder;
+        this.lock = lock;
+    }
+
+    /**
+     * Makes one, and removes those that ended processes left in the same place.
+     *
+     * @throws IOException if it cannot be made; a sentence that begins with {@code parent}
+     */
+    public static ScratchFolder in(Path parent) throws IOException {
+        if (!Files.isDirectory(parent)) {
+            throw new IOException(Quote.path(parent) + ": is no folder");
+        }
+        removeLeftIn(parent);
+        Path folder = parent.resolve("lightning-scratch-" + UUID.randomUUID());
+        OWN.add(folder.getFileName());
+        try {
+            PrivateFolder.make(folder);
+            Path lock = folder.resolve(LOCK + ".new");
+            Permissions.OWNER_ONLY.create(lock);
+            FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE);
+            channel.lock();
+            // Under its name it is always locked.
+            Files.move(lock, folder.resolve(LOCK), StandardCopyOption.ATOMIC_MOVE);
+            return new ScratchFolder(folder, channel);
+        } catch (FileSystemException e) {
+            remove(folder);
+            OWN.remove(folder.getFileName());
+            throw new IOException(Quote.path(parent) + ": no folder can be made in it ("
+                    + (e.getReason() == null ? e.getClass().getSimpleName() : e.getReason()) + ")", e);
+        }
+    }
+
+    /** A name in the folder. */
+    public Path file(String name) {
+        return folder.resolve(name);
+    }
+
+    /** The bytes that are free where the folder is. */
+    public long free() throws IOException {
+        return Files.getFileStore(folder).getUsableSpace();
+    }
+
+    /**
+     * Writes a file that is not there yet.
+     *
+     * @throws IOException if it cannot be written, or {@code content} throws; there is then no such file
+     */
+    public void write(Path file, SafeFile.Anywhere content) throws IOException {
+        Permissions.OWNER_ONLY.create(file);
+        boolean whole = false;
+        try (var channel = new NamedChannel(FileChannel.open(file, StandardOpenOption.WRITE), file)) {
+            content.writeTo(channel);
+            whole = true;
+        } finally {
+            if (!whole) {
+                Files.deleteIfExists(file);
+            }
+        }
+    }
+
+    /** Removes the folder with all that is in it. */
+    @Override
+    public void close() {
+        remove(folder);
+        try {
+            lock.close();
+        } catch (IOException e) {
+            // It is given up with the process.
+        }
+        OWN.remove(folder.getFileName());
+    }
+
+    private static void removeLeftIn(Path parent) {
+        try (DirectoryStream<Path> ours = Files.newDirectoryStream(parent, ScratchFolder::isOurs)) {
+            for (Path folder : ours) {
+                if (isLeft(folder)) {
+                    remove(folder);
+                }
+            }
+        } catch (IOException | DirectoryIteratorException e) {
+            // What cannot be listed can perhaps be written.
+        }
+    }
+
+    private static boolean isOurs(Path folder) {
+        return OURS.matcher(folder.getFileName().toString()).matches() && !OWN.contains(folder.getFileName())
+                && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS);
+    }
+
+    private static boolean isLeft(Path folder) {
+        Path lock = folder.resolve(LOCK);
+        try {
+            if (!Files.isRegularFile(lock, LinkOption.NOFOLLOW_LINKS)) {
+                return Files.getLastModifiedTime(folder).toInstant().plus(HALF_MADE).isBefore(Instant.now());
+            }
+            try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
+                    FileLock free = channel.tryLock()) {
+                return free != null;
+            }
+        } catch (IOException e) {
+            // Somebody else's.
+            return false;
+        }
+    }
+
+    /** Never fails: what stays is removed by the next. */
+    private static void remove(Path folder) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+            for (Path file : files) {
+                if (!file.getFileName().toString().equals(LOCK)) {
+                    Files.deleteIfExists(file);
+                }
+            }
+            Files.deleteIfExists(folder.resolve(LOCK));
+            Files.deleteIfExists(folder);
+        } catch (IOException | DirectoryIteratorException e) {
+            // Perhaps somebody else's.
+        }
+    }
+}

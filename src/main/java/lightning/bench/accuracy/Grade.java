@@ -1,0 +1,69 @@
+package lightning.bench.accuracy;
+
+import lightning.scene.Antialias;
+import lightning.scene.Light;
+import lightning.scene.Limits;
+import lightning.scene.Picture;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+
+/** The grades of accuracy, each a way to show an edit, from the roughest to the full trace. */
+public enum Grade {
+    HALF_RESOLUTION("half resolution", "re-rendered exactly, mirrors included, at half the width and height; each pixel enlarged to "
+            + "those nearest to it"),
+    FAST_SHADING("fast shading", "re-rendered without shadows and reflections, as previews of other editors are (paper §1.1, §2.3)"),
+    FEW_SAMPLES("few samples", "re-rendered exactly, mirrors included, with 4 samples of each light that is larger than a point; only "
+            + "where the scene has one"),
+    NO_ANTIALIASING("no anti-aliasing",
+            "re-rendered exactly, mirrors included, with one sample in each pixel; only where the scene asks for "
+                    + "finer samples"),
+    RATIO("ratio", "the paper's update of stored contributions; mirrors stay as they were"),
+    EXACT("exact", "bit-equal to a full trace whose mirrors stay as they were"),
+    EXACT_UPDATED("exact, mirrors updated", "exact, and then the mirrors: both times together (paper §4.8)"),
+    EXACT_CURRENT("exact, mirrors current", "bit-equal to a full trace, mirrors included, in one step"),
+    FULL_TRACE("full trace", "a traditional trace that keeps nothing: the reference");
+
+    /** What the program shows unless it is told otherwise: headlines are about this grade. */
+    public static final Grade DEFAULT = EXACT_CURRENT;
+
+    /** The lights' samples of the grade that has few. */
+    private static final int FEW = Limits.MIN_LIGHT_SAMPLES;
+
+    private final String label;
+    private final String note;
+
+    Grade(String label, String note) {
+        this.label = label;
+        this.note = note;
+    }
+
+    /** Whether it is another than its neighbours for edits of a scene. */
+    boolean isOf(Scene scene) {
+        return switch (this) {
+            case FEW_SAMPLES -> scene.lights().stream().anyMatch(Light::isArea);
+            case NO_ANTIALIASING -> scene.picture().sampling().isFine();
+            case HALF_RESOLUTION, FAST_SHADING, RATIO, EXACT, EXACT_UPDATED, EXACT_CURRENT, FULL_TRACE -> true;
+        };
+    }
+
+    /** The scene that it renders for one that is wanted. */
+    Scene of(Scene scene) {
+        Picture p = scene.picture();
+        return switch (this) {
+            case HALF_RESOLUTION -> scene.withPicture(p.withSize((p.width() + 1) / 2, (p.height() + 1) / 2));
+            case FEW_SAMPLES -> scene.withLights(scene.lights().stream().map(l -> l.withArea(l.area().withSamples(FEW))).toList());
+            case NO_ANTIALIASING -> scene.withPicture(p.withSampling(new Sampling(Antialias.OFF, p.sampling().grid())));
+            case FAST_SHADING, RATIO, EXACT, EXACT_UPDATED, EXACT_CURRENT, FULL_TRACE -> scene;
+        };
+    }
+
+    /** A few words, for a table. */
+    public String label() {
+        return label;
+    }
+
+    /** What it does, in a line. */
+    public String note() {
+        return note;
+    }
+}

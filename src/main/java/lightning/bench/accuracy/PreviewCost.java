@@ -1,0 +1,62 @@
+package lightning.bench.accuracy;
+
+import java.util.Arrays;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.render.engine.choice.Engines;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.Options;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * What the editor's preview costs at 600×600 pixels.
+ *
+ * @param lightMs  milliseconds to redraw after a light was moved, the slowest light's median
+ * @param cameraMs milliseconds to draw the whole view sharp, as when the camera comes to rest, median
+ */
+public record PreviewCost(double lightMs, double cameraMs) {
+    private static final int SIZE = 600;
+    private static final int WARM_UPS = 20;
+    private static final int REPETITIONS = 15;
+
+    /**
+     * Measures a scene's preview.
+     *
+     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     */
+    public static PreviewCost of(Scene scene, int threads, Progress progress) {
+        Scene square = scene.withPicture(scene.picture().withSize(SIZE, SIZE));
+        try (Renderer preview =
+                new Renderer(Options.DEFAULT.withThreads(threads).withView(ViewEffects.PREVIEW).withEngines(Engines.FASTEST))) {
+            double camera = median(i -> preview.render(square.withCamera(moved(square.camera(), i)), progress).milliseconds());
+            preview.render(square, progress);
+            double slowest = 0;
+            for (Light light : square.lights()) {
+                slowest = Math.max(slowest, median(i -> preview.render(square.withLight(moved(light, i)), progress).milliseconds()));
+            }
+            return new PreviewCost(slowest, camera);
+        }
+    }
+
+    private static double median(java.util.function.IntToDoubleFunction frame) {
+        double[] times = new double[REPETITIONS];
+        for (int i = -WARM_UPS; i < REPETITIONS; i++) {
+            times[Math.max(i, 0)] = frame.applyAsDouble(i);
+        }
+        Arrays.sort(times);
+        return times[REPETITIONS / 2];
+    }
+
+    private static Camera moved(Camera camera, int i) {
+        Vec3 way = camera.to().minus(camera.from()).times(1e-3 * i);
+        return new Camera(camera.from().plus(way), camera.to(), camera.up(), camera.fov());
+    }
+
+    private static Light moved(Light light, int i) {
+        Vec3 way = new Vec3(1e-3 * i, 0, 0);
+        return light.withPosition(light.position().plus(way)).withDirection(light.direction().plus(way));
+    }
+}

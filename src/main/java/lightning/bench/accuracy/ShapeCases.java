@@ -1,0 +1,59 @@
+package lightning.bench.accuracy;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import lightning.base.math.Vec3;
+import lightning.scene.PlacedShape;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+
+/**
+ * Edits of shapes, which the paper does not have: of one that stands about where the camera looks. Planes are left out, since they are
+ * the floors and walls that others stand before.
+ */
+final class ShapeCases {
+    private final List<PaperCase> cases = new ArrayList<>();
+    private final Scene scene;
+
+    private ShapeCases(Scene scene) {
+        this.scene = scene;
+    }
+
+    /**
+     * @param value 0 to {@link PaperCases#VALUES} − 1: the nearest shape, the next, and the one behind that; where there are fewer, none
+     */
+    static List<PaperCase> of(Scene scene, int value) {
+        var builder = new ShapeCases(scene);
+        Framing framing = Framing.of(scene.camera());
+        scene.placedShapes().stream().filter(shape -> !(shape.shape().solid() instanceof Solid.Plane))
+                .sorted(Comparator.comparingDouble(shape -> middle(shape).minus(framing.focus()).length())).skip(value).findFirst()
+                .ifPresent(shape -> builder.edits(shape.shape(), framing.reach() / 10));
+        return builder.cases;
+    }
+
+    private static Vec3 middle(PlacedShape shape) {
+        return shape.toWorld().point(Vec3.ZERO);
+    }
+
+    /** @param step how far it is moved */
+    private void edits(Shape shape, double step) {
+        Placement p = shape.placement();
+        add("shape-moved", placed(shape, new Placement(p.at().plus(new Vec3(step, 0, 0)), p.rotate(), p.scale())));
+        add("shape-turned", placed(shape, new Placement(p.at(), p.rotate().plus(new Vec3(0, 15, 0)), p.scale())));
+        add("shape-scaled", placed(shape, new Placement(p.at(), p.rotate(), p.scale().times(0.8))));
+        Scene hidden = scene.withNode(shape.name(), shape.withVisible(false));
+        add("shape-hidden", hidden);
+        add("shape-shown", hidden, scene);
+    }
+
+    private Scene placed(Shape shape, Placement placement) {
+        return scene.withNode(shape.name(), shape.withPlacement(placement));
+    }
+
+    private void add(String name, Scene... steps) {
+        cases.add(PaperCase.further(name, scene, steps));
+    }
+}

@@ -1,6 +1,0 @@
-/**
- * Frames of a shot on other machines. A node ({@link lightning.cluster.FrameNode}) holds frames for whoever asks; a coordinator gives them to nodes
- * as keepers of a shot ({@link lightning.cluster.RemoteKeeper}). Who is there, JGroups finds out ({@link lightning.cluster.TlsNetwork}), and only
- * members that have the same certificate are heard.
- */
-package lightning.cluster;

@@ -1,0 +1,162 @@
+package lightning.editor.document;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightType;
+import lightning.scene.Limits;
+import lightning.scene.Scene;
+
+/** The edits of lights that are more than one {@link Dial}. Each is refused if there is no light of the name given. */
+public final class LightEdits {
+    /** Leaves room for a number in a name of the greatest length. */
+    private static final int LONGEST_STEM = Limits.MAX_NAME - 7;
+
+    private LightEdits() {}
+
+    /**
+     * The light of that name.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
+    public static Light light(Scene scene, String name) {
+        return scene.light(name).orElseThrow(() -> new IllegalArgumentException(Texts.of("there is no light {0}", Quote.of(name))));
+    }
+
+    /** Any edit of one light that keeps its name. */
+    public static Change with(Scene scene, String name, UnaryOperator<Light> edit) {
+        return Change.of(() -> scene.withLight(edit.apply(light(scene, name))));
+    }
+
+    /** @param color linear, 0…1000 per channel */
+    public static Change color(Scene scene, String name, Rgb color) {
+        return with(scene, name, l -> l.withColor(color));
+    }
+
+    /** The colour as hue, saturation and value, of linear channels. */
+    public static Change hsv(Scene scene, String name, Hsv color) {
+        return Change.of(() -> scene.withLight(light(scene, name).withColor(color.rgb())));
+    }
+
+    /**
+     * The colour of a glowing body, at the brightest channel that the light has now.
+     *
+     * @param kelvin 1667…25000
+     */
+    public static Change temperature(Scene scene, String name, double kelvin) {
+        return with(scene, name, l -> l.withColor(Kelvin.rgb(kelvin).times(l.color().isBlack() ? 1 : l.color().max())));
+    }
+
+    public static Change position(Scene scene, String name, Vec3 position) {
+        return with(scene, name, l -> l.withPosition(position));
+    }
+
+    /** @param direction where it shines to, any length but 0 */
+    public static Change direction(Scene scene, String name, Vec3 direction) {
+        return with(scene, name, l -> l.withDirection(direction));
+    }
+
+    /** Turns the light to a point, from its position; refused for a point light, and where it stands at the point. */
+    public static Change aim(Scene scene, String name, Vec3 target) {
+        return with(scene, name, l -> LightPlacing.from(l, new LightPlacing.Act.Pool(), target).aimed(target));
+    }
+
+    /** Another type; all attributes are kept (paper §4.5). */
+    public static Change type(Scene scene, String name, LightType type) {
+        return with(scene, name, l -> l.withType(type));
+    }
+
+    public static Change on(Scene scene, String name, boolean on) {
+        return with(scene, name, l -> l.withOn(on));
+    }
+
+    public static Change solo(Scene scene, String name, boolean solo) {
+        return with(scene, name, l -> l.withSolo(solo));
+    }
+
+    /** Refused if the name is taken or could not stand in a scene file. */
+    public static Change rename(Scene scene, String name, String newName) {
+        return Change.of(() -> {
+            Light light = light(scene, name);
+            return scene.withLights(scene.lights().stream().map(l -> l == light ? l.withName(newName) : l).toList());
+        });
+    }
+
+    /** Adds a light as the last. Its name is made free by a number, {@code key2}, where it is taken. */
+    public static Change add(Scene scene, Light light) {
+        return Change.of(() -> {
+            List<Light> lights = new ArrayList<>(scene.lights());
+            lights.add(light.withName(freeName(scene, light.name())));
+            return scene.withLights(lights);
+        });
+    }
+
+    /** Adds a white light that stands at the camera, up to its right, and shines at what the camera looks at. */
+    public static Change add(Scene scene, LightType type) {
+        return Change.of(() -> {
+            var view = PreviewCamera.of(scene);
+            double distance = view.distance();
+            Vec3 position = view.camera().from().plus(view.right().times(distance / 2)).plus(view.up().times(distance / 2));
+            Light light = Light.of(type.name().toLowerCase(Locale.ROOT), type)
+                    .withPosition(position).withDirection(view.camera().to().minus(position));
+            // A surface is as large as one finds in a studio: half as wide as it is far away.
+            return add(scene, type.isSurface() ? light.withArea(light.area().withRadius(size(distance)).withWidth(2 * size(distance))
+                    .withHeight(2 * size(distance))) : light).or(scene);
+        });
+    }
+
+    private static double size(double distance) {
+        return Math.min(distance / 4, Limits.MAX_EXTENT / 2);
+    }
+
+    public static Change delete(Scene scene, String name) {
+        return Change.of(() -> {
+            Light light = light(scene, name);
+            return scene.withLights(scene.lights().stream().filter(l -> l != light).toList());
+        });
+    }
+
+    /** Puts a light like this one, with a free name, behind it and a little beside it. */
+    public static Change duplicate(Scene scene, String name) {
+        return Change.of(() -> {
+            Light light = light(scene, name);
+            List<Light> lights = new ArrayList<>(scene.lights());
+            lights.add(lights.indexOf(light) + 1,
+                    light.withName(freeName(scene, name)).withPosition(Beside.of(scene, light.position())));
+            return scene.withLights(lights);
+        });
+    }
+
+    /**
+     * Gives a light the settings of another: type, colour and all that shapes its light. It keeps its name, its place, its
+     * direction and its switches.
+     */
+    public static Change paste(Scene scene, String name, Light settings) {
+        return with(scene, name, light -> {
+            Light pasted = light;
+            for (LightAttribute<?> attribute : LightAttribute.ALL) {
+                pasted = attribute.isSetting() ? attribute.copy(settings, pasted) : pasted;
+            }
+            return pasted;
+        });
+    }
+
+    /** The name itself, or with the least number behind it that no light, shape or group has: {@code key2}. */
+    public static String freeName(Scene scene, String name) {
+        if (!scene.isTaken(name)) {
+            return name;
+        }
+        String stem = name.replaceFirst("\\d+$", "");
+        String room = stem.codePointCount(0, stem.length()) <= LONGEST_STEM ? stem
+                : stem.substring(0, stem.offsetByCodePoints(0, LONGEST_STEM));
+        return IntStream.iterate(2, i -> i + 1).mapToObj(i -> room + i).filter(n -> !scene.isTaken(n)).findFirst().orElseThrow();
+    }
+}

@@ -1,0 +1,73 @@
+package lightning.editor.document;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
+import lightning.format.jen.PropertyEdit;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.TextureMap;
+
+/**
+ * The edits of materials. Each is refused if there is no material of the name given, or if a value is out of its range.
+ * Shapes that name none have the material {@code default}, which an edit adds to the scene where it has none of its own.
+ */
+public final class MaterialEdits {
+    private MaterialEdits() {}
+
+    /** The material of a shape, also one in a group; empty if there is no such shape. */
+    public static Optional<Material> ofShape(Scene scene, String shape) {
+        return scene.stage().node(shape).filter(Shape.class::isInstance).map(s -> scene.materialsByName().get(((Shape) s).material()));
+    }
+
+    /** Any edit of one material that keeps its name. */
+    public static Change with(Scene scene, String name, UnaryOperator<Material> edit) {
+        return Change.of(() -> scene.withMaterial(edit.apply(material(scene, name))));
+    }
+
+    private static Material material(Scene scene, String name) {
+        Material material = scene.materialsByName().get(name);
+        if (material == null) {
+            throw new IllegalArgumentException(Texts.of("there is no material {0}", Quote.of(name)));
+        }
+        return material;
+    }
+
+    /** Another value of an attribute. */
+    public static <V> Change set(Scene scene, String name, MaterialAttribute<V> attribute, V value) {
+        return with(scene, name, m -> attribute.with(m, value));
+    }
+
+    /**
+     * Puts a picture on the surface; how often it repeats is kept.
+     *
+     * @param file   as a scene file names it
+     * @param folder the folder of the scene file
+     */
+    public static Change texture(Scene scene, String name, String file, Path folder) {
+        return Change.of(() -> PropertyEdit.texture(scene, name, file, folder));
+    }
+
+    /** The same of any picture that a material has. */
+    public static Change picture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
+        return Change.of(() -> PropertyEdit.picture(scene, name, attribute, file, folder));
+    }
+
+    /** Takes the picture off the surface. */
+    public static Change noTexture(Scene scene, String name) {
+        return with(scene, name, m -> m.withTexture(Optional.empty()));
+    }
+
+    /** How often the picture repeats; refused where there is none. */
+    public static Change repeat(Scene scene, String name, double u, double v) {
+        return with(scene, name, m -> {
+            TextureMap map = m.texture().orElseThrow(() -> new IllegalArgumentException(
+                    Texts.of("material {0}: repeat needs a texture, found none", Quote.of(name))));
+            return m.withTexture(Optional.of(new TextureMap(map.file(), u, v, map.image())));
+        });
+    }
+}

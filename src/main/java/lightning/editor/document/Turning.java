@@ -1,0 +1,64 @@
+package lightning.editor.document;
+
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+
+/** Turns what is rotated about x, y and z already once more about one axis that does not turn with it. */
+final class Turning {
+    /** Below this cosine of the angle about y, those about x and z turn the same way. */
+    private static final double LOCKED = 1e-6;
+    /** Angles are whole numbers of these, degrees, so that a right angle stays one. */
+    private static final double STEPS = 1e4;
+
+    private Turning() {}
+
+    /**
+     * The angles that rotate as {@code rotate} does and then by {@code degrees} about an axis: of all that do, those nearest to the ones
+     * before.
+     *
+     * @param rotate about x, y, z in this order, degrees
+     * @param axis   0, 1 or 2
+     */
+    static Vec3 about(Vec3 rotate, int axis, double degrees) {
+        if (axis == 2) {
+            return rounded(new Vec3(rotate.x(), rotate.y(), near(rotate.z() + degrees, rotate.z())));
+        }
+        Transform m = Transform.rotation(NodeGizmo.unit(axis).times(degrees)).times(Transform.rotation(rotate));
+        // Of z·y·x the rows are: … , …, (−sin y, cos y sin x, cos y cos x); the first column is (cos z cos y, sin z cos y, −sin y).
+        double cosine = Math.hypot(m.m21(), m.m22());
+        double y = degrees(-m.m20(), cosine);
+        if (cosine < LOCKED) {
+            double difference = m.m20() < 0 ? degrees(m.m01(), m.m02()) : degrees(-m.m01(), -m.m02());
+            double z = m.m20() < 0 ? rotate.x() - difference : difference - rotate.x();
+            return rounded(new Vec3(rotate.x(), near(y, rotate.y()), near(z, rotate.z())));
+        }
+        Vec3 one = near(new Vec3(degrees(m.m21(), m.m22()), y, degrees(m.m10(), m.m00())), rotate);
+        Vec3 other = near(new Vec3(one.x() + 180, 180 - y, one.z() + 180), rotate);
+        return rounded(far(one, rotate) <= far(other, rotate) ? one : other);
+    }
+
+    private static double degrees(double sine, double cosine) {
+        return Math.toDegrees(Math.atan2(sine, cosine));
+    }
+
+    private static double far(Vec3 a, Vec3 b) {
+        return Math.abs(a.x() - b.x()) + Math.abs(a.y() - b.y()) + Math.abs(a.z() - b.z());
+    }
+
+    private static Vec3 near(Vec3 angles, Vec3 to) {
+        return new Vec3(near(angles.x(), to.x()), near(angles.y(), to.y()), near(angles.z(), to.z()));
+    }
+
+    /** The same angle within half a turn of another. */
+    private static double near(double angle, double to) {
+        return angle - 360 * Math.rint((angle - to) / 360);
+    }
+
+    private static Vec3 rounded(Vec3 v) {
+        return new Vec3(rounded(v.x()), rounded(v.y()), rounded(v.z()));
+    }
+
+    private static double rounded(double v) {
+        return Math.rint(v * STEPS) / STEPS + 0.0;
+    }
+}

@@ -1,0 +1,58 @@
+package lightning.editor.window.animation;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import javafx.concurrent.Task;
+import lightning.base.work.OwnThread;
+import lightning.editor.document.motion.MotionExport;
+
+/** Writes a motion path as numbered pictures on a thread of its own; its value is how many are written. */
+final class ExportTask extends Task<Integer> {
+    private final MotionExport export;
+    private final Path folder;
+    private final String name;
+
+    ExportTask(MotionExport export, Path folder, String name) {
+        this.export = export;
+        this.folder = folder;
+        this.name = name;
+        updateValue(0);
+    }
+
+    @Override
+    protected Integer call() throws IOException {
+        try {
+            export.write(folder, name, new MotionExport.Listener() {
+                @Override
+                public void written(int pictures) {
+                    updateValue(pictures);
+                    updateProgress(pictures, export.pictures());
+                }
+
+                @Override
+                public boolean isCancelled() {
+                    return ExportTask.this.isCancelled();
+                }
+            });
+        } catch (CancellationException e) {
+            // The task is cancelled already, which says so.
+            return export.pictures();
+        }
+        return export.pictures();
+    }
+
+    Path folder() {
+        return folder;
+    }
+
+    int pictures() {
+        return export.pictures();
+    }
+
+    /** Begins. The thread must not be interrupted, which would break a file that is being written. */
+    void begin() {
+        Thread thread = OwnThread.of("lightning-export", this);
+        thread.start();
+    }
+}

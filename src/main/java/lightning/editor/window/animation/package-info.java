@@ -1,0 +1,4 @@
+/**
+ * The animation of one light: record, play, scrub, export.
+ */
+package lightning.editor.window.animation;

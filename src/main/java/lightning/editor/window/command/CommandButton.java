@@ -1,0 +1,99 @@
+package lightning.editor.window.command;
+
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.StackPane;
+import javafx.util.Duration;
+import lightning.base.text.Texts;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.EditorModel;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/**
+ * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not; it stays down
+ * where the command switches something on. The tooltip hangs on the frame around the button, for JavaFX shows none of a
+ * disabled control.
+ */
+public final class CommandButton extends StackPane {
+    private static final Duration DELAY = Duration.millis(400);
+
+    private final ButtonBase button;
+
+    private CommandButton(EditorModel model, Command command) {
+        button = model.commands().switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
+        button.setId(command.id());
+        button.setAccessibleText(command.plainTitle());
+        button.setOnAction(_ -> {
+            model.commands().run(command);
+            if (button instanceof ToggleButton toggle) {
+                toggle.setSelected(model.commands().switched(command).orElseThrow().getValue());
+            }
+        });
+        getChildren().add(button);
+        var tooltip = new Tooltip();
+        tooltip.setShowDelay(DELAY);
+        tooltip.setShowDuration(Duration.INDEFINITE);
+        Tooltip.install(this, tooltip);
+        model.situationProperty().map(command::obstacle).subscribe(obstacle -> {
+            button.setDisable(obstacle.isPresent());
+            tell(tooltip, model, command);
+        });
+        model.keys().changesProperty().subscribe(_ -> tell(tooltip, model, command));
+    }
+
+    private void tell(Tooltip tooltip, EditorModel model, Command command) {
+        tooltip.setText(help(command, model.keys().text(command), model.commands().reason(command).orElse("")));
+        button.setAccessibleHelp(tooltip.getText());
+    }
+
+    private static ToggleButton toggle(ObservableValue<Boolean> on) {
+        var button = new ToggleButton();
+        on.subscribe(button::setSelected);
+        return button;
+    }
+
+    /** With the command's icon alone. */
+    public static CommandButton icon(EditorModel model, Command command) {
+        return new CommandButton(model, command).looking("", new FontIcon(command.icon()), "button-icon");
+    }
+
+    /** With icon and title. */
+    public static CommandButton titled(EditorModel model, Command command) {
+        return new CommandButton(model, command).looking(command.title(), new FontIcon(command.icon()), "titled-command");
+    }
+
+    /** With a short text in place of the title, among the preview's views. */
+    public static CommandButton view(EditorModel model, Command command, String text) {
+        return new CommandButton(model, command).looking(text, null, "view-button");
+    }
+
+    /** With an icon, among the preview's views. */
+    public static CommandButton view(EditorModel model, Command command) {
+        return new CommandButton(model, command).looking("", new FontIcon(command.icon()), "view-button");
+    }
+
+    private CommandButton looking(String text, FontIcon icon, String styleClass) {
+        button.setText(text);
+        button.setGraphic(icon);
+        button.getStyleClass().add(styleClass);
+        return this;
+    }
+
+    public ButtonBase button() {
+        return button;
+    }
+
+    /**
+     * What the tooltip says.
+     *
+     * @param key      the command's; empty where it has none
+     * @param obstacle why the command is disabled; empty if it is enabled
+     */
+    static String help(Command command, String key, String obstacle) {
+        String does = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
+        return obstacle.isEmpty() ? does : Texts.of("{0}\nNot now: {1}.", does, obstacle);
+    }
+}

@@ -1,0 +1,120 @@
+package lightning.editor.window.command;
+
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import javafx.stage.FileChooser;
+import javafx.stage.Window;
+import lightning.base.text.Texts;
+import lightning.format.exchange.Importer;
+import lightning.format.jen.FileKind;
+
+/** Asks which file. */
+public interface FilePrompt {
+    /** What pictures can be saved as. */
+    List<FileChooser.ExtensionFilter> PICTURES = List.of(new FileChooser.ExtensionFilter("PNG (*.png)", "*.png"),
+            new FileChooser.ExtensionFilter("OpenEXR (*.exr)", "*.exr"), new FileChooser.ExtensionFilter("Radiance HDR (*.hdr)", "*.hdr"),
+            new FileChooser.ExtensionFilter("XPM, as in 1998 (*.xpm)", "*.xpm"),
+            new FileChooser.ExtensionFilter("PFM, linear floats (*.pfm)", "*.pfm"));
+
+    /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
+    Optional<Path> scene(Path folder);
+
+    /** Where to write a scene. */
+    Optional<Path> sceneToWrite(Path proposal);
+
+    /** Where to write a picture. */
+    Optional<Path> pictureToWrite(Path proposal);
+
+    /** A file of lights to read. */
+    default Optional<Path> rig(Path folder) {
+        return scene(folder);
+    }
+
+    /** Where to write lights. */
+    default Optional<Path> rigToWrite(Path proposal) {
+        return sceneToWrite(proposal);
+    }
+
+    /** A table of colours to read. */
+    default Optional<Path> table(Path folder) {
+        return scene(folder);
+    }
+
+    /** A file that a scene is to have beside it. */
+    default Optional<Path> beside(String title, FileKind kind, Path folder) {
+        return scene(folder);
+    }
+
+    /** The system's own windows. */
+    static FilePrompt of(Window owner) {
+        var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
+        var files = new FileChooser.ExtensionFilter(Texts.of("Scenes, glTF, OBJ, PLY, NFF"),
+                Stream.concat(Stream.of(".jen"), Importer.ENDINGS.stream()).map(ending -> "*" + ending).toList());
+        var tables = new FileChooser.ExtensionFilter("Tables (*.cube)", "*.cube");
+        return new FilePrompt() {
+            @Override
+            public Optional<Path> scene(Path folder) {
+                return path(chooser(Texts.of("Load File"), folder, files), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> sceneToWrite(Path proposal) {
+                var chooser = chooser(Texts.of("Save Scene As"), proposal.toAbsolutePath().getParent(), scenes);
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser, c -> c.showSaveDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> rig(Path folder) {
+                return path(chooser(Texts.of("Load Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> table(Path folder) {
+                return path(chooser(Texts.of("Colour Table"), folder, tables), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> beside(String title, FileKind kind, Path folder) {
+                var files = new FileChooser.ExtensionFilter(kind.title(), kind.endings().stream().map(ending -> "*." + ending).toList());
+                return path(chooser(title, folder, files), c -> c.showOpenDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> rigToWrite(Path proposal) {
+                var chooser = chooser(Texts.of("Save Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser, c -> c.showSaveDialog(owner));
+            }
+
+            @Override
+            public Optional<Path> pictureToWrite(Path proposal) {
+                String name = proposal.getFileName().toString();
+                var chooser = chooser(Texts.of("Save Image"), proposal.toAbsolutePath().getParent(),
+                        PICTURES.stream().sorted(Comparator.comparing(kind -> !name.endsWith(kind.getExtensions().getFirst().substring(1))))
+                                .toArray(FileChooser.ExtensionFilter[]::new));
+                chooser.setInitialFileName(proposal.getFileName().toString());
+                return path(chooser, c -> c.showSaveDialog(owner));
+            }
+        };
+    }
+
+    private static FileChooser chooser(String title, Path folder, FileChooser.ExtensionFilter... filters) {
+        var chooser = new FileChooser();
+        chooser.setTitle(title);
+        chooser.getExtensionFilters().setAll(filters);
+        if (folder != null) {
+            chooser.setInitialDirectory(folder.toAbsolutePath().toFile());
+        }
+        return chooser;
+    }
+
+    private static Optional<Path> path(FileChooser chooser, Function<FileChooser, File> show) {
+        return Optional.ofNullable(FolderGone.without(chooser::setInitialDirectory, () -> show.apply(chooser))).map(File::toPath);
+    }
+}

@@ -1,0 +1,92 @@
+package lightning.editor.window.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import javafx.scene.control.MenuItem;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
+import lightning.base.work.Memory;
+import lightning.base.work.Workers;
+import lightning.editor.document.Command;
+import lightning.editor.loop.Frame;
+import lightning.editor.window.model.EditorModel;
+import lightning.format.exr.ExrType;
+import lightning.format.layer.LayerFile;
+import lightning.format.picture.PictureFile;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.tile.Options;
+
+/** Writes the traced picture for other programs, beside the window's thread: its layers, or all that its film holds. */
+final class PictureExport {
+    private final EditorModel model;
+    private final FilePrompt prompt;
+    private final Notices notices;
+
+    PictureExport(EditorModel model, FilePrompt prompt, Notices notices) {
+        this.model = model;
+        this.prompt = prompt;
+        this.notices = notices;
+    }
+
+    /** One for each kind. */
+    List<MenuItem> items() {
+        return Arrays.stream(ExportKind.values())
+                .map(kind -> CommandItems.of(model).lastingValue(Command.EXPORT, kind.title(), () -> ask(kind)))
+                .toList();
+    }
+
+    private void ask(ExportKind kind) {
+        String name = model.document().name().replaceFirst("\\.jen$", "") + kind.ending();
+        prompt.pictureToWrite(model.document().file().resolveSibling(name)).ifPresent(chosen -> {
+            if (chosen.getFileName().toString().endsWith(kind.ending())) {
+                export(kind, chosen);
+            } else {
+                // The system asked about the name as it was typed only.
+                Path file = chosen.resolveSibling(chosen.getFileName() + kind.ending());
+                notices.unlessThere(model.files(), file, () -> export(kind, file));
+            }
+        });
+    }
+
+    private void export(ExportKind kind, Path file) {
+        PixelCache known = model.workbench().known().orElse(null);
+        Frame frame = model.frame();
+        if (model.fileWork().file() != null || known == null || frame == null) {
+            model.say(Texts.of("Nothing is exported while a file is read or a picture is begun"));
+            return;
+        }
+        ViewTransform view = model.viewProperty().get().ofPicture();
+        String name = Quote.path(file.getFileName());
+        model.fileWork().write(file);
+        model.files().beside(() -> {
+            write(kind, file, known, frame, view);
+            return file;
+        }, _ -> end(file, Texts.of("Exported {0}", name)), why -> {
+            end(file, why instanceof CancellationException ? Texts.of("Export of {0} cancelled", name) : "");
+            if (!(why instanceof CancellationException)) {
+                notices.failed(Texts.of("The picture could not be exported"), why);
+            }
+        });
+    }
+
+    private void write(ExportKind kind, Path file, PixelCache known, Frame frame, ViewTransform view) throws IOException {
+        if (!kind.hasLayers()) {
+            PictureFile.write(file, frame.film(), view, kind.bits());
+            return;
+        }
+        var layers = new LayerFile(known, Options.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+        try (var workers = new Workers(Workers.available())) {
+            layers.write(file, Memory.available() - MemoryNeed.of(known), workers, new ReadingLine(model, file, Texts.of("Writing")));
+        }
+    }
+
+    private void end(Path file, String text) {
+        model.fileWork().end(file);
+        model.say(text);
+    }
+}

@@ -1,0 +1,97 @@
+package lightning.editor.window.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javafx.beans.property.ObjectProperty;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.TextInputDialog;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
+import lightning.editor.document.Change;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.widget.CanvasSize;
+import lightning.scene.Limits;
+import lightning.scene.Picture;
+
+/** The sizes of the two canvases (paper §3.6). */
+public final class SizeMenu {
+    private static final Pattern SIZE = Pattern.compile("\\s*(\\d{1,6})\\s*[x×*, ]\\s*(\\d{1,6})\\s*");
+
+    private SizeMenu() {}
+
+    /**
+     * Sizes of the traced picture; another size traces it anew.
+     *
+     * @param items make the menu's items
+     */
+    public static List<MenuItem> ofPicture(EditorModel model, CommandItems items) {
+        List<MenuItem> all = new ArrayList<>();
+        all.add(own(model, items));
+        all.add(new SeparatorMenuItem());
+        for (CanvasSize size : CanvasSize.FIXED) {
+            all.add(items.choice(Command.PICTURE_SIZE, "size-" + size.width() + "x" + size.height(), size.title(),
+                    model.sceneProperty().map(s -> s.picture().width() == size.width() && s.picture().height() == size.height()),
+                    () -> trace(model, size)));
+        }
+        all.add(new SeparatorMenuItem());
+        MenuItem other = items.value(Command.PICTURE_SIZE, Texts.of("Other…"), () -> other(model));
+        other.setId("size-other");
+        all.add(other);
+        return all;
+    }
+
+    private static void other(EditorModel model) {
+        ask(model.scene().picture().width() + " × " + model.scene().picture().height())
+                .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(model, size),
+                        () -> model.say(Texts.of("A size is two numbers as in 640 × 480, was {0}", Quote.of(typed.strip())))));
+    }
+
+    /** The size that the scene's file says. */
+    private static MenuItem own(EditorModel model, CommandItems items) {
+        MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> trace(model, ofFile(model)));
+        item.setId("size-own");
+        model.situationProperty().subscribe(_ -> item.setText(Texts.of("The scene's own, {0}", ofFile(model).title())));
+        return item;
+    }
+
+    private static CanvasSize ofFile(EditorModel model) {
+        Picture picture = model.document().savedScene().picture();
+        return CanvasSize.of(picture.width(), picture.height());
+    }
+
+    /** Sizes of the preview. */
+    public static List<MenuItem> ofPreview(EditorModel model, ObjectProperty<CanvasSize> chosen) {
+        CommandItems items = CommandItems.of(model, "preview-");
+        return Stream.concat(Stream.of(CanvasSize.LIKE_PICTURE, CanvasSize.FREE), CanvasSize.FIXED.stream())
+                .map(size -> items.choice(Command.PREVIEW_SIZE, size.title(), Texts.of(size.title()), chosen.map(size::equals),
+                        () -> chosen.set(size)))
+                .toList();
+    }
+
+    private static void trace(EditorModel model, CanvasSize size) {
+        model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(size.width(), size.height()))))
+                .ifPresentOrElse(model::say, model::go);
+    }
+
+    private static Optional<String> ask(String now) {
+        var dialog = new TextInputDialog(now);
+        dialog.setTitle(Texts.of("Size of the picture"));
+        dialog.setHeaderText(Texts.of("Width × height in pixels, each 1 to {0}", Limits.MAX_SIZE));
+        dialog.setGraphic(null);
+        dialog.setContentText(Texts.of("Size"));
+        return dialog.showAndWait();
+    }
+
+    /** {@code 640 x 480}; empty where it is no size. */
+    public static Optional<CanvasSize> parse(String text) {
+        Matcher matcher = SIZE.matcher(text);
+        return matcher.matches() ? Optional.of(CanvasSize.of(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2))))
+                : Optional.empty();
+    }
+}

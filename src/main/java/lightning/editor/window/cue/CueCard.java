@@ -1,0 +1,133 @@
+package lightning.editor.window.cue;
+
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.image.ImageView;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.base.text.Texts;
+import lightning.editor.document.cue.Cue;
+import lightning.editor.window.widget.PixelImage;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
+
+/** A cue in the gallery: its picture, its name, and what can be done with it. */
+final class CueCard extends VBox {
+    private static final int WIDTH = 176;
+    private static final int HEIGHT = 99;
+
+    private final TextField name = new TextField();
+    private final ToggleButton a = new ToggleButton("A");
+    private final ToggleButton b = new ToggleButton("B");
+
+    /** What a card asks for. */
+    interface Asked {
+        void restore(Cue cue);
+
+        void rename(Cue cue, String name);
+
+        void remove(Cue cue);
+
+        void chooseA(Cue cue);
+
+        void chooseB(Cue cue);
+    }
+
+    /** @param small the cue's picture as {@link #small} makes it; null for none */
+    CueCard(Cue cue, Small small, Asked asked) {
+        setId("cue-" + cue.name());
+        getStyleClass().add("cue-card");
+        var frame = new StackPane();
+        frame.getStyleClass().add("cue-frame");
+        frame.setMinSize(WIDTH, HEIGHT);
+        frame.setMaxSize(WIDTH, HEIGHT);
+        if (small == null) {
+            frame.getChildren().add(new Label(Texts.of("no picture")));
+        } else {
+            frame.getChildren().add(new ImageView(PixelImage.of(small.width, small.height, small.pixels)));
+        }
+        name.setId("cue-name-" + cue.name());
+        name.setText(cue.name());
+        name.setAccessibleText(Texts.of("name of the cue {0}", cue.name()));
+        name.setOnAction(_ -> asked.rename(cue, name.getText().strip()));
+        name.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
+            if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(cue.name())) {
+                name.setText(cue.name());
+                e.consume();
+            }
+        });
+        name.focusedProperty().subscribe(focused -> {
+            if (!focused) {
+                name.setText(cue.name());
+            }
+        });
+        var restore = new Button(Texts.of("Restore"));
+        restore.setId("cue-restore-" + cue.name());
+        restore.setTooltip(new Tooltip(Texts.of("Light the scene so; can be undone")));
+        restore.setOnAction(_ -> asked.restore(cue));
+        a.setId("cue-a-" + cue.name());
+        a.setTooltip(new Tooltip(Texts.of("Compare and blend from this cue")));
+        a.setAccessibleText(Texts.of("{0} as A", cue.name()));
+        a.setOnAction(_ -> asked.chooseA(cue));
+        b.setId("cue-b-" + cue.name());
+        b.setTooltip(new Tooltip(Texts.of("Compare with and blend to this cue")));
+        b.setAccessibleText(Texts.of("{0} as B", cue.name()));
+        b.setOnAction(_ -> asked.chooseB(cue));
+        var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
+        remove.setId("cue-remove-" + cue.name());
+        remove.setAccessibleText(Texts.of("remove the cue {0}", cue.name()));
+        remove.setTooltip(new Tooltip(Texts.of("Remove")));
+        remove.setOnAction(_ -> asked.remove(cue));
+        for (var control : new ButtonBase[] {restore, a, b}) {
+            control.setDisable(cue.lighting().isEmpty());
+        }
+        var buttons = new HBox(restore, a, b, remove);
+        buttons.getStyleClass().add("cue-buttons");
+        getChildren().addAll(frame, name, buttons);
+        if (cue.lighting().isEmpty()) {
+            var problem = new Label(cue.problem());
+            problem.setId("cue-problem-" + cue.name());
+            problem.setWrapText(true);
+            problem.setMaxWidth(WIDTH);
+            problem.getStyleClass().add("cue-problem");
+            getChildren().add(problem);
+        }
+    }
+
+    /** A cue's picture as large as a card has it. */
+    record Small(int width, int height, int[] pixels) {
+        // An array in a record: written once by its maker, never after.
+    }
+
+    /** Each pixel is the one of the picture in its middle. */
+    static Small small(Film film) {
+        double shrink = Math.max(1, Math.max((double) film.width() / WIDTH, (double) film.height() / HEIGHT));
+        int width = (int) Math.max(1, film.width() / shrink);
+        int height = (int) Math.max(1, film.height() / shrink);
+        float[] rgb = new float[3 * width * height];
+        for (int y = 0, i = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int px = (int) ((2L * x + 1) * film.width() / (2L * width));
+                int py = (int) ((2L * y + 1) * film.height() / (2L * height));
+                rgb[i++] = film.red(px, py);
+                rgb[i++] = film.green(px, py);
+                rgb[i++] = film.blue(px, py);
+            }
+        }
+        return new Small(width, height, ViewTransform.DEFAULT.toPixels(Film.ofScanlines(width, height, rgb)));
+    }
+
+    void show(boolean isA, boolean isB) {
+        a.setSelected(isA);
+        b.setSelected(isB);
+    }
+}

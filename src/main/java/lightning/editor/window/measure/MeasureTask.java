@@ -1,0 +1,41 @@
+package lightning.editor.window.measure;
+
+import java.util.function.Function;
+import javafx.concurrent.Task;
+import lightning.base.work.OwnThread;
+import lightning.base.work.Progress;
+
+/** Measures something on a thread of its own. */
+final class MeasureTask<T> extends Task<T> {
+    private final String thread;
+    private final Function<Progress, T> work;
+
+    /**
+     * @param thread the thread's name
+     * @param work   stops where its progress asks for it
+     */
+    MeasureTask(String thread, Function<Progress, T> work) {
+        this.thread = thread;
+        this.work = work;
+    }
+
+    @Override
+    protected T call() {
+        return work.apply(new Progress() {
+            @Override
+            public void tiles(int done, int total) {
+                updateProgress(done, total);
+            }
+
+            @Override
+            public boolean isCancelled() {
+                return MeasureTask.this.isCancelled();
+            }
+        });
+    }
+
+    void begin() {
+        Thread own = OwnThread.of(thread, this);
+        own.start();
+    }
+}

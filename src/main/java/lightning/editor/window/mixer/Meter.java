@@ -1,0 +1,37 @@
+package lightning.editor.window.mixer;
+
+import javafx.scene.layout.Region;
+
+/** A bar that is as high as a strip's part of the picture's light. */
+final class Meter extends Region {
+    private static final double WIDTH = 6;
+
+    private final Region bar = new Region();
+    private double part;
+
+    Meter() {
+        getStyleClass().add("meter");
+        bar.getStyleClass().add("bar");
+        bar.setManaged(false);
+        getChildren().add(bar);
+        setMinWidth(WIDTH);
+        setMaxWidth(WIDTH);
+        setMouseTransparent(true);
+    }
+
+    /** @param v 0…1 */
+    void show(double v) {
+        part = v;
+        requestLayout();
+    }
+
+    double part() {
+        return part;
+    }
+
+    @Override
+    protected void layoutChildren() {
+        double high = Math.min(1, part) * getHeight();
+        bar.resizeRelocate(0, getHeight() - high, getWidth(), high);
+    }
+}

@@ -1,0 +1,86 @@
+package lightning.editor.window.model;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleBooleanProperty;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
+import lightning.editor.document.MaterialEdits;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+
+/** Which material is being edited, and whether it is in front of the selected light's properties. */
+public final class MaterialChoice {
+    private final ReadOnlyObjectWrapper<Material> material = new ReadOnlyObjectWrapper<>();
+    private final BooleanProperty inFront = new SimpleBooleanProperty();
+    private final EditorModel model;
+    private String chosen = "";
+    private Scene known;
+
+    MaterialChoice(EditorModel model) {
+        this.model = model;
+        model.sceneProperty().subscribe(_ -> {
+            if (known == null || !haveSameMaterials(known, model.scene())) {
+                find();
+            }
+        });
+    }
+
+    /** The material as it is now; null where no shape and no line of the scene has one. */
+    public ReadOnlyObjectProperty<Material> materialProperty() {
+        return material.getReadOnlyProperty();
+    }
+
+    public Material material() {
+        return material.get();
+    }
+
+    /** Whether the properties of the material are shown in place of the light's. */
+    public BooleanProperty inFrontProperty() {
+        return inFront;
+    }
+
+    /** Edits the material of that name; one that does not exist is the scene's first. */
+    public void choose(String name) {
+        chosen = name;
+        find();
+    }
+
+    /** Edits the material of a shape and shows it. */
+    public void chooseOf(String shape) {
+        MaterialEdits.ofShape(model.scene(), shape).ifPresentOrElse(m -> {
+            choose(m.name());
+            inFront.set(true);
+        }, () -> model.say(Texts.of("The scene has no shape {0} any more", Quote.of(shape))));
+    }
+
+    private void find() {
+        Scene scene = model.scene();
+        known = scene;
+        List<String> names = names(scene);
+        String name = names.contains(chosen) || names.isEmpty() ? chosen : names.getFirst();
+        material.set(names.isEmpty() ? null : scene.materialsByName().get(name));
+    }
+
+    /** Whether the same shapes have the same materials for sure: lights' edits share both lists. */
+    public static boolean haveSameMaterials(Scene a, Scene b) {
+        return a.nodes() == b.nodes() && a.materials() == b.materials();
+    }
+
+    /** The scene's materials in its order, and the one of shapes that name none. */
+    public static List<String> names(Scene scene) {
+        Set<String> names = new LinkedHashSet<>(scene.materials().stream().map(Material::name).toList());
+        names.addAll(scene.stage().namedMaterials());
+        return List.copyOf(names);
+    }
+
+    /** The names of the shapes that have a material, in the order of the scene. */
+    public static List<String> shapesOf(Scene scene, String material) {
+        return scene.stage().shapes().stream().filter(s -> s.material().equals(material)).map(Shape::name).toList();
+    }
+}

@@ -1,0 +1,57 @@
+package lightning.editor.window.model;
+
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.util.Optional;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableList;
+import lightning.bench.accuracy.WarmSaving;
+import lightning.editor.loop.Frame;
+import lightning.editor.loop.RenderState;
+import lightning.render.relight.Update;
+
+/** What the last updates of the picture did, the latest first. Numbers alone: no picture is kept alive. */
+public final class UpdateLog {
+    private static final int MOST = 200;
+
+    private final ObservableList<Entry> entries = FXCollections.observableArrayList();
+
+    /**
+     * One update.
+     *
+     * @param at       when it was shown
+     * @param update   what it did
+     * @param finished whether the picture had all its samples
+     * @param promise  what the picture is: {@code exact}
+     * @param saving   what it saves of a full trace; empty while that is not known
+     */
+    public record Entry(LocalTime at, Update update, boolean finished, String promise, Optional<WarmSaving> saving) {
+        /** All of it in one line. */
+        public String text() {
+            return StatusText.of(update, finished, promise, saving);
+        }
+    }
+
+    /** The latest first. */
+    public ObservableList<Entry> entries() {
+        return FXCollections.unmodifiableObservableList(entries);
+    }
+
+    void hear(RenderState state) {
+        Frame frame = state.frame();
+        if (frame == null) {
+            return;
+        }
+        var last = entries.isEmpty() ? null : entries.getFirst();
+        if (last == null || last.update() != frame.update() || last.finished() != frame.finished()) {
+            entries.addFirst(
+                    new Entry(LocalTime.now(ZoneId.systemDefault()), frame.update(), frame.finished(), frame.promise().text(frame.update()),
+                            state.saving()));
+            if (entries.size() > MOST) {
+                entries.removeLast();
+            }
+        } else if (!last.saving().equals(state.saving())) {
+            entries.set(0, new Entry(last.at(), last.update(), last.finished(), last.promise(), state.saving()));
+        }
+    }
+}

@@ -1,0 +1,11 @@
+/**
+ * The editor's window: JavaFX panes over what {@link lightning.editor.document} holds. The only package that knows JavaFX.
+ *
+ * <pre>{@code
+ * Optional<String> obstacle = Display.obstacle();
+ * if (obstacle.isEmpty()) {
+ *     LightningApp.open(List.of("scenes/bird.jen"));
+ * }
+ * }</pre>
+ */
+package lightning.editor.window;

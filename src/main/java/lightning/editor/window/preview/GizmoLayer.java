@@ -1,0 +1,145 @@
+package lightning.editor.window.preview;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.layout.Pane;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.StrokeLineCap;
+import lightning.base.math.Vec3;
+import lightning.editor.document.LightGizmo;
+import lightning.editor.document.NodeGizmo;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Viewport;
+import lightning.editor.window.model.GizmoPaint;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * The lights' wireframes over the preview (paper §3.2): yellow the selected one, faint those that do not shine. The selected
+ * light, which is the one that is edited, has a canvas of its own with the marks of the selected shape. Each is drawn again only where
+ * something on it or the view is another, since the window then draws the preview under it again too.
+ */
+final class GizmoLayer extends Pane {
+    private static final double HANDLE_EDGE = 4;
+    private static final double DOT = 4;
+    /** The sides of the arrow at the border, pixels, and half the angle of its tip, radians. */
+    private static final double ARROW = 15;
+    private static final double SPREAD = Math.toRadians(26);
+
+    private final Canvas others = new Canvas();
+    private final Canvas selected = new Canvas();
+    private View seen;
+    private List<Light> shining = List.of();
+    private List<Light> dark = List.of();
+    private Own own;
+    private int gizmosDrawn;
+
+    /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
+    private record View(PreviewCamera camera, Viewport canvas, double size) {}
+
+    /**
+     * What is selected in place of a light.
+     *
+     * @param box     what marks a group
+     * @param handles of a shape or a group, over all else
+     */
+    record Marks(List<LightGizmo.Stroke> box, Optional<NodeGizmo> handles) {
+        static final Marks NONE = new Marks(List.of(), Optional.empty());
+    }
+
+    /**
+     * All that the canvas of the selected shows.
+     *
+     * @param lines    of the selected light, in the scene; none where none is selected
+     * @param position its own; null where none is
+     */
+    private record Own(View view, List<LightGizmo.Line> lines, Vec3 position, Marks marks) {}
+
+    GizmoLayer() {
+        setMouseTransparent(true);
+        getChildren().addAll(others, selected);
+    }
+
+    /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
+    void draw(Scene scene, Light chosen, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
+        View view = new View(camera, canvas, size);
+        List<Light> shiningNow = new ArrayList<>();
+        List<Light> darkNow = new ArrayList<>();
+        for (Light light : scene.lights()) {
+            if (!light.equals(chosen)) {
+                (scene.shines(light) ? shiningNow : darkNow).add(light);
+            }
+        }
+        if (!view.equals(seen) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
+            GraphicsContext g = clear(others, canvas);
+            draw(g, shiningNow, GizmoPaint.PLAIN, view);
+            draw(g, darkNow, GizmoPaint.DARK, view);
+            seen = view;
+            shining = shiningNow;
+            dark = darkNow;
+        }
+        Own now = chosen == null ? new Own(view, List.of(), null, marks)
+                : new Own(view, LightGizmo.of(chosen, camera, canvas, size).lines(), chosen.position(), marks);
+        if (!now.equals(own)) {
+            GraphicsContext g = clear(selected, canvas);
+            draw(g, chosen == null ? List.of() : List.of(chosen), GizmoPaint.SELECTED, view);
+            GizmoPaint.wires(g, marks.box(), GizmoPaint.SELECTED);
+            marks.handles().ifPresent(gizmo -> GizmoPaint.handles(g, gizmo, camera, canvas, HANDLE_EDGE));
+            own = now;
+        }
+    }
+
+    private static GraphicsContext clear(Canvas canvas, Viewport size) {
+        canvas.setWidth(size.width());
+        canvas.setHeight(size.height());
+        GraphicsContext g = canvas.getGraphicsContext2D();
+        g.clearRect(0, 0, size.width(), size.height());
+        g.setLineCap(StrokeLineCap.ROUND);
+        return g;
+    }
+
+    /** How many gizmos were drawn since the start. */
+    int gizmosDrawn() {
+        return gizmosDrawn;
+    }
+
+    private void draw(GraphicsContext g, List<Light> lights, Color color, View view) {
+        List<LightGizmo.Stroke> strokes = new ArrayList<>();
+        List<Viewport.Pixel> dots = new ArrayList<>();
+        for (Light light : lights) {
+            gizmosDrawn++;
+            int before = strokes.size();
+            strokes.addAll(LightGizmo.of(light, view.camera(), view.canvas(), view.size()).strokes(view.camera(), view.canvas()));
+            if (strokes.size() > before) {
+                dots.add(view.canvas().pixel(view.camera(), light.position()));
+            }
+        }
+        GizmoPaint.wires(g, strokes, color);
+        g.setFill(color);
+        for (Viewport.Pixel at : dots) {
+            g.fillOval(at.x() - DOT / 2, at.y() - DOT / 2, DOT, DOT);
+        }
+        for (LightMarker marker : LightMarker.of(lights, view.camera(), view.canvas())) {
+            arrow(g, marker, color);
+        }
+    }
+
+    private static void arrow(GraphicsContext g, LightMarker marker, Color color) {
+        double[] x = new double[3];
+        double[] y = new double[3];
+        for (int i = 0; i < 3; i++) {
+            double length = i == 0 ? 0 : ARROW;
+            double angle = marker.angle() + (i == 1 ? SPREAD : -SPREAD);
+            x[i] = marker.at().x() - length * Math.cos(angle);
+            y[i] = marker.at().y() - length * Math.sin(angle);
+        }
+        g.setStroke(GizmoPaint.EDGE);
+        g.setLineWidth(GizmoPaint.EDGE_LINE);
+        g.strokePolygon(x, y, 3);
+        g.setFill(color);
+        g.fillPolygon(x, y, 3);
+    }
+}

@@ -1,0 +1,110 @@
+package lightning.editor.window.preview;
+
+import javafx.scene.input.KeyEvent;
+import lightning.editor.document.CameraDrag;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.LightManipulation;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Viewport;
+import lightning.editor.window.command.ShapeKeys;
+import lightning.editor.window.model.EditorModel;
+import lightning.scene.Light;
+
+/**
+ * The keyboard in the preview: arrows rotate the selected light, with Control they move it in the viewing plane, Page
+ * Up and Down move it along the view; arrows with Shift zoom and pan the camera, with Shift and Control they turn it;
+ * the square brackets select the light before and after, X, Y and Z are the three views,
+ * A goes back until all lights are in view, G hides the gizmos and shows them again.
+ */
+final class PreviewKeys {
+    /** One press of a key is a drag of so many pixels. */
+    private static final double STEP = 8;
+
+    private final EditorModel model;
+    private final PreviewMouse mouse;
+    private Object gesture = new Object();
+
+    PreviewKeys(EditorModel model, PreviewMouse mouse) {
+        this.model = model;
+        this.mouse = mouse;
+    }
+
+    /** A key that is held is one step to undo. */
+    void released() {
+        gesture = new Object();
+    }
+
+    void pressed(KeyEvent e) {
+        if (handles(e) || ShapeKeys.pressed(model, e)) {
+            e.consume();
+        }
+    }
+
+    private boolean handles(KeyEvent e) {
+        if (e.isAltDown() || e.isMetaDown()) {
+            return false;
+        }
+        boolean plain = !e.isShiftDown() && !e.isControlDown();
+        return switch (e.getCode()) {
+            case LEFT -> arrow(e, -STEP, 0);
+            case RIGHT -> arrow(e, STEP, 0);
+            case UP -> arrow(e, 0, STEP);
+            case DOWN -> arrow(e, 0, -STEP);
+            case PAGE_UP -> plain && moved(STEP);
+            case PAGE_DOWN -> plain && moved(-STEP);
+            case X -> plain && run(Command.VIEW_X);
+            case Y -> plain && run(Command.VIEW_Y);
+            case Z -> plain && run(Command.VIEW_Z);
+            case L -> plain && run(Command.LOOK_THROUGH_LIGHT);
+            case G -> plain && run(Command.HIDE_GIZMOS);
+            case HOME, A -> plain && run(Command.VIEW_ALL);
+            case OPEN_BRACKET -> select(-1);
+            case CLOSE_BRACKET -> select(1);
+            default -> false;
+        };
+    }
+
+    private boolean arrow(KeyEvent e, double right, double up) {
+        PreviewCamera view = model.previewCameraProperty().get();
+        Viewport canvas = mouse.canvas();
+        if (e.isShiftDown()) {
+            CameraDrag drag = e.isControlDown() ? CameraDrag.TRACKBALL : up == 0 ? CameraDrag.PAN : CameraDrag.ZOOM;
+            return view(drag.applied(view, canvas, right, -up));
+        }
+        Light light = model.selectedLight();
+        return light != null && edit(e.isControlDown()
+                ? LightManipulation.translate(light, view, canvas, right, up)
+                : LightManipulation.rotate(light, view, canvas, right, up));
+    }
+
+    private boolean moved(double away) {
+        Light light = model.selectedLight();
+        return light != null
+                && edit(LightManipulation.dolly(light, model.previewCameraProperty().get(), mouse.canvas(), away));
+    }
+
+    private boolean edit(Light moved) {
+        model.edit(scene -> LightEdits.with(scene, moved.name(), _ -> moved), gesture).ifPresent(model::say);
+        return true;
+    }
+
+    private boolean view(PreviewCamera camera) {
+        model.previewCameraProperty().set(camera);
+        return true;
+    }
+
+    private boolean run(Command command) {
+        model.commands().run(command);
+        return true;
+    }
+
+    private boolean select(int step) {
+        int count = model.lights().size();
+        if (count > 0) {
+            int now = model.lights().indexOf(model.selectedLight());
+            model.selectLight(model.lights().get(Math.floorMod(now < 0 ? 0 : now + step, count)).name());
+        }
+        return true;
+    }
+}

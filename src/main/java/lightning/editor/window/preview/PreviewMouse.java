@@ -1,0 +1,162 @@
+package lightning.editor.window.preview;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.editor.document.CameraDrag;
+import lightning.editor.document.LightDrag;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.LightGizmo;
+import lightning.editor.document.NodeEdits;
+import lightning.editor.document.NodeGizmo;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Viewport;
+import lightning.editor.window.model.EditorModel;
+import lightning.scene.Light;
+
+/**
+ * What a drag in the preview does (paper §3.2, §3.6), free of the toolkit's events: the left button rotates the light
+ * under the mouse, with Ctrl about what it aims at, the middle one moves it along the view, the right one in the viewing plane; a handle of the selected shape is taken
+ * with the left one; with Shift any button moves the camera.
+ */
+final class PreviewMouse {
+    /** How near a click must come to a gizmo, pixels. */
+    private static final double TOLERANCE = 8;
+    /** How far a drag goes before it is told whether it is vertical, pixels. */
+    private static final double DECISION = 4;
+
+    private final EditorModel model;
+    private Viewport canvas = new Viewport(1, 1);
+    private Object gesture;
+    private Light begin;
+    /** What a click selects that does not become a drag; null where that is what the press selected. */
+    private Light next;
+    private LightDrag by;
+    private PreviewCamera cameraBegin;
+    private CameraDrag cameraDrag;
+    private NodeGizmo gizmo;
+    private NodeGizmo.Handle handle;
+    private double pressX;
+    private double pressY;
+
+    PreviewMouse(EditorModel model) {
+        this.model = model;
+    }
+
+    void setCanvas(Viewport v) {
+        canvas = v;
+    }
+
+    Viewport canvas() {
+        return canvas;
+    }
+
+    /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first, none while they are hidden. */
+    List<Light> lightsAt(double x, double y) {
+        if (model.previewLook().gizmosHiddenProperty().get()) {
+            return List.of();
+        }
+        double size = model.previewLook().sizeProperty().get().factor();
+        PreviewCamera view = model.previewCameraProperty().get();
+        var place = new Viewport.Pixel(x, y);
+        List<Light> left = new ArrayList<>(model.lights());
+        List<Light> hits = new ArrayList<>();
+        Optional<Light> hit = LightGizmo.pick(left, view, canvas, size, place, TOLERANCE);
+        while (hit.isPresent()) {
+            hits.add(hit.get());
+            left.remove(hit.get());
+            hit = LightGizmo.pick(left, view, canvas, size, place, TOLERANCE);
+        }
+        if (hits.isEmpty()) {
+            LightMarker.pick(left, view, canvas, place).ifPresent(hits::add);
+        }
+        return hits;
+    }
+
+    /** The handles of the selected shape or group; empty where none is selected, while they are hidden, or where it is behind the eye. */
+    Optional<NodeGizmo> handles() {
+        return model.previewLook().gizmosHiddenProperty().get() ? Optional.empty()
+                : model.selectedNode().flatMap(n -> NodeGizmo.of(model.scene(), n, model.previewCameraProperty().get(), canvas));
+    }
+
+    /** Whether a drag from a place takes a light or a handle. */
+    boolean takes(double x, double y) {
+        return !lightsAt(x, y).isEmpty() || handles().flatMap(g -> pick(g, x, y)).isPresent();
+    }
+
+    private Optional<NodeGizmo.Handle> pick(NodeGizmo of, double x, double y) {
+        return of.pick(model.previewCameraProperty().get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
+    }
+
+    /** @param shift moves the camera, whatever is taken */
+    void press(double x, double y, LightDrag pressed, boolean shift) {
+        pressX = x;
+        pressY = y;
+        if (shift) {
+            cameraBegin = model.previewCameraProperty().get();
+            cameraDrag = null;
+            return;
+        }
+        gizmo = handles().orElse(null);
+        handle = gizmo == null || pressed != LightDrag.ROTATE ? null : pick(gizmo, x, y).orElse(null);
+        if (handle != null) {
+            gesture = new Object();
+            return;
+        }
+        List<Light> hits = lightsAt(x, y);
+        if (hits.isEmpty()) {
+            return;
+        }
+        Light selected = model.selectedLight();
+        // The selected light is taken again where others lie over it; a click without a drag goes on to them.
+        boolean again = hits.contains(selected);
+        next = again ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
+        begin = again ? selected : hits.getFirst();
+        by = pressed;
+        gesture = new Object();
+        model.selectLight(begin.name());
+    }
+
+    void drag(double x, double y) {
+        double right = x - pressX;
+        double down = y - pressY;
+        next = null;
+        if (cameraBegin != null) {
+            dragCamera(right, down);
+        } else if (handle != null) {
+            var from = new Viewport.Pixel(pressX, pressY);
+            var to = new Viewport.Pixel(x, y);
+            PreviewCamera view = model.previewCameraProperty().get();
+            NodeGizmo taken = gizmo;
+            NodeGizmo.Handle at = handle;
+            model.edit(scene -> NodeEdits.placement(scene, taken.node().name(), _ -> taken.dragged(at, view, canvas, from, to)), gesture)
+                    .ifPresent(model::say);
+        } else if (begin != null) {
+            PreviewCamera view = model.previewCameraProperty().get();
+            Light moved = by.applied(begin, view, canvas, right, -down);
+            model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> moved), gesture).ifPresent(model::say);
+        }
+    }
+
+    private void dragCamera(double right, double down) {
+        if (cameraDrag == null && Math.hypot(right, down) >= DECISION) {
+            cameraDrag = CameraDrag.begun(canvas, pressX, pressY, right, down);
+        }
+        if (cameraDrag != null) {
+            model.previewCameraProperty().set(cameraDrag.applied(cameraBegin, canvas, right, down));
+        }
+    }
+
+    void release() {
+        if (next != null) {
+            model.selectLight(next.name());
+        }
+        next = null;
+        begin = null;
+        gizmo = null;
+        handle = null;
+        gesture = null;
+        cameraBegin = null;
+        cameraDrag = null;
+    }
+}

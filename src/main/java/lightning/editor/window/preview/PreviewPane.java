@@ -1,0 +1,71 @@
+package lightning.editor.window.preview;
+
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.StackPane;
+import lightning.base.text.Texts;
+import lightning.editor.document.Command;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.command.SizeMenu;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.widget.PaneHeader;
+
+/** The interactive preview: every light in real time, and the place where lights are taken by hand. */
+public final class PreviewPane extends BorderPane implements AutoCloseable {
+    private final EditorModel model;
+    private final PreviewCanvas canvas;
+
+    public PreviewPane(EditorModel model) {
+        this.model = model;
+        setId("preview");
+        getStyleClass().add("canvas-pane");
+        canvas = new PreviewCanvas(model);
+        model.commands().setAction(Command.VIEW_X, () -> look(PreviewCamera.alongX(model.scene())));
+        model.commands().setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(model.scene())));
+        model.commands().setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(model.scene())));
+        model.commands().setAction(Command.VIEW_ALL, canvas::frameLights);
+        var waiting = new Label(Texts.of("Drawing …"));
+        waiting.getStyleClass().add("canvas-note");
+        waiting.visibleProperty().bind(canvas.emptyProperty());
+        waiting.setMouseTransparent(true);
+        var stage = new StackPane(canvas, waiting);
+        stage.getStyleClass().add("canvas");
+        setTop(header());
+        setCenter(stage);
+        var hint = new Label(Texts.of("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera"));
+        hint.getStyleClass().add("pane-footer");
+        hint.setMaxWidth(Double.MAX_VALUE);
+        hint.setWrapText(true);
+        setBottom(hint);
+    }
+
+    public PreviewCanvas canvas() {
+        return canvas;
+    }
+
+    private Node header() {
+        var sizes = new MenuButton(Texts.of(canvas.sizeProperty().get().title()));
+        sizes.setId("preview-size");
+        sizes.getStyleClass().add("flat");
+        sizes.setTooltip(new Tooltip(Texts.of("Size of the preview's canvas")));
+        sizes.getItems().setAll(SizeMenu.ofPreview(model, canvas.sizeProperty()));
+        canvas.sizeProperty().subscribe(v -> sizes.setText(Texts.of(v.title())));
+        return new PaneHeader(Texts.of("Preview"), sizes, CommandButton.view(model, Command.VIEW_ALL, Texts.of("All")),
+                CommandButton.view(model, Command.VIEW_X, "X"), CommandButton.view(model, Command.VIEW_Y, "−Y"),
+                CommandButton.view(model, Command.VIEW_Z, "−Z"), CommandButton.view(model, Command.HIDE_GIZMOS),
+                CommandButton.view(model, Command.LOOK_THROUGH_LIGHT));
+    }
+
+    private void look(PreviewCamera camera) {
+        model.previewCameraProperty().set(camera);
+    }
+
+    @Override
+    public void close() {
+        canvas.close();
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * The drawn preview, in which lights are taken by hand.
+ */
+package lightning.editor.window.preview;

@@ -1,0 +1,132 @@
+package lightning.editor.window.property;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.ComboBox;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import javafx.util.StringConverter;
+import lightning.base.math.Rgb;
+import lightning.base.text.Texts;
+import lightning.editor.document.BankEdits;
+import lightning.editor.document.Hsv;
+import lightning.editor.document.Situation;
+import lightning.editor.document.Steps;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.widget.ArrowWidget;
+import lightning.editor.window.widget.ColorSliders;
+import lightning.editor.window.widget.Gauge;
+import lightning.editor.window.widget.Obstacle;
+import lightning.scene.Attribute;
+import lightning.scene.Bank;
+import lightning.scene.Light;
+import lightning.scene.Quantity;
+
+/** Which bank the selected light belongs to, and that bank's master and gel. */
+final class BankSection extends VBox {
+    private static final String NO_BANK = Texts.key("the light is in no bank");
+
+    private final EditorModel model;
+    private final ComboBox<String> bank = new ComboBox<>();
+    private final Obstacle noLight;
+    private final ArrowWidget master;
+    private final ColorSliders gel;
+    private boolean showing;
+
+    /** @param seen as in {@link PropertyPane} */
+    BankSection(EditorModel model, ObservableValue<Situation> seen) {
+        this.model = model;
+        getStyleClass().add("section-content");
+        bank.setId("light-bank");
+        bank.setAccessibleText(Texts.of("bank"));
+        bank.setMaxWidth(Double.MAX_VALUE);
+        bank.setConverter(new StringConverter<>() {
+            @Override
+            public String toString(String name) {
+                return name == null ? "" : name.isEmpty() ? Texts.of("none") : name;
+            }
+
+            @Override
+            public String fromString(String text) {
+                throw new IllegalStateException("the names are chosen, not typed");
+            }
+        });
+        bank.valueProperty().addListener((_, _, now) -> {
+            if (!showing && now != null) {
+                String light = model.selectedLight().name();
+                model.edit(scene -> now.isEmpty() ? BankEdits.leave(scene, light) : BankEdits.join(scene, light, now))
+                        .ifPresent(model::say);
+            }
+        });
+        StackPane around = new StackPane(bank);
+        noLight = new Obstacle(around, bank, Texts.of("The bank that the light belongs to"));
+        master = new ArrowWidget(Texts.of("Master"), "master", gauge("master", Bank.INTENSITY, (Double v, Double x) -> x));
+        master.setId("master");
+        gel = ColorSliders.ofSurface("gel", Texts.of("A factor of the colours of all its lights"), 1, new Gel());
+        gel.setId("gel");
+        getChildren().addAll(around, master, Sections.caption(Texts.of("Gel")), gel);
+        seen.subscribe(this::show);
+    }
+
+    private void show(Situation now) {
+        Optional<Light> light = now.selected();
+        Optional<Bank> of = light.flatMap(l -> now.scene().rig().bank(l.bank()));
+        showing = true;
+        List<String> names = Stream.concat(Stream.of(""), now.scene().rig().banks().stream().map(Bank::name)).toList();
+        if (!bank.getItems().equals(names)) {
+            bank.getItems().setAll(names);
+        }
+        bank.setValue(light.map(Light::bank).orElse(null));
+        showing = false;
+        noLight.set(light.isPresent() ? Optional.empty() : Optional.of(Texts.of("no light is selected")));
+        Optional<String> obstacle = of.isPresent() ? Optional.empty() : Optional.of(Texts.of(NO_BANK));
+        master.setObstacle(obstacle);
+        gel.setObstacle(obstacle);
+        of.ifPresentOrElse(b -> master.show(b.intensity()), master::showNothing);
+        of.ifPresentOrElse(b -> gel.show(b.color()), gel::showNothing);
+    }
+
+    /** Forgets what was typed. */
+    void revert() {
+        master.revert();
+        gel.revert();
+    }
+
+    private <V> Gauge gauge(String title, Attribute<Bank, V> attribute, BiFunction<V, Double, V> with) {
+        Quantity<V> quantity = (Quantity<V>) attribute.kind();
+        return Gauge.of(title, new Steps(quantity.step(), quantity.min(), quantity.max()),
+                (value, gesture) -> edit(attribute, v -> with.apply(v, value), gesture));
+    }
+
+    private <V> Optional<String> edit(Attribute<Bank, V> attribute, UnaryOperator<V> with, Object gesture) {
+        String name = model.selectedLight() == null ? "" : model.selectedLight().bank();
+        return model.edit(scene -> BankEdits.with(scene, name, b -> attribute.with(b, with.apply(attribute.of(b)))), gesture);
+    }
+
+    /** The colour of the bank. */
+    private final class Gel implements ColorSliders.Target {
+        @Override
+        public Gauge red() {
+            return gauge("gel red", Bank.COLOR, (c, v) -> new Rgb(v, c.g(), c.b()));
+        }
+
+        @Override
+        public Gauge green() {
+            return gauge("gel green", Bank.COLOR, (c, v) -> new Rgb(c.r(), v, c.b()));
+        }
+
+        @Override
+        public Gauge blue() {
+            return gauge("gel blue", Bank.COLOR, (c, v) -> new Rgb(c.r(), c.g(), v));
+        }
+
+        @Override
+        public Optional<String> hsv(Hsv color, Object gesture) {
+            return edit(Bank.COLOR, _ -> color.rgb(), gesture);
+        }
+    }
+}

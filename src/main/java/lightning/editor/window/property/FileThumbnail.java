@@ -1,0 +1,73 @@
+package lightning.editor.window.property;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javafx.scene.image.ImageView;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import lightning.editor.window.widget.PixelImage;
+import lightning.format.jen.FileKind;
+
+/**
+ * A picture file, small.
+ *
+ * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
+ */
+record FileThumbnail(int width, int height, int[] pixels) {
+    /** Of the longer side, pixels. */
+    private static final int SIDE = 40;
+    /** A larger picture is not looked at. */
+    private static final long MOST_PIXELS = 1L << 26;
+
+    /** Beside the window's thread: that of a file where a scene of that folder finds it; empty where it does not, or it is too large. */
+    static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
+        try {
+            Optional<Path> file = kind.find(folder, name);
+            return file.isEmpty() ? Optional.empty() : read(file.get());
+        } catch (IOException | RuntimeException e) {
+            // A picture that cannot be read has its name alone.
+            return Optional.empty();
+        }
+    }
+
+    private static Optional<FileThumbnail> read(Path path) throws IOException {
+        try (ImageInputStream in = ImageIO.createImageInputStream(path.toFile())) {
+            Iterator<ImageReader> readers = in == null ? Stream.<ImageReader>empty().iterator() : ImageIO.getImageReaders(in);
+            if (!readers.hasNext()) {
+                return Optional.empty();
+            }
+            ImageReader reader = readers.next();
+            try {
+                reader.setInput(in, true, true);
+                return (long) reader.getWidth(0) * reader.getHeight(0) > MOST_PIXELS ? Optional.empty() : Optional.of(small(reader));
+            } finally {
+                reader.dispose();
+            }
+        }
+    }
+
+    private static FileThumbnail small(ImageReader reader) throws IOException {
+        int step = Math.max(1, Math.max(reader.getWidth(0), reader.getHeight(0)) / SIDE);
+        var some = reader.getDefaultReadParam();
+        some.setSourceSubsampling(step, step, 0, 0);
+        BufferedImage read = reader.read(0, some);
+        int[] pixels = read.getRGB(0, 0, read.getWidth(), read.getHeight(), null, 0, read.getWidth());
+        for (int i = 0; i < pixels.length; i++) {
+            pixels[i] |= 0xFF000000;
+        }
+        return new FileThumbnail(read.getWidth(), read.getHeight(), pixels);
+    }
+
+    ImageView view() {
+        var view = new ImageView(PixelImage.of(width, height, pixels));
+        view.setPreserveRatio(true);
+        view.setFitWidth(SIDE);
+        view.setFitHeight(SIDE);
+        return view;
+    }
+}

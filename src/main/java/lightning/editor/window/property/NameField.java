@@ -1,0 +1,91 @@
+package lightning.editor.window.property;
+
+import java.util.Optional;
+import java.util.function.BiFunction;
+import javafx.collections.ObservableList;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Pane;
+import javafx.scene.layout.Priority;
+import lightning.base.text.Texts;
+import lightning.editor.window.model.EditorModel;
+
+/** Stands in place of a name in a row while another is typed, and says why that is refused. */
+final class NameField extends TextField {
+    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+
+    private final EditorModel model;
+    private final Label label;
+    private final BiFunction<String, String, Optional<String>> rename;
+    private final Runnable taken;
+    private String old;
+
+    /**
+     * @param label  what shows the name, in a row of nodes
+     * @param rename gives what is called by the first name the second, stripped; tells why it refuses to
+     * @param taken  called when it did
+     * @param left   called when Escape is pressed or keys go elsewhere
+     */
+    NameField(EditorModel model, Label label, BiFunction<String, String, Optional<String>> rename, Runnable taken, Runnable left) {
+        this.model = model;
+        this.label = label;
+        this.rename = rename;
+        this.taken = taken;
+        label.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(label, Priority.ALWAYS);
+        HBox.setHgrow(this, Priority.ALWAYS);
+        setAccessibleText(Texts.of("new name"));
+        setOnAction(_ -> rename());
+        addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE) {
+                left.run();
+                event.consume();
+            }
+        });
+        focusedProperty().addListener((_, was, _) -> {
+            if (was) {
+                left.run();
+            }
+        });
+    }
+
+    /** Takes the label's place; {@code name} is what shall be another. */
+    void open(String name) {
+        old = name;
+        setText(name);
+        mark(Optional.empty());
+        replace(label, this);
+        requestFocus();
+        selectAll();
+    }
+
+    /** Gives its place back to the label. */
+    void close() {
+        replace(this, label);
+    }
+
+    private void rename() {
+        Optional<String> refusal = rename.apply(old, getText().strip());
+        mark(refusal);
+        refusal.ifPresentOrElse(model::say, taken);
+    }
+
+    private void mark(Optional<String> refusal) {
+        pseudoClassStateChanged(REFUSED, refusal.isPresent());
+        setTooltip(refusal.map(Tooltip::new).orElse(null));
+        setAccessibleHelp(refusal.orElse(""));
+    }
+
+    private static void replace(Node shown, Node with) {
+        if (shown.getParent() instanceof Pane row) {
+            ObservableList<Node> nodes = row.getChildren();
+            nodes.set(nodes.indexOf(shown), with);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package lightning.editor.window.property;
+
+import java.util.Optional;
+import java.util.function.BiFunction;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.EditorModel;
+
+/** A line of a list that shows a name, which is renamed in its place; the list can be edited only meanwhile. */
+abstract class NamedCell<T> extends ListCell<T> {
+    final EditorModel model;
+    /** What shows the name. */
+    final Label name = new Label();
+    private final Command command;
+    private final NameField field;
+
+    /**
+     * @param command what renaming is
+     * @param rename  gives what is called by the first name the second; tells why it refuses to
+     */
+    NamedCell(EditorModel model, Command command, BiFunction<String, String, Optional<String>> rename) {
+        this.model = model;
+        this.command = command;
+        field = new NameField(model, name, rename, this::cancelEdit, this::leave);
+    }
+
+    /** What can be renamed here, by its name; empty where nothing is. */
+    abstract Optional<String> renamed();
+
+    @Override
+    public void startEdit() {
+        Optional<String> old = renamed();
+        if (old.isEmpty() || !model.commands().isEnabled(command)) {
+            return;
+        }
+        super.startEdit();
+        if (isEditing()) {
+            field.open(old.get());
+        }
+    }
+
+    @Override
+    public void cancelEdit() {
+        super.cancelEdit();
+        field.close();
+        getListView().setEditable(false);
+        getListView().requestFocus();
+    }
+
+    private void leave() {
+        if (isEditing()) {
+            cancelEdit();
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package lightning.editor.window.timeline;
+
+import java.io.IOException;
+import java.util.concurrent.CancellationException;
+import javafx.concurrent.Task;
+import lightning.base.work.OwnThread;
+import lightning.base.work.Progress;
+
+/** Writes a shot on a thread of its own; its value is how many frames are written. */
+final class ShotExportTask extends Task<Integer> {
+    private final ShotExport export;
+    private int written;
+
+    ShotExportTask(ShotExport export) {
+        this.export = export;
+        updateValue(0);
+        updateProgress(0, 1);
+    }
+
+    @Override
+    protected Integer call() throws IOException {
+        try {
+            export.write(new Progress() {
+                @Override
+                public void tiles(int done, int total) {
+                    updateProgress(written + (double) done / Math.max(1, total), export.frames());
+                }
+
+                @Override
+                public boolean isCancelled() {
+                    return ShotExportTask.this.isCancelled();
+                }
+            }, frames -> {
+                written = frames;
+                updateValue(frames);
+                updateProgress(frames, export.frames());
+            });
+        } catch (CancellationException e) {
+            // The task is cancelled already, which says so.
+            return written;
+        }
+        return export.frames();
+    }
+
+    ShotExport export() {
+        return export;
+    }
+
+    /** Begins. The thread must not be interrupted, which would break a file that is being written. */
+    void begin() {
+        OwnThread.of("lightning-shot-export", this).start();
+    }
+}

@@ -1,0 +1,25 @@
+package lightning.editor.window.timeline;
+
+import javafx.stage.Window;
+import lightning.editor.document.Command;
+import lightning.editor.window.command.CommandKeys;
+import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.widget.PanelWindow;
+
+/** Asks what the shot shall be exported as. */
+public final class ShotExportWindow extends PanelWindow {
+    private static final double WIDTH = 460;
+    private static final double HEIGHT = 260;
+
+    /** The scene must have a shot. */
+    public ShotExportWindow(EditorModel model, Window owner) {
+        this(model, owner, new ShotExportPane(model, PathAsk.inWindows(owner, model.document().file().toAbsolutePath().getParent())));
+    }
+
+    private ShotExportWindow(EditorModel model, Window owner, ShotExportPane pane) {
+        super(owner, Command.EXPORT_SHOT.plainTitle(), pane, WIDTH, HEIGHT);
+        CommandKeys.take(getScene(), model);
+        setOnHidden(_ -> pane.stop());
+    }
+}

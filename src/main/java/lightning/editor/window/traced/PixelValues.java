@@ -1,0 +1,28 @@
+package lightning.editor.window.traced;
+
+import lightning.base.text.Texts;
+import lightning.render.image.FalseColor;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+
+/** The numbers of a pixel: its linear red, green and blue, what the display gets of them, and how many stops from middle grey it is. */
+final class PixelValues {
+    private PixelValues() {}
+
+    static String text(Film film, ViewTransform view, int x, int y) {
+        if (x >= film.width() || y >= film.height()) {
+            return "";
+        }
+        float red = film.red(x, y);
+        float green = film.green(x, y);
+        float blue = film.blue(x, y);
+        int shown = view.ofPicture().pack(red, green, blue);
+        double luminance = (0.2126 * red + 0.7152 * green + 0.0722 * blue) * view.gain();
+        String stops =
+                luminance > 0
+                        ? String.format(Texts.locale(), Texts.of("%+.1f stops"), Math.log(luminance / FalseColor.MIDDLE) / Math.log(2))
+                        : "black";
+        return String.format(Texts.locale(), "%.3f %.3f %.3f → %d %d %d  %s", red, green, blue, shown >> 16 & 0xFF, shown >> 8 & 0xFF,
+                shown & 0xFF, stops);
+    }
+}

@@ -1,0 +1,29 @@
+package lightning.editor.window.widget;
+
+import javafx.scene.AccessibleRole;
+import javafx.scene.Cursor;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import lightning.base.text.Texts;
+
+/** The arrow of an {@link ArrowWidget}: drag it up or down, or click its upper or its lower half. */
+final class ArrowPad extends VBox {
+    ArrowPad(Gauge gauge, NumberField field) {
+        super(arrow("up"), arrow("down"));
+        getStyleClass().add("arrow-pad");
+        setAccessibleRole(AccessibleRole.SPINNER);
+        setAccessibleText(field.getAccessibleText());
+        setCursor(Cursor.V_RESIZE);
+        Tooltip.install(this, new Tooltip(Texts.of("Drag up or down, or click a half; Shift finer, Ctrl coarser")));
+        Scrub.by(this, gauge, field, Scrub.Way.UP, event -> field
+                .step((event.getY() < getHeight() / 2 ? 1 : -1) * Scrub.factor(event.isShiftDown(), event.isShortcutDown())));
+    }
+
+    private static Region arrow(String name) {
+        Region arrow = new Region();
+        arrow.getStyleClass().addAll("arrow", name);
+        arrow.setMouseTransparent(true);
+        return arrow;
+    }
+}

@@ -1,0 +1,29 @@
+package lightning.editor.window.widget;
+
+import java.util.ArrayList;
+import java.util.List;
+import javafx.geometry.VPos;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.Region;
+
+/** The head of a pane: its title and its controls, in a second row where one has no room for all. */
+public final class PaneHeader extends FlowPane {
+
+    public PaneHeader(String title, Node... controls) {
+        var name = new Label(title);
+        name.getStyleClass().add("pane-title");
+        List<Node> all = new ArrayList<>(List.of(name));
+        all.addAll(List.of(controls));
+        for (Node part : all) {
+            if (part instanceof Region region) {
+                // Text that is cut tells nothing.
+                region.setMinWidth(Region.USE_PREF_SIZE);
+            }
+        }
+        setRowValignment(VPos.CENTER);
+        getStyleClass().add("pane-header");
+        getChildren().setAll(all);
+    }
+}

@@ -1,0 +1,213 @@
+package lightning.editor.window.widget;
+
+import java.nio.IntBuffer;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.value.ObservableValue;
+import javafx.geometry.Bounds;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelBuffer;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.layout.Region;
+import javafx.scene.shape.Rectangle;
+
+/** A picture of pixels that change in place, fitted into what room there is, or magnified and moved. */
+public final class PictureView extends Region {
+    private static final double LEAST_ZOOM = 1 / 32.0;
+    private static final double MOST_ZOOM = 64;
+    /** From the edges of the view to what is said on it, as of all remarks on a picture; pixels. */
+    public static final double MARGIN = 12;
+
+    /** A place of the picture. */
+    public record Pixel(int x, int y) {}
+
+    private final ImageView image = new ImageView();
+    private final Wipe wipe = new Wipe();
+    /** What is said on the picture; null for nothing. */
+    private PlainNote note;
+    private final ReadOnlyBooleanWrapper empty = new ReadOnlyBooleanWrapper(true);
+    private PixelBuffer<IntBuffer> buffer;
+    private boolean fit = true;
+    private double zoom = 1;
+    /** The picture's middle from the view's middle, pixels of the window. */
+    private double shiftX;
+    private double shiftY;
+
+    public PictureView() {
+        var clip = new Rectangle();
+        clip.widthProperty().bind(widthProperty());
+        clip.heightProperty().bind(heightProperty());
+        setClip(clip);
+        getChildren().addAll(image, wipe);
+        setOnScroll(e -> {
+            if (e.getDeltaY() != 0) {
+                zoomBy(Math.exp(e.getDeltaY() / 200), e.getX(), e.getY());
+            }
+        });
+    }
+
+    /** Shows other pixels, {@code int[width * height]}; they are not copied. */
+    public void setPixels(int width, int height, int[] pixels) {
+        buffer = new PixelBuffer<>(width, height, IntBuffer.wrap(pixels), PixelFormat.getIntArgbPreInstance());
+        image.setImage(new WritableImage(buffer));
+        empty.set(false);
+        requestLayout();
+    }
+
+    /** The pixels of a part have changed. */
+    public void changed(int left, int top, int right, int bottom) {
+        buffer.updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
+    }
+
+    /** Says something on the picture that needs no style sheet; empty for nothing. */
+    public void say(String words) {
+        getChildren().remove(note);
+        note = words.isEmpty() ? null : new PlainNote(words);
+        if (note != null) {
+            getChildren().add(note);
+        }
+    }
+
+    /** What the image shows now, {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
+    public int[] pixels() {
+        int width = buffer.getWidth();
+        int height = buffer.getHeight();
+        int[] pixels = new int[width * height];
+        image.getImage().getPixelReader().getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
+        return pixels;
+    }
+
+    public boolean isEmpty() {
+        return empty.get();
+    }
+
+    public ReadOnlyBooleanProperty emptyProperty() {
+        return empty.getReadOnlyProperty();
+    }
+
+    /** Shows nothing. */
+    public void clear() {
+        buffer = null;
+        empty.set(true);
+        image.setImage(null);
+    }
+
+    /** The whole picture, as large as there is room, but at most so that it stays sharp. */
+    public void fit() {
+        fit = true;
+        shiftX = 0;
+        shiftY = 0;
+        requestLayout();
+    }
+
+    /** One pixel of the picture is one of the screen's. */
+    public void oneToOne() {
+        fit = false;
+        zoom = 1 / screenScale();
+        shiftX = 0;
+        shiftY = 0;
+        requestLayout();
+    }
+
+    /** Magnifies about a place of the view, which stays where it is. */
+    public void zoomBy(double factor, double x, double y) {
+        if (isEmpty()) {
+            return;
+        }
+        double before = scale();
+        zoom = Math.clamp(before * factor, LEAST_ZOOM, MOST_ZOOM);
+        double grown = zoom / before;
+        shiftX = (shiftX + getWidth() / 2 - x) * grown + x - getWidth() / 2;
+        shiftY = (shiftY + getHeight() / 2 - y) * grown + y - getHeight() / 2;
+        fit = false;
+        requestLayout();
+    }
+
+    /** Magnifies about the middle. */
+    public void zoomBy(double factor) {
+        zoomBy(factor, getWidth() / 2, getHeight() / 2);
+    }
+
+    /** Moves the picture, pixels of the window. */
+    public void pan(double x, double y) {
+        shiftX += x;
+        shiftY += y;
+        fit = false;
+        requestLayout();
+    }
+
+    /** How many pixels of the screen one of the picture's takes, as in 1.5. */
+    public double magnification() {
+        return isEmpty() ? 1 : scale() * screenScale();
+    }
+
+    /** The pixel at a place of the view. */
+    public Optional<Pixel> pixel(double x, double y) {
+        if (isEmpty()) {
+            return Optional.empty();
+        }
+        int px = (int) Math.floor((x - image.getLayoutX()) / scale());
+        int py = (int) Math.floor((y - image.getLayoutY()) / scale());
+        boolean inside = px >= 0 && py >= 0 && px < buffer.getWidth() && py < buffer.getHeight();
+        return inside ? Optional.of(new Pixel(px, py)) : Optional.empty();
+    }
+
+    /** The nearest pixel of the picture to a place of the view. */
+    public Pixel nearest(double x, double y) {
+        double px = Math.floor((x - image.getLayoutX()) / scale());
+        double py = Math.floor((y - image.getLayoutY()) / scale());
+        return new Pixel((int) Math.clamp(px, 0, buffer.getWidth() - 1), (int) Math.clamp(py, 0, buffer.getHeight() - 1));
+    }
+
+    /** Where the whole picture is in this view, pixels of the window; it may be larger than the view. */
+    public ObservableValue<Bounds> placeProperty() {
+        return image.boundsInParentProperty();
+    }
+
+    /** The stored picture that this one is compared with. */
+    public Wipe wipe() {
+        return wipe;
+    }
+
+    /** Moves the border of the comparison to a place of the view. */
+    public void wipeTo(double x) {
+        wipe.setShare((x - image.getLayoutX()) / Math.max(1, image.getFitWidth()));
+        requestLayout();
+    }
+
+    private double screenScale() {
+        return getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
+    }
+
+    private double scale() {
+        if (!fit || isEmpty()) {
+            return zoom;
+        }
+        double room = Math.min(getWidth() / buffer.getWidth(), getHeight() / buffer.getHeight());
+        return Math.max(room, 1e-3);
+    }
+
+    @Override
+    protected void layoutChildren() {
+        if (note != null) {
+            note.resizeRelocate(MARGIN, MARGIN, note.prefWidth(-1), note.prefHeight(-1));
+        }
+        if (isEmpty()) {
+            return;
+        }
+        double scale = scale();
+        double width = buffer.getWidth() * scale;
+        double height = buffer.getHeight() * scale;
+        image.setFitWidth(width);
+        image.setFitHeight(height);
+        // Magnified on purpose, pixels stay squares, so that single ones can be judged.
+        image.setSmooth(fit || scale * screenScale() < 2);
+        image.relocate(Math.rint((getWidth() - width) / 2 + shiftX), Math.rint((getHeight() - height) / 2 + shiftY));
+        if (wipe.isStored()) {
+            wipe.place(image.getLayoutX(), image.getLayoutY(), width, height, image.isSmooth());
+        }
+    }
+}

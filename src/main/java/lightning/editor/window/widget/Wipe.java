@@ -1,0 +1,57 @@
+package lightning.editor.window.widget;
+
+import javafx.geometry.Rectangle2D;
+import javafx.scene.Group;
+import javafx.scene.image.ImageView;
+import javafx.scene.shape.Line;
+
+/** A stored picture over the left part of the one there is now, with a border that the mouse moves. */
+public final class Wipe extends Group {
+    private final ImageView image = new ImageView();
+    private final Line border = new Line();
+    private double share = 0.5;
+    private int width;
+    private int height;
+
+    Wipe() {
+        setMouseTransparent(true);
+        setManaged(false);
+        setVisible(false);
+        border.getStyleClass().add("wipe-border");
+        getChildren().addAll(image, border);
+    }
+
+    /** Keeps the pixels as they are now, {@code int[width * height]}. */
+    public void store(int newWidth, int newHeight, int[] pixels) {
+        width = newWidth;
+        height = newHeight;
+        image.setImage(PixelImage.of(width, height, pixels.clone()));
+    }
+
+    boolean isStored() {
+        return image.getImage() != null;
+    }
+
+    /** @param v how much of the stored picture is seen, from the left, 0…1 */
+    void setShare(double v) {
+        share = Math.clamp(v, 0, 1);
+    }
+
+    public double share() {
+        return share;
+    }
+
+    /** Lies over a picture: its place and its size, pixels of the window. */
+    void place(double left, double top, double shownWidth, double shownHeight, boolean smooth) {
+        double seen = Math.max(1, Math.rint(share * width));
+        image.setViewport(new Rectangle2D(0, 0, seen, height));
+        image.setFitWidth(seen / width * shownWidth);
+        image.setFitHeight(shownHeight);
+        image.setSmooth(smooth);
+        image.relocate(left, top);
+        border.setStartX(left + image.getFitWidth());
+        border.setEndX(left + image.getFitWidth());
+        border.setStartY(top);
+        border.setEndY(top + shownHeight);
+    }
+}

@@ -1,2 +1,0 @@
-/** Which engine works when. */
-package lightning.engine.choice;

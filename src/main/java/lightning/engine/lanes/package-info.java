@@ -1,2 +1,0 @@
-/** {@link lightning.engine.lanes.LaneEngine}: rays in packets, the lighting equation in vector lanes. */
-package lightning.engine.lanes;

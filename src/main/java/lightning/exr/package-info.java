@@ -1,2 +1,0 @@
-/** Files of OpenEXR: a picture as columns of numbers, each with a name. */
-package lightning.exr;

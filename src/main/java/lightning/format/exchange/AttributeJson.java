@@ -1,0 +1,156 @@
+package lightning.format.exchange;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.StreamSupport;
+import lightning.base.text.Quote;
+import lightning.format.jen.FileKind;
+import lightning.scene.Attribute;
+import lightning.scene.Choice;
+import lightning.scene.FromFile;
+import lightning.scene.Gobo;
+import lightning.scene.Links;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
+import lightning.scene.Quantity;
+import lightning.scene.Texture;
+import lightning.scene.ValueKind;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.ArrayNode;
+import tools.jackson.databind.node.ObjectNode;
+
+/**
+ * Attributes of lights and light groups as JSON: each by its name in a {@code .jen} file. A value of one number is a number, one of several an
+ * array; a choice is its word, or true or false; a file is its name, links are {@code {"only": …, "names": […]}}.
+ */
+final class AttributeJson {
+    private AttributeJson() {}
+
+    /** Says whether the scene finds a file that a light names. */
+    interface Files {
+        boolean has(FileKind kind, String name);
+    }
+
+    /** Writes every attribute of a table; a file that a record does not have is left out. */
+    static <T> void write(ObjectNode out, T record, List<? extends Attribute<T, ?>> table) {
+        table.forEach(attribute -> write(out, record, attribute));
+    }
+
+    private static <T, V> void write(ObjectNode out, T record, Attribute<T, V> attribute) {
+        V value = attribute.of(record);
+        String name = attribute.name();
+        switch (attribute.kind()) {
+            case Quantity<V> q when q.labels().size() == 1 -> number(out, name, q.number(value, 0), q.whole());
+            case Quantity<V> q -> q.split().apply(value).forEach(out.withArray(name)::add);
+            case Choice<V> _ when value instanceof Boolean yes -> out.put(name, yes);
+            case Choice<V> c -> out.put(name, c.text(value));
+            case ValueKind.Linking _ -> links(out.putObject(name), (Links) value);
+            case ValueKind.Naming _ -> out.put(name, (String) value);
+            case ValueKind.Filed<?> _ -> ((Optional<?>) value).ifPresent(file -> out.put(name, ((FromFile) file).file()));
+            case ValueKind.Texturing _ -> throw new AssertionError("no light has a texture");
+        }
+    }
+
+    private static void number(ObjectNode out, String name, double value, boolean whole) {
+        if (whole) {
+            out.put(name, (int) value);
+        } else {
+            out.put(name, value);
+        }
+    }
+
+    private static void links(ObjectNode out, Links links) {
+        ArrayNode names = out.put("only", links.only()).putArray("names");
+        links.names().forEach(names::add);
+    }
+
+    /**
+     * The record with every attribute that the JSON has and it may have.
+     *
+     * @param refused takes a sentence about each value that cannot be used, which leaves the attribute as it was
+     */
+    static <T> T read(JsonNode in, T record, List<? extends Attribute<T, ?>> table, Files files,
+            Consumer<String> refused) {
+        T made = record;
+        for (Attribute<T, ?> attribute : table) {
+            if (in.has(attribute.name())) {
+                try {
+                    made = with(made, attribute, in.get(attribute.name()), files);
+                } catch (IllegalArgumentException e) {
+                    refused.accept(e.getMessage());
+                }
+            }
+        }
+        return made;
+    }
+
+    private static <T, V> T with(T record, Attribute<T, V> attribute, JsonNode in, Files files) {
+        return attribute.with(record, value(attribute.kind(), in, files));
+    }
+
+    @SuppressWarnings("unchecked")
+    private static <V> V value(ValueKind<V> kind, JsonNode in, Files files) {
+        return switch (kind) {
+            case Quantity<V> q -> quantity(q, in);
+            case Choice<V> c -> choice(c, in);
+            case ValueKind.Linking _ -> (V) links(in);
+            case ValueKind.Naming _ -> (V) text(in);
+            case ValueKind.Projecting _ -> (V) Optional.of(new Gobo(file(FileKind.TEXTURE, in, files),
+                    new Texture(1, 1, new float[] {1, 1, 1})));
+            case ValueKind.Shining _ -> (V) Optional.of(new Profile(file(FileKind.PROFILE, in, files),
+                    new Photometry(Photometry.Type.C, new double[] {0, 180}, new double[] {0}, new double[] {1, 1})));
+            case ValueKind.Surrounding _,ValueKind.Texturing _ -> throw new AssertionError("no light has an environment or a texture");
+        };
+    }
+
+    private static <V> V quantity(Quantity<V> q, JsonNode in) {
+        List<Double> numbers = new ArrayList<>();
+        for (JsonNode number : in.isArray() ? in : List.of(in)) {
+            if (!number.isNumber() || numbers.size() == q.labels().size()) {
+                throw new IllegalArgumentException("expected " + q.labels().size() + " numbers");
+            }
+            double value = number.numberValue().doubleValue();
+            q.check("it", value);
+            numbers.add(value);
+        }
+        if (numbers.size() < q.labels().size()) {
+            throw new IllegalArgumentException("expected " + q.labels().size() + " numbers, found " + numbers.size());
+        }
+        return q.join().apply(numbers);
+    }
+
+    private static <V> V choice(Choice<V> choice, JsonNode in) {
+        for (V value : choice.all()) {
+            if (value instanceof Boolean yes ? in.isBoolean() && in.asBoolean() == yes : choice.text(value).equals(text(in))) {
+                return value;
+            }
+        }
+        throw new IllegalArgumentException("expected one of " + String.join(", ", choice.words()));
+    }
+
+    private static Links links(JsonNode in) {
+        if (!in.path("only").isBoolean() || !in.path("names").isArray()) {
+            throw new IllegalArgumentException("expected only and names");
+        }
+        return new Links(in.get("only").asBoolean(), StreamSupport.stream(in.get("names").spliterator(), false)
+                .map(AttributeJson::text).toList());
+    }
+
+    private static String text(JsonNode in) {
+        if (!in.isString()) {
+            throw new IllegalArgumentException("expected text");
+        }
+        return in.asString();
+    }
+
+    /** What the file holds is read with the scene. */
+    private static String file(FileKind kind, JsonNode in, Files files) {
+        String name = text(in);
+        if (!files.has(kind, name)) {
+            throw new IllegalArgumentException("there is no file " + Quote.of(name));
+        }
+        return name;
+    }
+}

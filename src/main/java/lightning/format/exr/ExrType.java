@@ -1,0 +1,48 @@
+package lightning.format.exr;
+
+import java.nio.ByteBuffer;
+
+/** What the numbers of a channel are; the order is that of their codes in a file. */
+public enum ExrType {
+    /** Whole numbers of 32 bits, 0 and up. */
+    UINT(4),
+    /** Floats of 16 bits. */
+    HALF(2),
+    /** Floats of 32 bits. */
+    FLOAT(4);
+
+    /** The largest number of 16 bits. */
+    public static final float MOST_OF_HALF = 65504;
+
+    private final int bytes;
+
+    ExrType(int bytes) {
+        this.bytes = bytes;
+    }
+
+    /** The bytes of a number. */
+    public int bytes() {
+        return bytes;
+    }
+
+    /**
+     * Puts a number. HALF is the nearest, of two the even one; what is larger than any is {@link #MOST_OF_HALF}, so that no finite
+     * number becomes infinite.
+     */
+    void put(ByteBuffer to, int at, float v) {
+        switch (this) {
+            case UINT -> to.putInt(at, (int) (long) v);
+            case HALF -> to.putShort(at, Float.floatToFloat16(Float.isFinite(v) ? Math.clamp(v, -MOST_OF_HALF, MOST_OF_HALF) : v));
+            // As raw bits, because a float register may change the payload of a NaN.
+            case FLOAT -> to.putInt(at, Float.floatToRawIntBits(v));
+        }
+    }
+
+    float get(ByteBuffer from, int at) {
+        return switch (this) {
+            case UINT -> Integer.toUnsignedLong(from.getInt(at));
+            case HALF -> Float.float16ToFloat(from.getShort(at));
+            case FLOAT -> Float.intBitsToFloat(from.getInt(at));
+        };
+    }
+}

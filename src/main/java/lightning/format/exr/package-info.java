@@ -1,0 +1,2 @@
+/** Files of OpenEXR: a picture as columns of numbers, each with a name. */
+package lightning.format.exr;

@@ -1,0 +1,84 @@
+package lightning.format.gltf;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import lightning.format.mesh.MeshException;
+import lightning.format.mesh.MeshLimits;
+
+/**
+ * How much a glTF file may become in memory, by its bytes and those of its buffers. Nodes show every primitive of their mesh, and primitives
+ * share vertices, so a few bytes can stand for very much.
+ */
+final class Unfolding {
+    /** One for so many bytes, where there are more than {@link MeshLimits#PARTS}: a node that is placed takes some 60 bytes. */
+    private static final int BYTES_OF_A_SHAPE = 4;
+    /** Bytes in memory that any file may take. */
+    private static final long FREE_BYTES = 64L << 20;
+    /** An index of one byte becomes an int, and its vertex at most 16 floats; twice that for what is shared on purpose. */
+    private static final long BYTES_OF_A_BYTE = 128;
+
+    private final GltfFile file;
+    private final long bytes;
+
+    /**
+     * Sums the bytes up.
+     *
+     * @throws MeshException if a buffer is no file in the folder of this one
+     * @throws IOException   if their sizes cannot be read
+     */
+    Unfolding(GltfFile file) throws IOException, MeshException {
+        this.file = file;
+        long sum = Files.size(file.path());
+        for (Path buffer : file.buffers().files()) {
+            sum += Files.size(buffer);
+        }
+        bytes = sum;
+    }
+
+    /**
+     * Refuses nodes that show too many shapes, before any is made.
+     *
+     * @param limit how many there may be whatever the file's size
+     */
+    static void checkShapes(GltfFile file, List<GltfNode> nodes, long limit) throws IOException, MeshException {
+        long shapes = shapes(nodes, primitives(file));
+        var unfolding = new Unfolding(file);
+        long most = Math.min(limit, Math.max(MeshLimits.PARTS, unfolding.bytes / BYTES_OF_A_SHAPE));
+        if (shapes > most) {
+            throw file.array("nodes").problem("must show at most " + most + " shapes where the file and its buffers have " + unfolding.bytes
+                    + " bytes, found " + shapes + "; each node shows every primitive of its mesh");
+        }
+    }
+
+    private static long shapes(List<GltfNode> nodes, int[] primitives) {
+        long sum = 0;
+        for (GltfNode node : nodes) {
+            sum += (node.mesh() < 0 ? 0 : primitives[node.mesh()]) + shapes(node.children(), primitives);
+        }
+        return sum;
+    }
+
+    /** How many primitives of each mesh can be a shape. */
+    private static int[] primitives(GltfFile file) throws MeshException {
+        Json meshes = file.array("meshes");
+        int[] counts = new int[meshes.size()];
+        for (int i = 0; i < counts.length; i++) {
+            Json primitives = meshes.at(i).get("primitives");
+            for (int j = 0; j < primitives.size(); j++) {
+                counts[i] += GltfMeshes.mayShow(primitives.at(j)) ? 1 : 0;
+            }
+        }
+        return counts;
+    }
+
+    /** Refuses meshes that take too many bytes in memory. */
+    void checkBytes(long taken, Json place) throws MeshException {
+        long most = FREE_BYTES + BYTES_OF_A_BYTE * bytes;
+        if (taken > most) {
+            throw place.problem("the meshes up to here must take at most " + (most >> 20) + " MiB where the file and its buffers have "
+                    + bytes + " bytes, found " + (taken >> 20) + " MiB");
+        }
+    }
+}

@@ -1,0 +1,195 @@
+package lightning.format.hdr;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.base.file.OrdinaryFile;
+import lightning.base.text.Quote;
+import lightning.format.mesh.MeshException;
+import lightning.scene.Limits;
+import lightning.scene.Sky;
+
+/**
+ * Reads Radiance's pictures, {@code .hdr}: shared exponents of 8 bits (Ward, Real Pixels, Graphics Gems II, 1991), plain or with runs in each of
+ * the four columns of a line. Lines go from the top, pixels from the left; an exposure that was multiplied into them is taken out.
+ */
+public final class HdrReader {
+    /** Bytes of a file: 64 MiB. */
+    public static final int BYTES = 64 << 20;
+    /** Pixels of a picture: 8 Mi, which are 96 MiB when decoded. */
+    public static final int PIXELS = 8 << 20;
+
+    private static final int HEADER = 1 << 16;
+    private static final Pattern SIZE = Pattern.compile("-Y ([0-9]{1,18}) \\+X ([0-9]{1,18})");
+    private static final Pattern EXPOSURE = Pattern.compile("EXPOSURE= *([0-9.]{1,20}(?:[eE][+-]?[0-9]{1,3})?) *");
+
+    private final Path file;
+    private final byte[] bytes;
+    private int next;
+    private int line;
+    private double exposure = 1;
+
+    private HdrReader(Path file, byte[] bytes) {
+        this.file = file;
+        this.bytes = bytes;
+    }
+
+    /**
+     * The radiances of a file, at most {@link Limits#MAX_EMISSION} each.
+     *
+     * @throws MeshException if it is no such picture, is too large, or ends before its last pixel; the message says where
+     * @throws IOException   if it cannot be read
+     */
+    public static Sky read(Path file) throws IOException, MeshException {
+        long size = Files.size(file);
+        if (size > BYTES) {
+            throw new MeshException(file, "", "an environment must have at most " + BYTES + " bytes, has " + size);
+        }
+        return new HdrReader(file, OrdinaryFile.bytes(file, "a Radiance HDR file", BYTES)).sky();
+    }
+
+    private Sky sky() throws MeshException {
+        Matcher size = header();
+        int height = side(size.group(1));
+        int width = side(size.group(2));
+        long pixels = (long) width * height;
+        if (pixels < 1 || pixels > PIXELS) {
+            throw problem("a picture must have from 1 to " + PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
+        }
+        long least = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
+        if (bytes.length - next < least) {
+            throw problem(width + "×" + height + " pixels take at least " + least + " bytes, found " + (bytes.length - next));
+        }
+        float[] rgb = new float[3 * width * height];
+        byte[] pixel = new byte[4 * width];
+        for (int y = 0; y < height; y++) {
+            scanline(width, y, pixel);
+            for (int x = 0; x < width; x++) {
+                int e = pixel[3 * width + x] & 0xFF;
+                double unit = e == 0 ? 0 : Math.scalb(1.0, e - 136) / exposure;
+                for (int c = 0; c < 3; c++) {
+                    rgb[3 * (y * width + x) + c] = (float) Math.min((pixel[c * width + x] & 0xFF) * unit, Limits.MAX_EMISSION);
+                }
+            }
+        }
+        if (next != bytes.length) {
+            throw new MeshException(file, "",
+                    "expected nothing behind the last of " + height + " lines, found " + (bytes.length - next) + " bytes");
+        }
+        return new Sky(width, height, rgb);
+    }
+
+    /** A number of pixels along a side, cut at more than there may be in all. */
+    private static int side(String digits) {
+        return (int) Math.min(Long.parseLong(digits), PIXELS + 1);
+    }
+
+    /** Reads to behind the line that tells the size. */
+    private Matcher header() throws MeshException {
+        String first = line();
+        if (!first.equals("#?RADIANCE") && !first.equals("#?RGBE")) {
+            throw problem("a Radiance picture must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
+        }
+        boolean format = false;
+        for (String s = line(); !s.isEmpty(); s = line()) {
+            Matcher m = EXPOSURE.matcher(s);
+            if (s.startsWith("FORMAT=")) {
+                format = s.equals("FORMAT=32-bit_rle_rgbe");
+                if (!format) {
+                    throw problem("the format must be 32-bit_rle_rgbe, was " + Quote.of(s.substring(7)));
+                }
+            } else if (m.matches()) {
+                exposure *= exposure(m.group(1));
+            } else if (s.startsWith("EXPOSURE=")) {
+                throw problem("an exposure must be a number above 0, was " + Quote.of(s.substring(9)));
+            }
+        }
+        if (!format) {
+            throw problem("expected a line FORMAT=32-bit_rle_rgbe in the header, found none");
+        }
+        String last = line();
+        Matcher size = SIZE.matcher(last);
+        if (!size.matches()) {
+            throw problem("the size must be written as -Y HEIGHT +X WIDTH, was " + Quote.of(last));
+        }
+        return size;
+    }
+
+    private double exposure(String text) throws MeshException {
+        double v = lightning.base.text.Decimal.read(text).orElse(0);
+        if (!(v >= 1e-30 && v <= 1e30) || !(exposure * v >= 1e-30 && exposure * v <= 1e30)) {
+            throw problem("an exposure must be a number from 1e-30 to 1e30, was " + Quote.of(text));
+        }
+        return v;
+    }
+
+    private String line() throws MeshException {
+        int start = next;
+        line++;
+        while (next < bytes.length && bytes[next] != '\n') {
+            if (++next > HEADER) {
+                throw problem("a header must have at most " + HEADER + " bytes, found more");
+            }
+        }
+        if (next == bytes.length) {
+            throw problem("expected the end of the header, found the end of the file");
+        }
+        return new String(bytes, start, next++ - start, StandardCharsets.ISO_8859_1);
+    }
+
+    /** Reads a line into four columns, one behind the other. */
+    private void scanline(int width, int y, byte[] to) throws MeshException {
+        need(4, y);
+        boolean runs = width >= 8 && width < 1 << 15 && bytes[next] == 2 && bytes[next + 1] == 2 && bytes[next + 2] >= 0;
+        if (!runs) {
+            need(4 * width, y);
+            for (int x = 0; x < width; x++) {
+                for (int c = 0; c < 4; c++) {
+                    to[c * width + x] = bytes[next++];
+                }
+                if (to[x] == 1 && to[width + x] == 1 && to[2 * width + x] == 1) {
+                    throw row(y, "runs of pixels that are the same are not read");
+                }
+            }
+            return;
+        }
+        int told = (bytes[next + 2] & 0xFF) << 8 | bytes[next + 3] & 0xFF;
+        if (told != width) {
+            throw row(y, "must have " + width + " pixels, has " + told);
+        }
+        next += 4;
+        for (int c = 0; c < 4; c++) {
+            for (int x = 0; x < width;) {
+                need(2, y);
+                int count = bytes[next++] & 0xFF;
+                boolean run = count > 128;
+                count = run ? count - 128 : count;
+                if (count == 0 || x + count > width) {
+                    throw row(y, "a run must have from 1 to " + (width - x) + " pixels, has " + count);
+                }
+                need(run ? 1 : count, y);
+                for (int end = x + count; x < end; x++) {
+                    to[c * width + x] = run ? bytes[next] : bytes[next++];
+                }
+                next += run ? 1 : 0;
+            }
+        }
+    }
+
+    private void need(int count, int y) throws MeshException {
+        if (bytes.length - next < count) {
+            throw row(y, "expected more pixels, found the end of the file");
+        }
+    }
+
+    private MeshException row(int y, String message) {
+        return new MeshException(file, "row " + (y + 1), message);
+    }
+
+    private MeshException problem(String message) {
+        return new MeshException(file, "line " + line, message);
+    }
+}

@@ -1,0 +1,42 @@
+package lightning.format.jen;
+
+import java.util.regex.Pattern;
+import lightning.base.text.Quote;
+
+/** What a scene file may write as the name of another file. */
+final class FileName {
+    private static final Pattern ALLOWED = Pattern.compile("[\\p{L}\\p{N} _.,()+/-]{1,200}");
+
+    private FileName() {}
+
+    static boolean isAllowed(String file) {
+        try {
+            check("file", file, "");
+            return true;
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
+    }
+
+    /**
+     * @param property what names the file, for messages
+     * @param folder   the folder where such files are looked for beside the scene
+     * @throws IllegalArgumentException if {@code file} is not a relative path of plain names
+     *     separated by {@code /}, at most 200 characters, none of the names empty, {@code .} or {@code ..}
+     */
+    static void check(String property, String file, String folder) {
+        if (!ALLOWED.matcher(file).matches()) {
+            throw new IllegalArgumentException(property + " must be a file name of 1 to 200 letters, digits, spaces and "
+                    + "_ . , ( ) + - /, was " + Quote.of(file));
+        }
+        if (file.startsWith("/")) {
+            throw new IllegalArgumentException(property + " must be a file beside the scene or in its " + folder + " folder, "
+                    + "was the absolute path " + Quote.of(file));
+        }
+        for (String name : file.split("/", -1)) {
+            if (name.isEmpty() || name.equals(".") || name.equals("..")) {
+                throw new IllegalArgumentException(property + " must be a path without empty names, . and .., was " + Quote.of(file));
+            }
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package lightning.format.jen;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.file.OrdinaryFile;
+import lightning.scene.Scene;
+import lightning.scene.Stage;
+import lightning.scene.shot.Shot;
+
+/** Reads {@code .jen} files. */
+public final class JenReader {
+    private JenReader() {}
+
+    /**
+     * Reads a scene file and the files that it names.
+     *
+     * @throws IOException  if the file cannot be read at all, or is a folder, a pipe or a device, which are not opened: a pipe
+     *                      would wait for its other end, and some devices never end
+     * @throws JenException if anything is wrong with its content; holds all problems
+     */
+    public static JenDocument read(Path file) throws IOException, JenException {
+        return read(file, file.toAbsolutePath().getParent(), Stage.EMPTY);
+    }
+
+    /**
+     * Reads a file of lights for a scene: the lights may be linked to that scene's shapes, and files that they name are looked for
+     * where that scene is.
+     *
+     * @param folder where the scene is
+     * @param stage  what its lights may be linked to
+     * @return what the file says, and defaults where it says nothing; a stage of its own where it has one
+     * @throws IOException  as {@link #read(Path)}
+     * @throws JenException likewise
+     */
+    public static Scene lights(Path file, Path folder, Stage stage) throws IOException, JenException {
+        return read(file, folder, stage).scene();
+    }
+
+    private static JenDocument read(Path file, Path folder, Stage stage) throws IOException, JenException {
+        var problems = new Problems();
+        OrdinaryFile.check(file, "a .jen file");
+        if (Files.size(file) > JenLimits.FILE_BYTES) {
+            throw tooLarge(file, problems);
+        }
+        byte[] bytes;
+        // It may grow meanwhile.
+        try (InputStream in = OrdinaryFile.open(file, "a .jen file")) {
+            bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);
+        }
+        if (bytes.length > JenLimits.FILE_BYTES) {
+            throw tooLarge(file, problems);
+        }
+        return read(Source.decode(file.toString(), bytes, problems), LoadedFiles.of(folder), stage, problems);
+    }
+
+    private static JenException tooLarge(Path file, Problems problems) {
+        problems.add(0, "a scene file may have at most " + JenLimits.FILE_BYTES + " bytes, found more");
+        return new JenException(problems.in(new Source(file.toString(), "")));
+    }
+
+    /**
+     * Reads a scene from a text.
+     *
+     * @param name   how problems call the text
+     * @param folder where the files that it names are looked for, as if the text were a file in it
+     * @throws JenException if anything is wrong; holds all problems
+     */
+    public static JenDocument read(String text, String name, Path folder) throws JenException {
+        var problems = new Problems();
+        var source = new Source(name, text);
+        source.checkSurrogates(problems);
+        return read(source, LoadedFiles.of(folder), Stage.EMPTY, problems);
+    }
+
+    static JenDocument read(Source source, LoadedFiles files, Stage stage, Problems problems) throws JenException {
+        Tokens tokens = Lexer.tokens(source.text(), problems);
+        List<Block> blocks = Parser.file(tokens, problems);
+        Optional<Scene> scene = new SceneBuilder(tokens, problems, files, List.of(), stage).build(blocks);
+        if (scene.isEmpty()) {
+            throw new JenException(problems.in(source));
+        }
+        Optional<Shot> shot = new ShotBuilder(tokens, problems, scene.get()).build(blocks);
+        if (!problems.isEmpty()) {
+            throw new JenException(problems.in(source));
+        }
+        return new JenDocument(scene.get(), shot, source.text());
+    }
+}

@@ -1,0 +1,238 @@
+package lightning.format.jen;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.Locale;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import lightning.base.file.OrdinaryFile;
+import lightning.base.math.SrgbCurve;
+import lightning.base.text.Quote;
+import lightning.scene.SampleMeaning;
+import lightning.scene.Texture;
+
+/**
+ * Decodes PNG and JPEG files to linear light.
+ *
+ * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
+ * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored but where it is asked for; a grey sample counts for all channels.
+ */
+public final class TextureDecoder {
+    private static final Set<String> FORMATS = Set.of("png", "jpeg");
+    private static final int CODE_BITS = 8;
+
+    private TextureDecoder() {}
+
+    /**
+     * Checks the header of the file, then decodes it.
+     *
+     * @param name       what messages call it
+     * @param samples    what the samples stand for
+     * @param pixelsLeft how many pixels the picture may have at most, beside {@link JenLimits#TEXTURE_PIXELS}
+     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     * @throws IOException if it cannot be read
+     */
+    static Texture decode(String name, Path path, SampleMeaning samples, long pixelsLeft) throws IOException, UnusableFileException {
+        long bytes = Files.size(path);
+        if (bytes > JenLimits.TEXTURE_BYTES) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
+        }
+        return decode(name, OrdinaryFile.bytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES), samples, pixelsLeft);
+    }
+
+    /**
+     * The samples of a picture as numbers from 0 to 1.
+     *
+     * @param name what messages call it
+     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     */
+    public static Texture numbers(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, SampleMeaning.NUMBER, JenLimits.TEXTURE_PIXELS);
+    }
+
+    /**
+     * A picture in linear light, by the rules of textures.
+     *
+     * @param name what messages call it
+     * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
+     */
+    public static Texture colors(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, SampleMeaning.COLOR, JenLimits.TEXTURE_PIXELS);
+    }
+
+    private static Texture decode(String name, byte[] file, SampleMeaning samples, long pixelsLeft) throws UnusableFileException {
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
+            ImageReader reader = reader(name, in);
+            try {
+                reader.setInput(in, true, true);
+                checkSize(name, reader.getWidth(0), reader.getHeight(0), pixelsLeft);
+                return texture(reader.read(0), samples);
+            } catch (IOException | RuntimeException e) {
+                // The decoders answer some damaged files with runtime exceptions of all kinds.
+                throw unusable(name, "cannot be decoded: " + e.getMessage());
+            } finally {
+                reader.dispose();
+            }
+        } catch (IOException e) {
+            throw unusable(name, "cannot be decoded: " + e.getMessage());
+        }
+    }
+
+    private static ImageReader reader(String name, ImageInputStream in)
+            throws IOException, UnusableFileException {
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+        while (readers.hasNext()) {
+            ImageReader reader = readers.next();
+            if (FORMATS.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
+                return reader;
+            }
+            reader.dispose();
+        }
+        throw unusable(name, "must be a PNG or JPEG file, found another kind");
+    }
+
+    private static void checkSize(String name, int width, int height, long pixelsLeft)
+            throws UnusableFileException {
+        if (width < 1 || height < 1 || width > JenLimits.TEXTURE_SIDE || height > JenLimits.TEXTURE_SIDE) {
+            throw unusable(name, "must have from 1 to " + JenLimits.TEXTURE_SIDE + " pixels along each side, has "
+                    + width + "×" + height);
+        }
+        long pixels = (long) width * height;
+        if (pixels > JenLimits.TEXTURE_PIXELS) {
+            throw unusable(name, "must have at most " + JenLimits.TEXTURE_PIXELS + " pixels, has " + width + "×" + height);
+        }
+        if (pixels > pixelsLeft) {
+            throw unusable(name, "is one too many: all textures together must have at most "
+                    + JenLimits.ALL_TEXTURE_PIXELS + " pixels");
+        }
+    }
+
+    private static UnusableFileException unusable(String name, String why) {
+        return new UnusableFileException("texture " + Quote.of(name) + " " + why);
+    }
+
+    private static Texture texture(BufferedImage image, SampleMeaning samples) {
+        return switch (samples) {
+            case COLOR -> texture(image, true);
+            case NUMBER -> texture(image, false);
+            case OPACITY -> opacity(image);
+        };
+    }
+
+    /** How much is there, of 8 bits. */
+    private static Texture opacity(BufferedImage image) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        byte[] codes = new byte[3 * width * height];
+        Texture numbers = image.getColorModel().hasAlpha() ? null : texture(image, false);
+        int[] alpha = image.getColorModel().hasAlpha() ? alpha(image) : null;
+        for (int i = 0; i < codes.length; i++) {
+            int x = i / 3 % width;
+            int y = i / 3 / width;
+            codes[i] = (byte) (alpha != null ? alpha[i / 3] : Math.round(255 * numbers.luminance(x, y, x, y, 0, 0)));
+        }
+        return new Texture(width, height, codes, linear(CODE_BITS, false));
+    }
+
+    /** The alpha of each pixel, 0 … 255. */
+    private static int[] alpha(BufferedImage image) {
+        int[] alpha = new int[image.getWidth() * image.getHeight()];
+        for (int i = 0; i < alpha.length; i++) {
+            alpha[i] = image.getColorModel().getAlpha(image.getRaster().getDataElements(i % image.getWidth(), i / image.getWidth(), null));
+        }
+        return alpha;
+    }
+
+    /** Whether a picture tells how much of each pixel is there; false where it cannot be decoded. */
+    public static boolean hasAlpha(byte[] file) {
+        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
+            ImageReader reader = reader("", in);
+            try {
+                reader.setInput(in, true, true);
+                return reader.getRawImageType(0) != null && reader.getRawImageType(0).getColorModel().hasAlpha();
+            } finally {
+                reader.dispose();
+            }
+        } catch (IOException | RuntimeException | UnusableFileException e) {
+            return false;
+        }
+    }
+
+    private static Texture texture(BufferedImage image, boolean color) {
+        int width = image.getWidth();
+        int height = image.getHeight();
+        if (image.getColorModel() instanceof IndexColorModel) {
+            return new Texture(width, height, paletteCodes(image), linear(CODE_BITS, color));
+        }
+        // Not getRGB: it would take grey samples as linear light and apply colour profiles.
+        Raster raster = image.getRaster();
+        int bits = Arrays.stream(raster.getSampleModel().getSampleSize()).max().orElseThrow();
+        boolean oneSize = Arrays.stream(raster.getSampleModel().getSampleSize()).allMatch(size -> size == bits);
+        if (oneSize && bits <= CODE_BITS) {
+            byte[] codes = new byte[3 * width * height];
+            forSamples(raster, (i, _, sample) -> codes[i] = (byte) sample);
+            return new Texture(width, height, codes, Arrays.copyOf(linear(bits, color), 1 << CODE_BITS));
+        }
+        float[][] linear = new float[raster.getNumBands()][];
+        Arrays.setAll(linear, band -> linear(raster.getSampleModel().getSampleSize(band), color));
+        float[] rgb = new float[3 * width * height];
+        forSamples(raster, (i, band, sample) -> rgb[i] = linear[band][sample]);
+        return new Texture(width, height, rgb);
+    }
+
+    private static byte[] paletteCodes(BufferedImage image) {
+        int width = image.getWidth();
+        byte[] codes = new byte[3 * width * image.getHeight()];
+        for (int i = 0; i < codes.length / 3; i++) {
+            int pixel = image.getRGB(i % width, i / width);
+            codes[3 * i] = (byte) (pixel >> 16);
+            codes[3 * i + 1] = (byte) (pixel >> 8);
+            codes[3 * i + 2] = (byte) pixel;
+        }
+        return codes;
+    }
+
+    /** Gets each channel of each pixel. */
+    @FunctionalInterface
+    private interface SampleTaker {
+        /** @param i the place among {@code 3 * width * height} values */
+        void take(int i, int band, int sample);
+    }
+
+    /** Goes through all samples, channel by channel; a grey picture has one band for all three. */
+    private static void forSamples(Raster raster, SampleTaker taker) {
+        int width = raster.getWidth();
+        int bands = raster.getNumBands() < 3 ? 1 : 3;
+        int[] row = new int[width];
+        for (int channel = 0; channel < 3; channel++) {
+            int band = Math.min(channel, bands - 1);
+            for (int y = 0; y < raster.getHeight(); y++) {
+                raster.getSamples(0, y, width, 1, band, row);
+                for (int x = 0; x < width; x++) {
+                    taker.take(3 * (y * width + x) + channel, band, row[x]);
+                }
+            }
+        }
+    }
+
+    /** The linear value of each sample of the given number of bits, {@code float[2^bits]}. */
+    private static float[] linear(int bits, boolean color) {
+        int largest = (1 << bits) - 1;
+        float[] linear = new float[largest + 1];
+        for (int i = 0; i <= largest; i++) {
+            double s = (double) i / largest;
+            linear[i] = (float) (color ? SrgbCurve.linear(s) : s);
+        }
+        return linear;
+    }
+}

@@ -1,0 +1,113 @@
+package lightning.format.mesh;
+
+/**
+ * Cuts polygons into triangles. A polygon need not be flat nor convex: it is looked at along the axis to which its normal (by
+ * Newell's method: Sutherland, Sproull and Schumacker, A characterization of ten hidden-surface algorithms, 1974) is nearest, and
+ * ears are cut off, corners whose triangle holds no other corner (Meisters, Polygons have ears, 1975). Where there is no ear, as
+ * in polygons that cross themselves, the rest is a fan.
+ */
+public final class Polygon {
+    /** Looking for ears takes as long as the square of the corners: beyond so many it is left, and the polygon is a fan. */
+    public static final int MOST_CORNERS = 500;
+
+    private final double[] across = new double[MOST_CORNERS];
+    private final double[] along = new double[MOST_CORNERS];
+    private final int[] rest = new int[MOST_CORNERS];
+
+    /**
+     * Adds the triangles of a polygon: {@code count} − 2 of them, that go round as it does.
+     *
+     * @param corners   the vertices in their order, of which the first {@code count} are read
+     * @param count     at least 3
+     * @param positions x, y, z of each vertex
+     * @param triangles gets three indices into {@code corners} for each triangle
+     */
+    public void triangulate(int[] corners, int count, float[] positions, IntList triangles) {
+        if (count == 3 || count > MOST_CORNERS || !flatten(corners, count, positions)) {
+            fan(count, triangles);
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            rest[i] = i;
+        }
+        int left = count;
+        int at = 0;
+        for (int tried = 0; left > 3 && tried < left;) {
+            int i = at % left;
+            int before = rest[(i + left - 1) % left];
+            int after = rest[(i + 1) % left];
+            if (isEar(before, rest[i], after, left)) {
+                add(before, rest[i], after, triangles);
+                System.arraycopy(rest, i + 1, rest, i, left - i - 1);
+                left--;
+                tried = 0;
+            } else {
+                tried++;
+                at = i + 1;
+            }
+        }
+        for (int i = 2; i < left; i++) {
+            add(rest[0], rest[i - 1], rest[i], triangles);
+        }
+    }
+
+    private static void fan(int count, IntList triangles) {
+        for (int i = 2; i < count; i++) {
+            add(0, i - 1, i, triangles);
+        }
+    }
+
+    private static void add(int a, int b, int c, IntList triangles) {
+        triangles.add(a);
+        triangles.add(b);
+        triangles.add(c);
+    }
+
+    /** Takes the corners as they are seen along an axis, so that they go round counter-clockwise; false where no side is larger. */
+    private boolean flatten(int[] corners, int count, float[] positions) {
+        double[] normal = new double[3];
+        for (int i = 0; i < count; i++) {
+            int p = 3 * corners[i];
+            int q = 3 * corners[(i + 1) % count];
+            for (int axis = 0; axis < 3; axis++) {
+                int y = (axis + 1) % 3;
+                int z = (axis + 2) % 3;
+                normal[axis] += ((double) positions[p + y] - positions[q + y]) * ((double) positions[p + z] + positions[q + z]);
+            }
+        }
+        int axis = 0;
+        for (int i = 1; i < 3; i++) {
+            axis = Math.abs(normal[i]) > Math.abs(normal[axis]) ? i : axis;
+        }
+        double sign = Math.signum(normal[axis]);
+        for (int i = 0; i < count; i++) {
+            across[i] = sign * positions[3 * corners[i] + (axis + 1) % 3];
+            along[i] = positions[3 * corners[i] + (axis + 2) % 3];
+        }
+        return sign != 0;
+    }
+
+    private boolean isEar(int a, int b, int c, int left) {
+        if (side(a, b, c) <= 0) {
+            return false;
+        }
+        for (int i = 0; i < left; i++) {
+            int p = rest[i];
+            if (p != a && p != b && p != c && side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0 && !isAt(p, a) && !isAt(p, b)
+                    && !isAt(p, c)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Where holes are joined to the outline, two corners are at one place. */
+    private boolean isAt(int p, int q) {
+        return across[p] == across[q] && along[p] == along[q];
+    }
+
+    /** Above 0 where c is left of the way from a to b. */
+    private double side(int a, int b, int c) {
+        return (across[b] - across[a]) * (along[c] - along[a]) - (along[b] - along[a]) * (across[c] - across[a]);
+    }
+}

@@ -1,0 +1,31 @@
+package lightning.format.mesh.obj;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import lightning.base.math.Rgb;
+
+/**
+ * A material of an MTL file.
+ *
+ * @param name         as the file writes it
+ * @param illumination illum, which of the other numbers act and how
+ * @param diffuse      Kd, as written; the same of all colours
+ * @param specular     Ks
+ * @param emission     Ke
+ * @param shininess    Ns, the exponent of Phong's highlight; empty where the file does not say it
+ * @param opacity      d: how much of it is there, 1 is all
+ * @param filter       Tf, what is seen through it is multiplied by
+ * @param ior          Ni, the index of refraction
+ * @param texture      the picture of the diffuse colour, as written
+ * @param cutout       the picture of what is there, as written
+ */
+public record MtlMaterial(String name, Illumination illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
+        double opacity, Rgb filter, double ior, Optional<String> texture, Optional<String> cutout) {
+    /** A lobe of a smaller exponent is wider than the diffuse light; exporters write 0 for a surface without a highlight. */
+    private static final double LEAST_SHININESS = 1;
+
+    /** Whether lights leave a highlight: the model has one, and its exponent makes one. */
+    public boolean highlights() {
+        return illumination.highlights() && !(shininess.isPresent() && shininess.getAsDouble() < LEAST_SHININESS);
+    }
+}

@@ -1,0 +1,11 @@
+/**
+ * Wavefront's OBJ files and the MTL files beside them (Wavefront, Advanced Visualizer Manual, appendix B1, about 1992).
+ *
+ * <pre>{@code
+ * try (ByteSource source = ByteSource.open(Path.of("house.obj"), Progress.NONE)) {
+ *     ObjFile file = ObjReader.read(source, new Notes());
+ *     Mesh walls = file.parts().getFirst().mesh();
+ * }
+ * }</pre>
+ */
+package lightning.format.mesh.obj;

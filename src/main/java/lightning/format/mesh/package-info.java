@@ -1,0 +1,11 @@
+/**
+ * Triangle meshes: immutable, and right when they are made, so that nobody checks again.
+ *
+ * <pre>{@code
+ * Mesh mesh = new Mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}, null, null, null);
+ * float x = mesh.positions()[3 * mesh.triangles()[0]];
+ * }</pre>
+ */
+package lightning.format.mesh;
+
+import lightning.scene.Mesh;

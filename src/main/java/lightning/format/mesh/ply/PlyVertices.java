@@ -1,0 +1,160 @@
+package lightning.format.mesh.ply;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.math.SrgbCurve;
+import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.MeshException;
+import lightning.format.mesh.MeshLimits;
+import lightning.format.mesh.Normals;
+import lightning.format.mesh.Notes;
+import lightning.format.mesh.VertexColors;
+import lightning.scene.Mesh;
+
+/**
+ * The vertices of a PLY file. Colours of whole types are taken as sRGB, as scanners and painters of vertices write them; colours of
+ * floating types as linear.
+ */
+final class PlyVertices {
+    private static final List<List<String>> POSITION = List.of(List.of("x"), List.of("y"), List.of("z"));
+    private static final List<List<String>> NORMAL = List.of(List.of("nx"), List.of("ny"), List.of("nz"));
+    private static final List<List<String>> COORDINATE = List.of(List.of("u", "s", "texture_u"), List.of("v", "t", "texture_v"));
+    private static final List<List<String>> COLOR =
+            List.of(List.of("red", "r", "diffuse_red"), List.of("green", "g", "diffuse_green"), List.of("blue", "b", "diffuse_blue"));
+
+    private final ByteSource source;
+    private final int count;
+    /** Where the numbers of each property go; null where they are left out. */
+    private final Target[] targets;
+    private final float[] positions;
+    private final float[] normals;
+    private final float[] coordinates;
+    private final float[] colors;
+
+    /**
+     * @param index  which of the numbers of a vertex
+     * @param linear the linear values of the whole numbers that a colour may be; null where a number is what it is
+     */
+    private record Target(float[] to, int each, int index, float[] linear) {}
+
+    private PlyVertices(PlyHeader.Element element, ByteSource source) {
+        this.source = source;
+        count = (int) element.count();
+        targets = new Target[element.properties().size()];
+        positions = take(element, POSITION);
+        normals = take(element, NORMAL);
+        coordinates = take(element, COORDINATE);
+        colors = take(element, COLOR);
+    }
+
+    /**
+     * Reads all vertices.
+     *
+     * @param notes hears of properties that are left out
+     */
+    static PlyVertices read(PlyHeader.Element element, PlyBody body, ByteSource source, Notes notes) throws IOException, MeshException {
+        if (element.count() > MeshLimits.VERTICES) {
+            throw source.problem("element vertex", "must be at most " + MeshLimits.VERTICES + ", was " + element.count());
+        }
+        var vertices = new PlyVertices(element, source);
+        if (vertices.positions == null) {
+            throw source.problem("element vertex", "must have the properties x, y and z");
+        }
+        for (int i = 0; i < vertices.targets.length; i++) {
+            if (vertices.targets[i] == null) {
+                notes.add("properties " + element.properties().get(i).name() + " of vertices");
+            }
+        }
+        for (int i = 0; i < vertices.count; i++) {
+            body.enter("vertex", i);
+            vertices.read(i, element.properties(), body);
+        }
+        if (vertices.colors != null) {
+            VertexColors.cut(vertices.colors, vertices.count, notes);
+        }
+        return vertices;
+    }
+
+    int count() {
+        return count;
+    }
+
+    float[] positions() {
+        return positions;
+    }
+
+    Mesh mesh(int[] triangles) throws MeshException {
+        if (normals != null) {
+            Normals.makeUnit(normals, positions, triangles);
+        }
+        try {
+            return new Mesh(positions, triangles, normals, coordinates, colors);
+        } catch (IllegalArgumentException e) {
+            throw source.problem("", e.getMessage());
+        }
+    }
+
+    private void read(int vertex, List<PlyHeader.Property> properties, PlyBody body) throws IOException, MeshException {
+        for (int i = 0; i < targets.length; i++) {
+            PlyHeader.Property property = properties.get(i);
+            Target target = targets[i];
+            int numbers = property.isList() ? body.length(property) : 1;
+            for (int j = 0; j < numbers; j++) {
+                double v = isColor(target) ? body.numberOrNaN(property.type()) : body.number(property.type());
+                if (target != null) {
+                    target.to[target.each * vertex + target.index] =
+                            target.linear == null ? (float) v : target.linear[code(v, target.linear.length, body)];
+                }
+            }
+        }
+    }
+
+    /** Writers of colors write {@code nan} where a vertex has none. */
+    private boolean isColor(Target target) {
+        return target != null && target.to == colors && target.linear == null;
+    }
+
+    private static int code(double v, int codes, PlyBody body) throws MeshException {
+        if (!(v >= 0 && v < codes && v == Math.rint(v))) {
+            throw body.problem("a colour must be a whole number from 0 to " + (codes - 1) + ", was " + v);
+        }
+        return (int) v;
+    }
+
+    /** Room for a property of several numbers, each of which has one of the names; null where any is not there. */
+    private float[] take(PlyHeader.Element element, List<List<String>> names) {
+        List<Integer> found = new ArrayList<>();
+        for (List<String> any : names) {
+            for (int i = 0; i < targets.length; i++) {
+                PlyHeader.Property property = element.properties().get(i);
+                if (any.contains(property.name()) && !property.isList()
+                        && (names != COLOR || isColor(property.type()))) {
+                    found.add(i);
+                    break;
+                }
+            }
+        }
+        if (found.size() < names.size()) {
+            return null;
+        }
+        float[] to = new float[names.size() * count];
+        for (int i = 0; i < found.size(); i++) {
+            PlyType type = element.properties().get(found.get(i)).type();
+            targets[found.get(i)] = new Target(to, names.size(), i, names == COLOR && type.isWhole() ? linear((int) type.largest) : null);
+        }
+        return to;
+    }
+
+    private static boolean isColor(PlyType type) {
+        return !type.isWhole() || type == PlyType.UINT8 || type == PlyType.UINT16;
+    }
+
+    private static float[] linear(int largest) {
+        float[] linear = new float[largest + 1];
+        for (int i = 0; i <= largest; i++) {
+            linear[i] = (float) SrgbCurve.linear((double) i / largest);
+        }
+        return linear;
+    }
+}

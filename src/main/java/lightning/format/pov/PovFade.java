@@ -1,0 +1,84 @@
+package lightning.format.pov;
+
+import lightning.scene.Attenuation;
+
+/**
+ * Attenuation in POV-Ray's terms: it multiplies a light's colour by 2 / (1 + (d / distance)^power).
+ *
+ * @param gain     what the light's colour must be multiplied by, so that the product is ours
+ * @param distance scene units; 0 for a light that does not fade
+ * @param power    POV-Ray's fade_power
+ * @param exact    whether the two agree at every distance
+ */
+record PovFade(double gain, double distance, double power, boolean exact) {
+    /** Stands for a constant term of 0, which POV-Ray's form cannot have: relative to the other term at the far end. */
+    private static final double LEAST_CONSTANT = 1e-6;
+    private static final int POWER_STEPS = 100;
+
+    /**
+     * The nearest that POV-Ray has.
+     *
+     * @param near the least distance that matters, scene units, &gt; 0
+     * @param far  the largest, ≥ near
+     */
+    static PovFade of(Attenuation a, double near, double far) {
+        if (a.isNone()) {
+            return new PovFade(1, 0, 0, true);
+        }
+        if (a.linear() == 0 && a.quadratic() == 0) {
+            return new PovFade(1 / a.constant(), 0, 0, true);
+        }
+        // The reciprocal is c + l·d + q·d², POV-Ray's a + b·d^power. Ours is also cut at 1, which c ≥ 1 never needs.
+        if (a.linear() == 0 || a.quadratic() == 0) {
+            double power = a.linear() == 0 ? 2 : 1;
+            return of(a.constant(), a.linear() + a.quadratic(), power, far, a.constant() >= 1);
+        }
+        return fit(a, near, far);
+    }
+
+    private static PovFade of(double constant, double factor, double power, double far, boolean exact) {
+        double c = Math.max(constant, LEAST_CONSTANT * factor * Math.pow(far, power));
+        double distance = Math.pow(c / factor, 1 / power);
+        // Where the limit acts everywhere, and where a term is lost beside the other, nothing fades.
+        return Double.isInfinite(distance) ? new PovFade(1 / c, 0, 0, exact) : new PovFade(1 / (2 * c), distance, power, exact);
+    }
+
+    /** The power between 1 and 2 for which the two agree nearly at all distances, and exactly at both ends. */
+    private static PovFade fit(Attenuation a, double near, double far) {
+        double atNear = reciprocal(a, near);
+        double atFar = reciprocal(a, far);
+        double least = Double.POSITIVE_INFINITY;
+        PovFade best = null;
+        for (int i = 0; i <= POWER_STEPS; i++) {
+            double power = 1 + (double) i / POWER_STEPS;
+            double n = Math.pow(near, power);
+            double f = Math.pow(far, power);
+            double factor = f > n ? (atFar - atNear) / (f - n) : atNear / n;
+            PovFade fade = of(Math.max(atNear - factor * n, 0), factor, power, far, false);
+            double error = fade.error(a, near, far);
+            if (error < least) {
+                least = error;
+                best = fade;
+            }
+        }
+        return best;
+    }
+
+    private double error(Attenuation a, double near, double far) {
+        double worst = 0;
+        for (int i = 0; i <= 16; i++) {
+            double d = near + (far - near) * i / 16;
+            worst = Math.max(worst, Math.abs(factor(d) * reciprocal(a, d) - 1));
+        }
+        return worst;
+    }
+
+    /** Our factor in POV-Ray's form, at a distance. */
+    double factor(double d) {
+        return distance == 0 ? gain : gain * 2 / (1 + Math.pow(d / distance, power));
+    }
+
+    private static double reciprocal(Attenuation a, double d) {
+        return Math.max(a.constant() + a.linear() * d + a.quadratic() * d * d, 1);
+    }
+}

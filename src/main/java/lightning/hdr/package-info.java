@@ -1,2 +1,0 @@
-/** Pictures of high dynamic range in Radiance's format, held to what they have. */
-package lightning.hdr;

@@ -1,9 +1,0 @@
-/**
- * All files of meshes, whatever their format.
- *
- * <pre>{@code
- * List<NamedMesh> parts = MeshFiles.read(Path.of("statue.ply"), Progress.NONE);
- * Mesh mesh = parts.getFirst().mesh();
- * }</pre>
- */
-package lightning.mesh.file;

@@ -1,9 +1,0 @@
-package lightning.relight.plan;
-
-/** How an edit is carried out. */
-public enum Accuracy {
-    /** The paper's update on stored contributions, with a running error bound. */
-    RATIO,
-    /** Bit-equal to a full trace. */
-    EXACT
-}

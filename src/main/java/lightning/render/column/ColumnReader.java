@@ -1,0 +1,144 @@
+package lightning.render.column;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.lang.foreign.MemorySegment;
+import java.lang.foreign.ValueLayout;
+import java.nio.ByteOrder;
+import java.util.zip.CRC32C;
+
+/** Reads what a {@link ColumnWriter} wrote. Its checksum is looked at first, so that nothing damaged is ever read. */
+public final class ColumnReader {
+    private static final ValueLayout.OfShort SHORT = ValueLayout.JAVA_SHORT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    private static final ValueLayout.OfInt INT = ValueLayout.JAVA_INT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    private static final ValueLayout.OfFloat FLOAT = ValueLayout.JAVA_FLOAT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    private static final ValueLayout.OfLong LONG = ValueLayout.JAVA_LONG_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    /** The checksum is made of so many bytes at a time. */
+    private static final long PART = 1 << 26;
+
+    private final MemorySegment in;
+    /** Where the checksum begins. */
+    private final long end;
+    private long at;
+
+    /**
+     * @param in all that was written, and nothing else
+     * @throws IOException if it is damaged
+     */
+    public ColumnReader(MemorySegment in) throws IOException {
+        this.in = in;
+        end = in.byteSize() - Long.BYTES;
+        if (end < 0 || sum() != in.get(LONG, end)) {
+            throw new IOException("the checksum is another");
+        }
+    }
+
+    private long sum() {
+        CRC32C sum = new CRC32C();
+        for (long from = 0; from < end; from += PART) {
+            sum.update(in.asSlice(from, Math.min(PART, end - from)).asByteBuffer());
+        }
+        return sum.getValue();
+    }
+
+    public int number() throws IOException {
+        return in.get(INT, skip(Integer.BYTES));
+    }
+
+    public long longNumber() throws IOException {
+        return in.get(LONG, skip(Long.BYTES));
+    }
+
+    /** A count of something of which each has a byte at least. */
+    public int count() throws IOException {
+        int count = number();
+        if (count < 0 || count > end - at) {
+            throw new IOException("a count is " + count + " where " + (end - at) + " bytes are left");
+        }
+        return count;
+    }
+
+    /** An array of elements of a type, or null. */
+    public Object array(ElementType element) throws IOException {
+        int length = number();
+        if (length == ColumnWriter.ABSENT) {
+            return null;
+        }
+        if (length < 0) {
+            throw new IOException("a length is " + length);
+        }
+        long from = skip((long) length * element.bytes());
+        return switch (element) {
+            case BYTE -> {
+                byte[] a = new byte[length];
+                MemorySegment.copy(in, ValueLayout.JAVA_BYTE, from, a, 0, length);
+                yield a;
+            }
+            case SHORT -> {
+                short[] a = new short[length];
+                MemorySegment.copy(in, SHORT, from, a, 0, length);
+                yield a;
+            }
+            case INT -> {
+                int[] a = new int[length];
+                MemorySegment.copy(in, INT, from, a, 0, length);
+                yield a;
+            }
+            case FLOAT -> {
+                float[] a = new float[length];
+                MemorySegment.copy(in, FLOAT, from, a, 0, length);
+                yield a;
+            }
+        };
+    }
+
+    public int[] ints() throws IOException {
+        return (int[]) array(ElementType.INT);
+    }
+
+    public short[] shorts() throws IOException {
+        return (short[]) array(ElementType.SHORT);
+    }
+
+    /** Several columns of floats, or null. */
+    public float[][] arrays() throws IOException {
+        int count = number();
+        if (count == ColumnWriter.ABSENT) {
+            return null;
+        }
+        if (count < 0 || count > end - at) {
+            throw new IOException("there are " + count + " columns");
+        }
+        float[][] columns = new float[count][];
+        for (int i = 0; i < count; i++) {
+            columns[i] = (float[]) array(ElementType.FLOAT);
+        }
+        return columns;
+    }
+
+    /** All columns of some kinds. */
+    public <C extends Enum<C> & ColumnKind> ColumnSet<C> columns(Class<C> kinds) throws IOException {
+        C[] all = kinds.getEnumConstants();
+        Object[] columns = new Object[all.length];
+        for (C kind : all) {
+            columns[kind.ordinal()] = array(kind.element());
+        }
+        return ColumnSet.of(kinds, columns);
+    }
+
+    /** Refuses to go on where anything is left. */
+    public void end() throws IOException {
+        if (at != end) {
+            throw new IOException(end - at + " bytes are left");
+        }
+    }
+
+    private long skip(long bytes) throws IOException {
+        if (bytes > end - at) {
+            throw new EOFException("it ends " + (bytes - (end - at)) + " bytes too soon");
+        }
+        long from = at;
+        at += bytes;
+        return from;
+    }
+}

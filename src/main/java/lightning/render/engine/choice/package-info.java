@@ -1,0 +1,2 @@
+/** Which engine works when. */
+package lightning.render.engine.choice;

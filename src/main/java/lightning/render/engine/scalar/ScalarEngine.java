@@ -1,0 +1,28 @@
+package lightning.render.engine.scalar;
+
+import lightning.render.engine.Engine;
+import lightning.render.shading.Sums;
+import lightning.render.shading.Terms;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.Tracer;
+
+/**
+ * The engine whose kernels are plain loops over rays and rows: the readable twin of the lanes, quick from the first tile of a
+ * process on, and the only one where a machine has no lanes worth it.
+ */
+public record ScalarEngine() implements Engine {
+    @Override
+    public Tracer tracer(Geometry geometry) {
+        return new ScalarTracer(geometry);
+    }
+
+    @Override
+    public Terms terms() {
+        return new ScalarTerms();
+    }
+
+    @Override
+    public Sums sums() {
+        return new ScalarSums();
+    }
+}

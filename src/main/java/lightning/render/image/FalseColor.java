@@ -1,0 +1,42 @@
+package lightning.render.image;
+
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * A colour for each stop of luminance (Rec. 709), counted from middle grey 0.18: grey is half a stop around it, colder colours are
+ * darker, warmer ones brighter. White is 2.5 stops above, so that orange and red are what a display cuts off.
+ */
+public final class FalseColor {
+    /** The linear luminance of stop 0. */
+    public static final double MIDDLE = 0.18;
+
+    private static final int LEAST = -6;
+    /** From {@link #LEAST} on, 0xRRGGBB. */
+    private static final int[] COLORS = {0x14051F, 0x3B0F70, 0x2743B8, 0x1F7FC4, 0x16A5A0, 0x2E9E4F, 0x808080, 0xB9C74A, 0xF3DE5E, 0xF08A24,
+        0xE0241B};
+    private static final float SCALE = (float) (StrictMath.sqrt(2) / MIDDLE);
+
+    /**
+     * One stop of the scale.
+     *
+     * @param stop from middle grey; the first stands for all below too, the last for all above
+     * @param rgb  0xRRGGBB
+     */
+    public record Band(int stop, int rgb) {}
+
+    private FalseColor() {}
+
+    /** All stops, from the darkest. */
+    public static List<Band> bands() {
+        return IntStream.range(0, COLORS.length).mapToObj(i -> new Band(LEAST + i, COLORS[i])).toList();
+    }
+
+    /** The colour, 0xRRGGBB, of a linear pixel. */
+    static int of(float red, float green, float blue) {
+        float luminance = 0.2126f * red + 0.7152f * green + 0.0722f * blue;
+        // The exponent of v·√2 is the nearest stop of v; that of 0 and what is no number lies beyond the ends.
+        int stop = luminance > 0 ? Math.getExponent(luminance * SCALE) : Integer.MIN_VALUE / 2;
+        return COLORS[Math.clamp(stop - (long) LEAST, 0, COLORS.length - 1)];
+    }
+}

@@ -1,0 +1,236 @@
+package lightning.render.image;
+
+/**
+ * The linear, unclamped picture, kept in square tiles so that a renderer can write tiles in parallel and an editor can
+ * refresh only those that changed.
+ *
+ * <p>Tile number {@code tile = tileY * tilesX() + tileX} holds the pixels with {@code x / 32 == tileX} and
+ * {@code y / 32 == tileY}; inside it, pixel (x, y) is at index {@code (y & 31) * 32 + (x & 31)}. Tiles at the right and
+ * bottom border are full-size arrays too; their pixels outside the picture are unused and may hold anything.
+ *
+ * <p>A film does not copy its arrays. One that a renderer hands out is never written again: an update makes a new film,
+ * which shares the tiles that did not change.
+ */
+public final class Film {
+
+    /** The width and the height of a tile, in pixels. */
+    public static final int TILE = 32;
+
+    /** The number of pixels of a tile. */
+    public static final int TILE_PIXELS = TILE * TILE;
+
+    private final int width;
+    private final int height;
+    private final int tilesX;
+    private final int tilesY;
+    private final float[][] red;
+    private final float[][] green;
+    private final float[][] blue;
+
+    /**
+     * A film over the given arrays, which are used as they are, not copied.
+     *
+     * @param width  pixels, ≥ 1
+     * @param height pixels, ≥ 1
+     * @param red    {@code float[tileCount][TILE_PIXELS]}, linear
+     * @param green  as {@code red}
+     * @param blue   as {@code red}
+     * @throws IllegalArgumentException if a size is below 1, or an array has not the shape that the size demands
+     */
+    public Film(int width, int height, float[][] red, float[][] green, float[][] blue) {
+        this.width = width;
+        this.height = height;
+        this.tilesX = tilesAlong(width);
+        this.tilesY = tilesAlong(height);
+        requireShape("red", red);
+        requireShape("green", green);
+        requireShape("blue", blue);
+        this.red = red;
+        this.green = green;
+        this.blue = blue;
+    }
+
+    /**
+     * A black film with arrays of its own.
+     *
+     * @param width  pixels, ≥ 1
+     * @param height pixels, ≥ 1
+     * @throws IllegalArgumentException if a size is below 1
+     */
+    public static Film black(int width, int height) {
+        int tiles = Math.multiplyExact(tilesAlong(width), tilesAlong(height));
+        return new Film(width, height, new float[tiles][TILE_PIXELS], new float[tiles][TILE_PIXELS],
+                new float[tiles][TILE_PIXELS]);
+    }
+
+    /**
+     * The film of an ordinary picture.
+     *
+     * @param width  pixels, ≥ 1
+     * @param height pixels, ≥ 1
+     * @param rgb    {@code float[width * height * 3]}, interleaved linear RGB, the top row first
+     * @throws IllegalArgumentException if a size is below 1 or {@code rgb} is not exactly as long as they demand
+     */
+    public static Film ofScanlines(int width, int height, float[] rgb) {
+        Film film = black(width, height);
+        if (rgb.length != 3L * width * height) {
+            throw new IllegalArgumentException("a film of " + width + " × " + height + " pixels needs "
+                    + 3L * width * height + " values, not " + rgb.length);
+        }
+        for (int y = 0, at = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int tile = film.tileOf(x, y);
+                int pixel = pixelInTile(x, y);
+                film.red[tile][pixel] = rgb[at++];
+                film.green[tile][pixel] = rgb[at++];
+                film.blue[tile][pixel] = rgb[at++];
+            }
+        }
+        return film;
+    }
+
+    /** The width in pixels. */
+    public int width() {
+        return width;
+    }
+
+    /** The height in pixels. */
+    public int height() {
+        return height;
+    }
+
+    /** The number of tiles in a row. */
+    public int tilesX() {
+        return tilesX;
+    }
+
+    /** The number of rows of tiles. */
+    public int tilesY() {
+        return tilesY;
+    }
+
+    /** The number of all tiles. */
+    public int tileCount() {
+        return tilesX * tilesY;
+    }
+
+    /** The red values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
+    public float[] red(int tile) {
+        return red[tile];
+    }
+
+    /** The green values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
+    public float[] green(int tile) {
+        return green[tile];
+    }
+
+    /** The blue values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
+    public float[] blue(int tile) {
+        return blue[tile];
+    }
+
+    /** The linear red of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
+    public float red(int x, int y) {
+        return red[tileOf(x, y)][pixelInTile(x, y)];
+    }
+
+    /** The linear green of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
+    public float green(int x, int y) {
+        return green[tileOf(x, y)][pixelInTile(x, y)];
+    }
+
+    /** The linear blue of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
+    public float blue(int x, int y) {
+        return blue[tileOf(x, y)][pixelInTile(x, y)];
+    }
+
+    /**
+     * How many tiles lie beside each other along a side.
+     *
+     * @param pixels the side's length
+     * @throws IllegalArgumentException if that is less than 1
+     */
+    public static int tilesAlong(int pixels) {
+        if (pixels < 1) {
+            throw new IllegalArgumentException("a film is at least 1 × 1 pixel, not " + pixels);
+        }
+        return (pixels - 1) / TILE + 1;
+    }
+
+    /** The number of the tile that holds pixel (x, y). */
+    public int tileOf(int x, int y) {
+        return (y / TILE) * tilesX + x / TILE;
+    }
+
+    /** The index of pixel (x, y) inside its tile. */
+    public static int pixelInTile(int x, int y) {
+        return (y & (TILE - 1)) * TILE + (x & (TILE - 1));
+    }
+
+    /** An equal film with arrays of its own. */
+    public Film copy() {
+        return new Film(width, height, copyOf(red), copyOf(green), copyOf(blue));
+    }
+
+    /** The visible pixels as {@code float[width * height * 3]}: interleaved linear RGB, the top row first. */
+    public float[] toScanlines() {
+        float[] rgb = new float[Math.multiplyExact(Math.multiplyExact(width, height), 3)];
+        for (int y = 0, at = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int tile = tileOf(x, y);
+                int pixel = pixelInTile(x, y);
+                rgb[at++] = red[tile][pixel];
+                rgb[at++] = green[tile][pixel];
+                rgb[at++] = blue[tile][pixel];
+            }
+        }
+        return rgb;
+    }
+
+    /**
+     * Whether both films have the same size and, in every visible pixel, the very same bits: 0 differs from −0, and a
+     * NaN equals only itself with the same payload.
+     */
+    public boolean sameBits(Film other) {
+        if (width != other.width || height != other.height) {
+            return false;
+        }
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                int tile = tileOf(x, y);
+                int pixel = pixelInTile(x, y);
+                if (!sameBits(red[tile][pixel], other.red[tile][pixel])
+                        || !sameBits(green[tile][pixel], other.green[tile][pixel])
+                        || !sameBits(blue[tile][pixel], other.blue[tile][pixel])) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private static boolean sameBits(float a, float b) {
+        return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
+    }
+
+    private static float[][] copyOf(float[][] tiles) {
+        float[][] copy = new float[tiles.length][];
+        for (int tile = 0; tile < tiles.length; tile++) {
+            copy[tile] = tiles[tile].clone();
+        }
+        return copy;
+    }
+
+    private void requireShape(String name, float[][] tiles) {
+        if (tiles.length != tileCount()) {
+            throw new IllegalArgumentException("a film of " + width + " × " + height + " pixels has " + tileCount()
+                    + " tiles, but " + name + " has " + tiles.length);
+        }
+        for (int tile = 0; tile < tiles.length; tile++) {
+            if (tiles[tile].length != TILE_PIXELS) {
+                throw new IllegalArgumentException("a tile has " + TILE_PIXELS + " pixels, but tile " + tile + " of "
+                        + name + " has " + tiles[tile].length);
+            }
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package lightning.render.image;
+
+import java.util.Arrays;
+
+/**
+ * Some rows of a displayed picture as {@link Flip} sees them: what colour the eye sees where, and where it sees edges and
+ * points. Beyond the picture its border goes on.
+ *
+ * <p>In doubles: the root of a detector's answer turns the rounding errors of floats in a flat picture into errors of 1e-4.
+ */
+final class FlipBand {
+    private final EyeFilters filters;
+    private final int width;
+    private final int rows;
+
+    /** Hunt-adjusted L*, a*, b* after the blur of the eye: {@code double[3][rows * width]}. */
+    final double[][] lab;
+    /** The strength of an edge, 0…√2: {@code double[rows * width]}. */
+    final double[] edges;
+    /** The strength of a point, 0…√2: {@code double[rows * width]}. */
+    final double[] points;
+
+    /** The rows {@code top} to {@code top + rows − 1} of a picture of display codes. */
+    FlipBand(int[] pixels, int width, int height, int top, int rows, EyeFilters filters) {
+        this.filters = filters;
+        this.width = width;
+        this.rows = rows;
+        double[][] opponent = opponent(pixels, height, top);
+        double[] light = new double[opponent[0].length];
+        for (int i = 0; i < light.length; i++) {
+            light[i] = (opponent[0][i] + 16) / 116;
+        }
+        double[] smooth = across(light, filters.gauss);
+        edges = strength(across(light, filters.edge), smooth, filters.edge);
+        points = strength(across(light, filters.point), smooth, filters.point);
+        lab = seen(opponent);
+    }
+
+    /** Y, Cx, Cz of the rows and of a margin above and below. */
+    private double[][] opponent(int[] pixels, int height, int top) {
+        int margin = filters.radius;
+        double[][] planes = new double[3][(rows + 2 * margin) * width];
+        for (int row = 0, at = 0; row < rows + 2 * margin; row++) {
+            int from = Math.clamp(top + row - margin, 0, height - 1) * width;
+            for (int x = 0; x < width; x++, at++) {
+                int rgb = pixels[from + x];
+                OpponentColor.toYCxCz(Srgb.linear(rgb >> 16 & 0xFF), Srgb.linear(rgb >> 8 & 0xFF), Srgb.linear(rgb & 0xFF),
+                        planes, at);
+            }
+        }
+        return planes;
+    }
+
+    private double[][] seen(double[][] opponent) {
+        double[] blue = blurred(opponent[2], filters.blueYellow[0]);
+        double[] yellow = blurred(opponent[2], filters.blueYellow[1]);
+        for (int i = 0; i < blue.length; i++) {
+            blue[i] += yellow[i];
+        }
+        double[][] planes = {blurred(opponent[0], filters.light), blurred(opponent[1], filters.redGreen), blue};
+        for (int i = 0; i < blue.length; i++) {
+            OpponentColor.toHuntLab(planes, i);
+        }
+        return planes;
+    }
+
+    private double[] blurred(double[] plane, double[] weights) {
+        return down(across(plane, weights), weights);
+    }
+
+    /** The length of the vector of a detector's answers across and down. */
+    private double[] strength(double[] detectedAcross, double[] smoothAcross, double[] detector) {
+        double[] x = down(detectedAcross, filters.gauss);
+        double[] y = down(smoothAcross, detector);
+        for (int i = 0; i < x.length; i++) {
+            x[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i]);
+        }
+        return x;
+    }
+
+    /** A plane with margins, filtered across. */
+    private double[] across(double[] plane, double[] weights) {
+        int radius = weights.length / 2;
+        double[] to = new double[plane.length];
+        double[] row = new double[width + 2 * radius];
+        double[] sums = new double[width];
+        for (int start = 0; start < plane.length; start += width) {
+            Arrays.fill(row, 0, radius, plane[start]);
+            System.arraycopy(plane, start, row, radius, width);
+            Arrays.fill(row, radius + width, row.length, plane[start + width - 1]);
+            Arrays.fill(sums, 0);
+            for (int k = 0; k < weights.length; k++) {
+                add(weights[k], row, k, sums);
+            }
+            System.arraycopy(sums, 0, to, start, width);
+        }
+        return to;
+    }
+
+    /** A plane with margins, filtered down: the rows alone. */
+    private double[] down(double[] plane, double[] weights) {
+        int radius = weights.length / 2;
+        double[] to = new double[rows * width];
+        double[] sums = new double[width];
+        for (int y = 0; y < rows; y++) {
+            Arrays.fill(sums, 0);
+            for (int k = 0; k < weights.length; k++) {
+                add(weights[k], plane, (filters.radius + y + k - radius) * width, sums);
+            }
+            System.arraycopy(sums, 0, to, y * width, width);
+        }
+        return to;
+    }
+
+    private static void add(double weight, double[] from, int at, double[] sums) {
+        for (int x = 0; x < sums.length; x++) {
+            sums[x] += weight * from[at + x];
+        }
+    }
+}

@@ -1,0 +1,229 @@
+package lightning.render.image;
+
+import java.math.BigDecimal;
+import java.util.Optional;
+import lightning.base.text.Quote;
+
+/**
+ * How a linear film becomes display pixels: clamped, which a film never is.
+ *
+ * <p>Each channel becomes {@code curve(linear · 2^exposure)} cut to 0…1, in 8 bits, correctly rounded. The gain
+ * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
+ *
+ * @param exposure stops, −64 to 64; one more doubles the brightness
+ * @param cube     what the curve gives passes this table last, if there is one; what {@link DisplayCurve#LINEAR} gives is not cut off
+ *                 before. Stops in colours do without it
+ * @param marked   whether pixels that are cut off are shown in {@link #OVER_WHITE} and {@link #BLACK}; stops in colours are not
+ */
+public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked) {
+    /** 0xRRGGBB: the mark of a pixel with a channel that the curve cuts off at white. */
+    public static final int OVER_WHITE = 0xFF00C8;
+    /** 0xRRGGBB: the mark of a pixel that is shown as black. */
+    public static final int BLACK = 0x0050FF;
+
+    private static final double CODES = 255;
+    private static final double DEEP_CODES = 65535;
+
+    /** The largest absolute exposure, in stops. */
+    public static final double MAX_EXPOSURE = 64;
+
+    /** sRGB; linear white 1 is display white. */
+    public static final ViewTransform DEFAULT = new ViewTransform(0);
+
+    /** @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64 */
+    public ViewTransform {
+        if (!(Math.abs(exposure) <= MAX_EXPOSURE)) {
+            throw new IllegalArgumentException("exposure must be from -64 to 64 stops, was " + exposure);
+        }
+    }
+
+    /**
+     * For an sRGB display.
+     *
+     * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
+     */
+    public ViewTransform(double exposure) {
+        this(exposure, DisplayCurve.SRGB);
+    }
+
+    /**
+     * Without a table and marks.
+     *
+     * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
+     */
+    public ViewTransform(double exposure, DisplayCurve curve) {
+        this(exposure, curve, Optional.empty(), false);
+    }
+
+    public ViewTransform withExposure(double stops) {
+        return new ViewTransform(stops, curve, cube, marked);
+    }
+
+    public ViewTransform withCurve(DisplayCurve v) {
+        return new ViewTransform(exposure, v, cube, marked);
+    }
+
+    public ViewTransform withCube(Optional<CubeTable> v) {
+        return new ViewTransform(exposure, curve, v, marked);
+    }
+
+    public ViewTransform withMarked(boolean v) {
+        return new ViewTransform(exposure, curve, cube, v);
+    }
+
+    /** The factor on linear values, {@code 2^exposure}. */
+    public float gain() {
+        return (float) StrictMath.pow(2, exposure);
+    }
+
+    /** The display code, 0 to 255, of one linear value, without the table. */
+    public int encode(float linear) {
+        return curve.table().encode(linear * gain());
+    }
+
+    /**
+     * The codes of 16 bits, 0 to 65535, of a linear pixel, rounded as those of 8 bits are; without marks.
+     *
+     * @param to {@code short[]}: red, green and blue from {@code at} on
+     */
+    public void packDeep(float red, float green, float blue, short[] to, int at) {
+        float gain = gain();
+        if (tabled()) {
+            double[] color = looked(red * gain, green * gain, blue * gain);
+            for (int c = 0; c < 3; c++) {
+                to[at + c] = (short) code(color[c], DEEP_CODES);
+            }
+        } else {
+            to[at] = (short) curve.encodeDeep(red * gain);
+            to[at + 1] = (short) curve.encodeDeep(green * gain);
+            to[at + 2] = (short) curve.encodeDeep(blue * gain);
+        }
+    }
+
+    private boolean tabled() {
+        return cube.isPresent() && curve != DisplayCurve.FALSE;
+    }
+
+    /** What the table makes of what the curve gives. */
+    private double[] looked(float red, float green, float blue) {
+        double[] color = {curve.value(red), curve.value(green), curve.value(blue)};
+        cube.orElseThrow().apply(color);
+        return color;
+    }
+
+    private static int code(double v, double most) {
+        return (int) Math.floor(most * Math.clamp(v, 0, 1) + 0.5);
+    }
+
+    /** The linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
+    public static float linear(int code) {
+        return Srgb.linear(code);
+    }
+
+    /** The whole picture as {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
+    public int[] toPixels(Film film) {
+        int[] pixels = new int[Math.multiplyExact(film.width(), film.height())];
+        for (int tile = 0; tile < film.tileCount(); tile++) {
+            packTile(film, tile, pixels);
+        }
+        return pixels;
+    }
+
+    /**
+     * Writes the visible pixels of one tile into the picture that holds them all, and nothing else, so that different
+     * tiles may be packed at the same time.
+     *
+     * @param tile   0 ≤ tile &lt; {@code film.tileCount()}
+     * @param pixels {@code int[width * height]} of the whole film, as {@link #toPixels} gives it
+     */
+    public void packTile(Film film, int tile, int[] pixels) {
+        packTile(film.red(tile), film.green(tile), film.blue(tile), tile % film.tilesX() * Film.TILE, tile / film.tilesX() * Film.TILE,
+                film.width(), pixels);
+    }
+
+    /**
+     * Writes the visible pixels of a tile that is in no film yet.
+     *
+     * @param red    {@code float[1024]}, linear; likewise {@code green} and {@code blue}
+     * @param left   the picture's column of the tile's first; likewise {@code top}
+     * @param width  the picture's
+     * @param pixels {@code int[width * height]}, as {@link #toPixels} gives it
+     */
+    public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
+        if (curve == DisplayCurve.FALSE || tabled() || marked) {
+            packEach(red, green, blue, left, top, width, pixels);
+            return;
+        }
+        float gain = gain();
+        CodeTable table = curve.table();
+        int columns = Math.min(Film.TILE, width - left);
+        int rows = Math.min(Film.TILE, pixels.length / width - top);
+        for (int y = 0; y < rows; y++) {
+            int from = y * Film.TILE;
+            int to = (top + y) * width + left;
+            for (int x = 0; x < columns; x++) {
+                pixels[to + x] = 0xFF000000
+                        | table.encode(red[from + x] * gain) << 16
+                        | table.encode(green[from + x] * gain) << 8
+                        | table.encode(blue[from + x] * gain);
+            }
+        }
+    }
+
+    private void packEach(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
+        int columns = Math.min(Film.TILE, width - left);
+        int rows = Math.min(Film.TILE, pixels.length / width - top);
+        float gain = gain();
+        for (int y = 0; y < rows; y++) {
+            for (int x = 0; x < columns; x++) {
+                int i = y * Film.TILE + x;
+                pixels[(top + y) * width + left + x] = shown(red[i] * gain, green[i] * gain, blue[i] * gain);
+            }
+        }
+    }
+
+    /** One pixel of linear values as it is displayed, opaque 0xFFRRGGBB. */
+    public int pack(float red, float green, float blue) {
+        float gain = gain();
+        return shown(red * gain, green * gain, blue * gain);
+    }
+
+    /** The pixel of values that have their exposure. */
+    private int shown(float r, float g, float b) {
+        if (curve == DisplayCurve.FALSE) {
+            return 0xFF000000 | FalseColor.of(r, g, b);
+        }
+        int codes = tabled() ? lookedCodes(r, g, b) : codes(r, g, b);
+        if (marked) {
+            boolean over = r > curve.white() || g > curve.white() || b > curve.white();
+            return 0xFF000000 | (over ? OVER_WHITE : codes == 0 ? BLACK : codes);
+        }
+        return 0xFF000000 | codes;
+    }
+
+    private int codes(float red, float green, float blue) {
+        CodeTable table = curve.table();
+        return table.encode(red) << 16 | table.encode(green) << 8 | table.encode(blue);
+    }
+
+    private int lookedCodes(float red, float green, float blue) {
+        double[] color = looked(red, green, blue);
+        return code(color[0], CODES) << 16 | code(color[1], CODES) << 8 | code(color[2], CODES);
+    }
+
+    /** What a saved picture is shown by where nobody asked for another: stops and marks are for looking alone. */
+    public ViewTransform ofPicture() {
+        return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, cube, false);
+    }
+
+    /** A curve by which every error shows that shows in this view: how steep a table is nobody knows. */
+    public DisplayCurve steepest() {
+        return tabled() ? DisplayCurve.FILMIC : curve;
+    }
+
+    /** As in {@code Filmic (Hable), look.cube, +0.5 stops}. */
+    public String text() {
+        return curve.title() + cube.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
+                : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
+    }
+}

@@ -1,0 +1,56 @@
+package lightning.render.relight.plan;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import lightning.render.shading.ConeChange;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightTerm;
+
+/**
+ * What differs between the light that a layer was computed for and the light wanted, in the terms
+ * that decide the update; attributes that the type does not act on do not count.
+ *
+ * @param moved   the source is another: position, or direction of a directional light, or one for the other
+ * @param cone    which rows may enter or leave the cone
+ * @param falloff whether the falloff of any row may change
+ * @param weight  whether colour · intensity changes
+ * @param shadows whether other shapes throw shadows in its light
+ */
+record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight, boolean shadows) {
+
+    static LightDifference between(Light before, Light wanted) {
+        Set<LightTerm> changed = changed(before, wanted);
+        ConeChange cone = cone(changed, before, wanted);
+        return new LightDifference(changed.contains(LightTerm.SOURCE), cone,
+                changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && wanted.gobo().isPresent(),
+                changed.contains(LightTerm.WEIGHT), changed.contains(LightTerm.SHADOW));
+    }
+
+    /** The terms of attributes that act with another value than before, or come into action, or go out of it. */
+    private static Set<LightTerm> changed(Light before, Light wanted) {
+        Set<LightTerm> changed = EnumSet.noneOf(LightTerm.class);
+        for (LightAttribute<?> attribute : before == wanted ? List.<LightAttribute<?>>of() : LightAttribute.ALL) {
+            Optional<LightTerm> was = attribute.term(before);
+            Optional<LightTerm> is = attribute.term(wanted);
+            if (!was.equals(is) || is.isPresent() && !attribute.isAlike(before, wanted)) {
+                was.ifPresent(changed::add);
+                is.ifPresent(changed::add);
+            }
+        }
+        return changed;
+    }
+
+    private static ConeChange cone(Set<LightTerm> changed, Light before, Light wanted) {
+        if (changed.contains(LightTerm.AXIS)) {
+            return ConeChange.TURN;
+        }
+        if (changed.contains(LightTerm.REACH)) {
+            return ConeChange.LINKS;
+        }
+        return !changed.contains(LightTerm.OPENING) ? ConeChange.NONE
+                : before.angle() > wanted.angle() ? ConeChange.ANGLE_REMOVE : ConeChange.ANGLE_ADD;
+    }
+}

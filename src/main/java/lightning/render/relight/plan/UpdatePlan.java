@@ -1,0 +1,48 @@
+package lightning.render.relight.plan;
+
+import java.util.List;
+import lightning.base.text.Texts;
+import lightning.render.trace.ShapeChange;
+
+/** What a renderer will do to get from the scene rendered last to the scene wanted. */
+public sealed interface UpdatePlan {
+
+    /** Nothing: the picture is as wanted. */
+    record Nothing() implements UpdatePlan {}
+
+    /** A full trace that fills the cache: no picture yet, or camera, size or geometry changed. */
+    record FirstPass(String reason) implements UpdatePlan {}
+
+    /**
+     * An update of the cache.
+     *
+     * @param top       the first level
+     * @param mirrors   the mirror levels, or null where they stay as they are
+     * @param depthFrom how many mirror bounces are known
+     * @param depthTo   how many are wanted
+     * @param resampled whether pixels get other finer samples, or none, whatever the edges
+     * @param shapes    which shapes differ; where any does, there are {@code mirrors}
+     */
+    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo, boolean resampled, ShapeChange shapes)
+            implements UpdatePlan {
+
+        /** An update of the same shapes that leaves it to the edges which finer samples there are. */
+        public Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) {
+            this(top, mirrors, depthFrom, depthTo, false, ShapeChange.NONE);
+        }
+    }
+
+    /** The plan in the words of the paper, one step a string. */
+    default List<String> steps() {
+        return switch (this) {
+            case Nothing _ -> List.of(Texts.of("nothing to do"));
+            case FirstPass first -> List.of(Texts.of("first pass: {0}", Texts.of(first.reason())));
+            case Relight relight -> PlanText.of(relight);
+        };
+    }
+
+    /** The steps on one line. */
+    default String text() {
+        return String.join(", ", steps());
+    }
+}

@@ -1,0 +1,8 @@
+/**
+ * What an edit asks for: the difference of two scenes, in the paper's terms, and the least update that answers it. Plans are
+ * values; nothing here touches a tile.
+ *
+ * <p>{@link lightning.render.relight.plan.Dispatcher} makes an {@link lightning.render.relight.plan.UpdatePlan}: for each level a
+ * {@link lightning.render.relight.plan.LevelPlan}, for each light a {@link lightning.render.relight.plan.LightUpdate}.
+ */
+package lightning.render.relight.plan;

@@ -1,0 +1,37 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.Bounce;
+import lightning.render.trace.HitRows;
+
+/**
+ * What the rays bring that go on from a level's rows: red, green and blue columns each.
+ *
+ * @param mirrored  Cr of the reflective rows
+ * @param refracted Ct of the clear rows; null where there are none
+ */
+public record Images(float[][] mirrored, float[][] refracted) {
+    // Arrays in a record: written once by their maker, never after.
+
+    /** The colours that rays bring which go on in one way. */
+    public float[][] of(Bounce bounce) {
+        return switch (bounce) {
+            case MIRRORED -> mirrored;
+            case REFRACTED -> refracted;
+        };
+    }
+
+    /** Copies that are just long enough for the rows. */
+    public Images compact(HitRows rows) {
+        return new Images(copy(mirrored, rows.reflective), rows.clear == 0 ? null : copy(refracted, rows.clear));
+    }
+
+    private static float[][] copy(float[][] columns, int rows) {
+        return Arrays.stream(columns).map(column -> Arrays.copyOf(column, HitRows.padded(rows))).toArray(float[][]::new);
+    }
+
+    /** The bytes of the columns, array headers left out. */
+    public long bytes() {
+        return 12L * mirrored[0].length + (refracted == null ? 0 : 12L * refracted[0].length);
+    }
+}

@@ -1,0 +1,244 @@
+package lightning.render.shading;
+
+import lightning.base.math.Power;
+import lightning.scene.Attenuation;
+
+/**
+ * The lighting equation (paper §2.2), term by term, for one row and one light.
+ *
+ * <pre>
+ * I     = [ka·ambience + kd·Σ Idiff]·(1 − kr) + (ks·Σ Ispec + Σ Igraz) + kr·Cr
+ * Idiff = weight·(cosine·falloff)      weight  = colour·intensity
+ * Ispec = weight·(specular·falloff)    falloff = atten·spot·doors
+ * Igraz = weight·(grazing·falloff)     of metallic materials alone
+ * </pre>
+ *
+ * <p>Of a clear surface, which mirrors m = kr + (1 − kr)·F by Fresnel's share F ({@link lightning.render.trace.Refraction}), with what is left on the
+ * way inside, T = tint<sup>way/distance</sup> (Beer's law), and b = 1 − the largest channel of kt:
+ *
+ * <pre>
+ * I     = {[ka·ambience + kd·Σ Idiff]·(1 − m)·b + (ks·Σ Ispec + Σ Igraz) + m·Cr + (1 − m)·kt·Ct}·T
+ * </pre>
+ *
+ * <p>Metallic materials are those of glTF 2.0 (appendix B.3): D is GGX, V Smith's visibility, F Schlick's F0 + (1 − F0)·s with
+ * s = (1 − V·H)⁵, so that F·D·V = F0·D·V·(1 − s) + D·V·s. A light of weight 1 lets a white surface send 1, as by Phong's model:
+ * its irradiance is π·cosine, which takes the π out of D and of Lambert's law. What is scattered below the surface passes it twice
+ * (Shirley and others, A practitioners' assessment of light reflection models, 1997, without their factor 21/20):
+ * (1 − f0)·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵), the first factor of which is in kd.
+ *
+ * <p>An instance holds the vector from the row to the light. Points and vectors are in render space;
+ * what is given as float was rounded when the row was stored.
+ */
+public final class LightingEquation {
+    /** Below it the square of a distance has too few digits to give a vector the length 1; it counts as 0. */
+    public static final double NO_DISTANCE = 0x1p-500;
+
+    private final Lamp lamp;
+    private double lx;
+    private double ly;
+    private double lz;
+    private double distance;
+    private final Shaping doors;
+    private double door;
+
+    LightingEquation(Lamp lamp) {
+        this.lamp = lamp;
+        doors = Shaping.of(lamp);
+    }
+
+    /** Turns to a row: its point and its unit normal. At distance 0 the light stands straight above. */
+    void at(float px, float py, float pz, float nx, float ny, float nz) {
+        door = doors == null ? 1 : doors.at(px, py, pz);
+        lx = lamp.source().x();
+        ly = lamp.source().y();
+        lz = lamp.source().z();
+        if (lamp.type().hasPosition()) {
+            double vx = lx - px;
+            double vy = ly - py;
+            double vz = lz - pz;
+            distance = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            boolean here = distance < NO_DISTANCE;
+            double inverse = 1 / distance;
+            lx = here ? nx : vx * inverse;
+            ly = here ? ny : vy * inverse;
+            lz = here ? nz : vz * inverse;
+        }
+    }
+
+    /** N·L; the row faces away where this is not above 0. */
+    float cosine(float nx, float ny, float nz) {
+        return (float) (nx * lx + ny * ly + nz * lz);
+    }
+
+    /** −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
+    private double axisCosine() {
+        double c = -(lx * lamp.axis().x() + ly * lamp.axis().y() + lz * lamp.axis().z());
+        return c < -1 ? -1 : c > 1 ? 1 : c;
+    }
+
+    /** Whether the row is in the light's cone; a row exactly on it is. */
+    boolean insideCone() {
+        return !lamp.hasCone() || axisCosine() >= lamp.cosAngle();
+    }
+
+    /**
+     * max(V·R, 0)<sup>shininess</sup> with R = 2N(N·−L) + L, both taken at length 1.
+     *
+     * @param v the unit direction of the ray that met the row
+     */
+    float specular(float nx, float ny, float nz, float vx, float vy, float vz, double shininess) {
+        double twice = 2 * (nx * lx + ny * ly + nz * lz);
+        double rx = lx - twice * nx;
+        double ry = ly - twice * ny;
+        double rz = lz - twice * nz;
+        double dot = vx * rx + vy * ry + vz * rz;
+        double lengths = ((double) vx * vx + (double) vy * vy + (double) vz * vz) * (rx * rx + ry * ry + rz * rz);
+        double c = dot / Math.sqrt(lengths);
+        c = c > 0 ? c : 0;
+        c = c > 1 ? 1 : c;
+        return (float) Power.of(c, shininess);
+    }
+
+    /**
+     * N·L·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵): the diffuse term of a metallic material, for a row that faces the light.
+     *
+     * @param v the unit direction of the ray that met the row
+     */
+    float matte(float nx, float ny, float nz, float vx, float vy, float vz) {
+        double nl = nx * lx + ny * ly + nz * lz;
+        double nv = -((double) nx * vx + (double) ny * vy + (double) nz * vz);
+        nv = nv > 0 ? nv : 0;
+        return (float) (nl * (1 - fifth(1 - nl)) * (1 - fifth(1 - nv)));
+    }
+
+    /**
+     * N·L·D·V of a metallic material, for a row that faces the light; D without its 1/π. The angle between N and H is taken at
+     * length 1; the others' lengths, off by 2⁻²³, show nowhere.
+     *
+     * <p>At most 1/(2α³), but for roundings: D is at most 1/α², and V at most 1/(2·N·L·α); 6.1e7 for the least roughness that
+     * acts.
+     *
+     * @param alpha the width of the highlight, above 0
+     */
+    private double microfacets(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+        double hx = lx - vx;
+        double hy = ly - vy;
+        double hz = lz - vz;
+        double nh = nx * hx + ny * hy + nz * hz;
+        double lengths = ((double) nx * nx + (double) ny * ny + (double) nz * nz) * (hx * hx + hy * hy + hz * hz);
+        double c = nh * nh / lengths;
+        // Where H has no direction, this is no number.
+        c = c > 0 ? c : 0;
+        c = c > 1 ? 1 : c;
+        double nl = nx * lx + ny * ly + nz * lz;
+        double nv = -((double) nx * vx + (double) ny * vy + (double) nz * vz);
+        nv = nv > 0 ? nv : 0;
+        double a = alpha * alpha;
+        double t = c * (a - 1) + 1;
+        double gl = nl + Math.sqrt(a + (1 - a) * (nl * nl));
+        double gv = nv + Math.sqrt(a + (1 - a) * (nv * nv));
+        return nl * a / (t * t * (gl * gv));
+    }
+
+    /** (1 − V·H)⁵, V and H taken at length 1; 1 where H has no direction. */
+    private double schlick(float vx, float vy, float vz) {
+        double hx = lx - vx;
+        double hy = ly - vy;
+        double hz = lz - vz;
+        double vh = -(vx * hx + vy * hy + vz * hz);
+        double lengths = ((double) vx * vx + (double) vy * vy + (double) vz * vz) * (hx * hx + hy * hy + hz * hz);
+        double c = vh / Math.sqrt(lengths);
+        c = c > 0 ? c : 0;
+        c = c > 1 ? 1 : c;
+        return fifth(1 - c);
+    }
+
+    private static double fifth(double x) {
+        double square = x * x;
+        return square * square * x;
+    }
+
+    /** N·L·D·V·(1 − (1 − V·H)⁵): the specular term of a metallic material, which F0 multiplies. */
+    float gloss(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+        return (float) (microfacets(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
+    }
+
+    /** N·L·D·V·(1 − V·H)⁵: what a metallic material of any colour sends besides. */
+    float grazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+        return (float) (microfacets(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
+    }
+
+    /** atten·spot·doors: 1 for a directional light. */
+    float falloff() {
+        return switch (lamp.type()) {
+            case DIRECTIONAL -> 1;
+            case POINT -> (float) (attenuation() * door);
+            case SPOT, RECT, DISC -> {
+                double c = axisCosine();
+                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.dropoff()) * door);
+            }
+        };
+    }
+
+    /** min(1 / (cc + cl·d + cq·d²), 1), where 1/0 counts as 1. */
+    private double attenuation() {
+        Attenuation a = lamp.light().attenuation();
+        double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
+        return factor < 1 ? factor : 1;
+    }
+
+    /**
+     * One channel of the sum's term: the weight over cosine (or specular term), falloff, and what passes of the light.
+     *
+     * @param tint 1 where nothing is in between
+     */
+    static float contribution(float weight, float term, float falloff, float tint) {
+        return weight * (term * falloff * tint);
+    }
+
+    /** The same where nothing is in between. */
+    static float contribution(float weight, float term, float falloff) {
+        return weight * (term * falloff);
+    }
+
+    /** One channel of what passes a clear surface: what it does not mirror, times its colour. */
+    static float passed(float kr, float share, float kt) {
+        float mirror = kr + (1 - kr) * share;
+        return (1 - mirror) * kt;
+    }
+
+    /** The mean of a light's samples, from their sum, first to last, of exact products {@code term·falloff}. */
+    static float mean(double sum, int samples) {
+        return (float) (sum / samples);
+    }
+
+    /** Adds {@code terms[from … to)} as a balanced tree: the first half's sum plus the second's. */
+    static float sum(float[] terms, int from, int to) {
+        if (to - from < 2) {
+            return from == to ? 0 : terms[from];
+        }
+        int middle = (from + to) >>> 1;
+        return sum(terms, from, middle) + sum(terms, middle, to);
+    }
+
+    /**
+     * One channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror} and
+     * {@code left·kt} are at most 1 in all.
+     *
+     * @param share F
+     * @param tint  T
+     */
+    static float clearColor(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+            float mirrored, float body, float share, float kt, float refracted, float tint) {
+        float mirror = kr + (1 - kr) * share;
+        float left = 1 - mirror;
+        return ((ka * ambience + kd * diffuse) * (left * body) + (ks * specular + grazing) + mirror * mirrored
+                + left * kt * refracted) * tint;
+    }
+
+    /** One channel of the whole equation of another; {@code diffuse}, {@code specular} and {@code grazing} are the lights' sums. */
+    static float color(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
+            float mirrored) {
+        return (ka * ambience + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;
+    }
+}

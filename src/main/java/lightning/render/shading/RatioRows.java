@@ -1,0 +1,166 @@
+package lightning.render.shading;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import lightning.render.column.ColumnKind;
+import lightning.render.column.ColumnSet;
+import lightning.render.column.ElementType;
+import lightning.scene.Light;
+
+/**
+ * One light's layer as the paper stores it (§2.4): the finished contributions, weight and falloff
+ * multiplied in, which edits scale by ratios. Rows that the light does not reach hold 0; the paper's
+ * negative diffuse colour, its flag for them, is the state here.
+ */
+public final class RatioRows implements LightLayer {
+    /** All columns that there are: what makes, counts and splices layers knows no others. */
+    public enum Column implements ColumnKind {
+        STATE(ElementType.BYTE),
+        DIFFUSE_RED(ElementType.FLOAT),
+        DIFFUSE_GREEN(ElementType.FLOAT),
+        DIFFUSE_BLUE(ElementType.FLOAT),
+        SPECULAR_RED(ElementType.FLOAT),
+        SPECULAR_GREEN(ElementType.FLOAT),
+        SPECULAR_BLUE(ElementType.FLOAT),
+        GRAZING_RED(ElementType.FLOAT),
+        GRAZING_GREEN(ElementType.FLOAT),
+        GRAZING_BLUE(ElementType.FLOAT),
+        SEEN_0(ElementType.SHORT),
+        SEEN_1(ElementType.SHORT),
+        SEEN_2(ElementType.SHORT),
+        SEEN_3(ElementType.SHORT),
+        TINT_RED(ElementType.FLOAT),
+        TINT_GREEN(ElementType.FLOAT),
+        TINT_BLUE(ElementType.FLOAT);
+
+        static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
+        static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
+        static final List<Column> TINT = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
+        static final List<Column> GRAZING = List.of(GRAZING_RED, GRAZING_GREEN, GRAZING_BLUE);
+        static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
+
+        private final ElementType element;
+
+        Column(ElementType element) {
+            this.element = element;
+        }
+
+        @Override
+        public ElementType element() {
+            return element;
+        }
+    }
+
+    /** No row is reached: shared, as {@link LightRows#UNREACHED}. */
+    static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, null, null, 0);
+
+    private final byte[] states;
+    private final int lit;
+    /** Diffuse contributions: red, green, blue columns; null where no row is lit. */
+    final float[][] diffuse;
+    /** Specular contributions; null where no row is lit or none is specular. */
+    final float[][] specular;
+    /** What metallic materials send besides; null where no row is lit or none is metallic. */
+    final float[][] grazing;
+
+    /** To which samples of its light each row's ways are free; see {@link LightRows#seen}. */
+    private final short[][] seen;
+
+    /** What passes of the light on free ways, which contributions hold; see {@link LightRows#tint}. */
+    private final float[][] tint;
+
+    private final ColumnSet<Column> columns;
+
+    RatioRows(byte[] states, float[][] diffuse, float[][] specular, float[][] grazing, short[][] seen, int lit) {
+        this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
+                channel(specular, 1), channel(specular, 2), channel(grazing, 0), channel(grazing, 1), channel(grazing, 2),
+                LightRows.samples(seen, 0), LightRows.samples(seen, 1),
+                LightRows.samples(seen, 2), LightRows.samples(seen, 3), null, null, null), lit);
+    }
+
+    RatioRows(ColumnSet<Column> columns, int lit) {
+        this.columns = columns;
+        this.lit = lit;
+        states = (byte[]) columns.get(Column.STATE);
+        diffuse = LightRows.colors(columns, Column.DIFFUSE);
+        specular = LightRows.colors(columns, Column.SPECULAR);
+        grazing = LightRows.colors(columns, Column.GRAZING);
+        tint = LightRows.colors(columns, Column.TINT);
+        seen = LightRows.seen(columns, Column.SEEN);
+    }
+
+    /**
+     * The columns that layers of a light may have.
+     *
+     * @param metallic whether any material is metallic
+     * @param tinted   whether light passes any
+     */
+    public static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
+        Set<Column> columns = EnumSet.allOf(Column.class);
+        if (!tinted) {
+            columns.removeAll(Column.TINT);
+        }
+        if (!metallic) {
+            columns.removeAll(Column.GRAZING);
+        }
+        columns.removeAll(Column.SEEN.subList(LightRows.groups(light), Column.SEEN.size()));
+        return columns;
+    }
+
+    private static float[] channel(float[][] colors, int c) {
+        return colors == null ? null : colors[c];
+    }
+
+    /** This layer, whose contributions hold these tints; null for none. */
+    RatioRows withTint(float[][] tints) {
+        return tints == tint ? this : new RatioRows(LightRows.with(columns, Column.TINT, tints), lit);
+    }
+
+    @Override
+    public byte[] states() {
+        return states;
+    }
+
+    @Override
+    public short[][] seen() {
+        return seen;
+    }
+
+    @Override
+    public float[][] tint() {
+        return tint;
+    }
+
+    @Override
+    public int lit() {
+        return lit;
+    }
+
+    /** The columns that this layer has. */
+    ColumnSet<Column> columns() {
+        return columns;
+    }
+
+    @Override
+    public long bytes() {
+        return columns.bytes() - LightRows.shared(states);
+    }
+
+    @Override
+    public long composedBytes() {
+        return columns.bytes() - columns.bytes(Column.STATE);
+    }
+
+    /** Other falloffs need the point alone, other terms point, normal and direction. */
+    @Override
+    public long rowBytesRead(LightLayer before) {
+        return before != null && before.states() == states ? 12 : 36;
+    }
+
+    /** Scaling reads every contribution and writes it anew. */
+    @Override
+    public long newBytes(LightLayer before) {
+        return before == null ? bytes() : bytes() + before.bytes();
+    }
+}

@@ -1,0 +1,45 @@
+package lightning.render.shading;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Columns that are handed out in turn and, after {@link #reset}, again. */
+public final class ScratchColumns implements Columns {
+    private final List<float[]> floats = new ArrayList<>();
+    private final List<byte[]> states = new ArrayList<>();
+    private final List<short[]> shorts = new ArrayList<>();
+    private int shortsUsed;
+    private int floatsUsed;
+    private int statesUsed;
+
+    /** Takes all columns back. */
+    public void reset() {
+        floatsUsed = 0;
+        statesUsed = 0;
+        shortsUsed = 0;
+    }
+
+    @Override
+    public float[] floats(int rows) {
+        if (floatsUsed == floats.size()) {
+            floats.add(new float[Terms.ROWS]);
+        }
+        return floats.get(floatsUsed++);
+    }
+
+    @Override
+    public byte[] states(int rows) {
+        if (statesUsed == states.size()) {
+            states.add(new byte[Terms.ROWS]);
+        }
+        return states.get(statesUsed++);
+    }
+
+    @Override
+    public short[] shorts(int rows) {
+        if (shortsUsed == shorts.size()) {
+            shorts.add(new short[Terms.ROWS]);
+        }
+        return shorts.get(shortsUsed++);
+    }
+}

@@ -1,0 +1,146 @@
+package lightning.render.shading;
+
+import lightning.base.math.Vec3;
+import lightning.render.trace.HitRows;
+import lightning.scene.BarnDoors;
+import lightning.scene.Gobo;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightType;
+import lightning.scene.Photometry;
+import lightning.scene.Profile;
+import lightning.scene.Texture;
+
+/**
+ * What the barn doors of a spot or rectangle, a spot's gobo and a light's profile leave of its light in a direction, a factor of its falloff.
+ *
+ * <p>Seen from the light, which looks along its axis with y upwards, a point lies at an angle to the right and at one to the top, each taken
+ * in the plane of the axis and that side. A door at angle θ leaves 1 up to θ less the feather, 0 beyond θ, and between them
+ * t²(3 − 2t), t being how far inside of θ the point lies over the feather; without feather a point on the edge is lit. The factors of the four
+ * doors are multiplied. A gobo is a square that just holds the cone where it is less than 89 degrees wide, and else what a cone of 89 degrees
+ * would hold; seen from the light its left is left and its top is up. Between the centres of its pixels it is interpolated bilinearly,
+ * beyond the outermost ones it goes on as they are; what passes is its luminance, 0.2126 R + 0.7152 G + 0.0722 B of linear light
+ * (ITU-R BT.709). A light that looks straight up or down has z upwards. A rectangle lies as its {@code up} tells, and its doors cut off each of its
+ * samples at the same angle, as the slats of a honeycomb do: what they leave fades over the rectangle's width.
+ *
+ * <p>A profile is a factor of two angles. Those of type C are from the axis and around it, counterclockwise from the right as the light looks out,
+ * so that 90 is its top; where a point is on the axis the second is 0. Of type A the planes stand upright: their angle is from the axis to the right,
+ * and that in a plane upwards. Of type B they share the axis from left to right: their angle is upwards, that in a plane to the right. A point
+ * light has the axis −y.
+ */
+final class Shaping {
+    /** Below this length of axis × y the light looks straight up or down. */
+    private static final double STRAIGHT = 1e-6;
+    /** The widest half angle that a gobo is spread over, in degrees. */
+    private static final double WIDEST = 89;
+    private static final Vec3 DOWN = new Vec3(0, -1, 0);
+
+    private final Vec3 source;
+    private final Vec3 axis;
+    private final Vec3 right;
+    private final Vec3 up;
+    private final BarnDoors doors;
+    private final double feather;
+    private final Texture gobo;
+    private final Photometry photometry;
+    /** Half the gobo's side, at distance 1 along the axis. */
+    private final double reach;
+    private final float[] color = new float[3];
+
+    private Shaping(Lamp lamp) {
+        source = lamp.source();
+        boolean spot = lamp.type() == LightType.SPOT;
+        boolean hasDoors = LightAttribute.DOORS.acts(lamp.type());
+        axis = hasDoors ? lamp.axis() : DOWN;
+        right = lamp.type() == LightType.RECT ? lamp.light().area().right(axis) : right(axis);
+        up = right.cross(axis);
+        doors = hasDoors ? lamp.light().doors() : BarnDoors.OPEN;
+        feather = lamp.light().feather();
+        gobo = spot ? lamp.light().gobo().map(Gobo::image).orElse(null) : null;
+        photometry = LightAttribute.PROFILE.acts(lamp.type()) ? lamp.light().profile().map(Profile::photometry).orElse(null) : null;
+        reach = StrictMath.tan(Math.toRadians(Math.min(lamp.light().angle(), WIDEST)));
+    }
+
+    private static Vec3 right(Vec3 axis) {
+        Vec3 side = axis.cross(Vec3.Y);
+        return (side.length() < STRAIGHT ? axis.cross(new Vec3(0, 0, 1)) : side).normalized();
+    }
+
+    /** Whether anything stands before a lamp. */
+    static boolean acts(Lamp lamp) {
+        return switch (lamp.type()) {
+            case SPOT -> !lamp.light().doors().isOpen() || lamp.light().gobo().isPresent() || lamp.light().profile().isPresent();
+            case POINT -> lamp.light().profile().isPresent();
+            case RECT -> !lamp.light().doors().isOpen();
+            case DIRECTIONAL, DISC -> false;
+        };
+    }
+
+    /** What stands before a lamp; null where nothing does. */
+    static Shaping of(Lamp lamp) {
+        return acts(lamp) ? new Shaping(lamp) : null;
+    }
+
+    /** The factor at a point in render space, 0 … 1. */
+    double at(float px, float py, float pz) {
+        double x = px - source.x();
+        double y = py - source.y();
+        double z = pz - source.z();
+        double ahead = x * axis.x() + y * axis.y() + z * axis.z();
+        double side = x * right.x() + y * right.y() + z * right.z();
+        double height = x * up.x() + y * up.y() + z * up.z();
+        return left(-side, ahead, doors.left()) * left(side, ahead, doors.right())
+                * left(-height, ahead, doors.bottom()) * left(height, ahead, doors.top())
+                * (gobo == null ? 1 : projected(side, height, ahead * reach))
+                * (photometry == null ? 1 : measured(side, height, ahead));
+    }
+
+    /** What the gobo lets through; {@code extent} is half its side where the point is. */
+    private double projected(double side, double height, double extent) {
+        // In a cone without an opening all light goes through the middle.
+        boolean middle = !(extent > 0);
+        double x = middle ? 0.5 * gobo.width() : (1 + side / extent) / 2 * gobo.width();
+        double y = middle ? 0.5 * gobo.height() : (1 - height / extent) / 2 * gobo.height();
+        double column = Math.clamp(x - 0.5, 0, gobo.width() - 1.0);
+        double row = Math.clamp(y - 0.5, 0, gobo.height() - 1.0);
+        int x0 = (int) column;
+        int y0 = (int) row;
+        gobo.mix(x0, y0, Math.min(x0 + 1, gobo.width() - 1), Math.min(y0 + 1, gobo.height() - 1), column - x0, row - y0, color);
+        return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+    }
+
+    private double measured(double side, double height, double ahead) {
+        return switch (photometry.type()) {
+            case C -> {
+                double around = degrees(height, side);
+                yield photometry.at(degrees(Math.sqrt(side * side + height * height), ahead), around < 0 ? around + 360 : around);
+            }
+            case B -> photometry.at(degrees(height, ahead), degrees(side, Math.sqrt(ahead * ahead + height * height)));
+            case A -> photometry.at(degrees(height, Math.sqrt(side * side + ahead * ahead)), degrees(side, ahead));
+        };
+    }
+
+    /** The same on every machine, which the quicker one of Math is not held to. */
+    private static double degrees(double y, double x) {
+        return Math.toDegrees(StrictMath.atan2(y, x));
+    }
+
+    /** What one door leaves; the point is so far across to its side, and so far ahead of the light. */
+    private double left(double across, double ahead, double door) {
+        if (door == BarnDoors.AWAY) {
+            return 1;
+        }
+        double inside = door - degrees(across, ahead);
+        if (feather == 0) {
+            return inside >= 0 ? 1 : 0;
+        }
+        double t = Math.clamp(inside / feather, 0, 1);
+        return t * t * (3 - 2 * t);
+    }
+
+    /** Multiplies the factors of all rows of a tile. */
+    void multiply(HitRows rows, double[] factors) {
+        for (int i = 0; i < rows.count; i++) {
+            factors[i] *= at(rows.px[i], rows.py[i], rows.pz[i]);
+        }
+    }
+}

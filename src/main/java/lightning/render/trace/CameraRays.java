@@ -1,0 +1,79 @@
+package lightning.render.trace;
+
+import lightning.base.math.Ray;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.render.trace.tree.Beam;
+import lightning.scene.Camera;
+import lightning.scene.Picture;
+
+/**
+ * The rays from the eye, which is the origin of render space unless the camera says otherwise, through points of the picture.
+ *
+ * <p>The direction through picture coordinates x, y (pixels from the left and from the top) is
+ * {@code corner + x·right + y·down}, at length 1.
+ */
+public final class CameraRays {
+    /** Where they leave from, render space. */
+    final Vec3 eye;
+    public final Vec3 corner;
+    public final Vec3 right;
+    public final Vec3 down;
+
+    public CameraRays(Camera camera, Picture picture) {
+        eye = camera.from().minus(camera.origin());
+        Vec3 forward = camera.to().minus(camera.from()).normalized();
+        Vec3 side = forward.cross(camera.up().normalized()).normalized();
+        Vec3 up = side.cross(forward);
+        double half = camera.fov() / 2;
+        double tangent = Transform.sinDegrees(half) / Transform.cosDegrees(half);
+        double pixel = 2 * tangent / picture.height();
+        right = side.times(pixel);
+        down = up.times(-pixel);
+        corner = forward.minus(right.times(picture.width() / 2.0)).minus(down.times(picture.height() / 2.0));
+    }
+
+    /** The ray through the centre of pixel {@code column, row}; its direction has length 1. */
+    public Ray through(int column, int row) {
+        return at(column + 0.5, row + 0.5);
+    }
+
+    /** The ray through picture coordinates x, y; its direction has length 1. */
+    public Ray at(double x, double y) {
+        double[] dx = new double[1];
+        double[] dy = new double[1];
+        double[] dz = new double[1];
+        at(x, y, dx, dy, dz, 0);
+        return new Ray(eye, new Vec3(dx[0], dy[0], dz[0]));
+    }
+
+    /**
+     * Makes a beam that of the rays through a rectangle of pixels, and of nothing else.
+     *
+     * @param column the leftmost pixel, {@code columns} the number of pixels across
+     * @param row    the uppermost pixel, {@code rows} the number of pixels down
+     */
+    public void sweep(Beam beam, int column, int row, int columns, int rows) {
+        beam.clear();
+        beam.origin(eye.x(), eye.y(), eye.z());
+        // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
+        for (int end = 0; end < 4; end++) {
+            double x = column + (end & 1) * columns;
+            double y = row + (end >> 1) * rows;
+            beam.direction(corner.x() + x * right.x() + y * down.x(),
+                    corner.y() + x * right.y() + y * down.y(),
+                    corner.z() + x * right.z() + y * down.z());
+        }
+    }
+
+    /** Writes the direction, of length 1, of the ray through picture coordinates x, y to place {@code i}. */
+    public void at(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
+        double dx = corner.x() + x * right.x() + y * down.x();
+        double dy = corner.y() + x * right.y() + y * down.y();
+        double dz = corner.z() + x * right.z() + y * down.z();
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        toX[i] = dx / length;
+        toY[i] = dy / length;
+        toZ[i] = dz / length;
+    }
+}

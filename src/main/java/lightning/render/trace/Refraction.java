@@ -1,0 +1,67 @@
+package lightning.render.trace;
+
+import lightning.scene.Clarity;
+
+/**
+ * What a clear surface does to a ray that meets it, from what a row keeps of both: unit normal N, which faces the ray, and unit direction V.
+ * With c = −N·V, η the index of refraction before the surface over that behind it, and k = 1 − η²(1 − c²), the ray goes on in the direction
+ * η·V + (η·c − √k)·N (Snell's law), or is mirrored in all where k is not above 0.
+ */
+public final class Refraction {
+    private Refraction() {}
+
+    /** η for a ray from outside, or from inside. */
+    public static double eta(Clarity clarity, boolean inside) {
+        return clarity.thin() ? 1 : inside ? clarity.ior() : 1 / clarity.ior();
+    }
+
+    private static double cosine(float nx, float ny, float nz, float vx, float vy, float vz) {
+        return Math.abs((double) nx * vx + (double) ny * vy + (double) nz * vz);
+    }
+
+    /**
+     * Writes the direction, of length 1, in which a ray goes on.
+     *
+     * @param to gets x, y, z, {@code double[3]}
+     * @return whether it does; else nothing is written
+     */
+    public static boolean direct(float nx, float ny, float nz, float vx, float vy, float vz, double eta, double[] to) {
+        double c = cosine(nx, ny, nz, vx, vy, vz);
+        double k = 1 - eta * eta * (1 - c * c);
+        if (!(k > 0)) {
+            return false;
+        }
+        double along = eta * c - Math.sqrt(k);
+        double x = eta * vx + along * nx;
+        double y = eta * vy + along * ny;
+        double z = eta * vz + along * nz;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        to[0] = x / length;
+        to[1] = y / length;
+        to[2] = z / length;
+        return true;
+    }
+
+    /**
+     * Which part of the light the surface mirrors, 0…1, by Fresnel's equations for light that is not polarized: the mean of
+     * ((η·c − √k)/(η·c + √k))² and ((c − η·√k)/(c + η·√k))². A pane has two such surfaces, and what they send to and fro between
+     * them adds up to 2F/(1 + F).
+     */
+    public static float mirrored(Clarity clarity, boolean inside, float nx, float ny, float nz, float vx, float vy, float vz) {
+        double eta = inside && !clarity.thin() ? clarity.ior() : 1 / clarity.ior();
+        if (eta == 1) {
+            return 0;
+        }
+        double c = cosine(nx, ny, nz, vx, vy, vz);
+        c = c < 1 ? c : 1;
+        double k = 1 - eta * eta * (1 - c * c);
+        if (!(k > 0)) {
+            return 1;
+        }
+        double root = Math.sqrt(k);
+        double s = (eta * c - root) / (eta * c + root);
+        double p = (c - eta * root) / (c + eta * root);
+        double f = (s * s + p * p) / 2;
+        return (float) (clarity.thin() ? 2 * f / (1 + f) : f);
+    }
+}

@@ -1,0 +1,228 @@
+package lightning.render.trace;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import lightning.render.column.ColumnKind;
+import lightning.render.column.ColumnSet;
+
+/**
+ * How the rows of a tile's level come from rows that are there already, some of which may go, and from rows that were
+ * traced since: what it takes to let a material begin or cease to mirror without tracing what is known.
+ *
+ * <p>The result has the order of a fresh trace: by material, mirrors first, and by parent.
+ */
+public final class RowSplice {
+    private final HitRows old;
+    private final HitRows added;
+    private HitRows rows;
+    /** Of each row of the result the old row, or {@code ~i} for row i of those added. */
+    private final int[] source;
+    /** Of each row of the result the end of the stretch whose sources follow one another, which is copied at once. */
+    private final int[] end;
+    /** Of each old row its row in the result, or −1. */
+    private final int[] now;
+    private final int reflective;
+    private final int clear;
+
+    /**
+     * @param sequence rows in the order that rows of one material keep, as {@link #source}
+     * @param count    how many they are
+     */
+    private RowSplice(HitRows old, HitRows added, int[] sequence, int count, MaterialTable materials) {
+        this.old = old;
+        this.added = added;
+        int[] oldRanks = ranks(old, materials);
+        int[] addedRanks = added == null ? null : ranks(added, materials);
+        int[] starts = new int[materials.count() + 1];
+        for (int i = 0; i < count; i++) {
+            int s = sequence[i];
+            starts[(s < 0 ? addedRanks[~s] : oldRanks[s]) + 1]++;
+        }
+        for (int r = 0; r < materials.count(); r++) {
+            starts[r + 1] += starts[r];
+        }
+        int[] ends = starts.clone();
+        reflective = starts[materials.reflectiveCount()];
+        clear = starts[materials.clearCount()];
+        source = new int[count];
+        now = new int[old.count];
+        Arrays.fill(now, -1);
+        for (int i = 0; i < count; i++) {
+            int s = sequence[i];
+            int row = starts[s < 0 ? addedRanks[~s] : oldRanks[s]]++;
+            source[row] = s;
+            if (s >= 0) {
+                now[s] = row;
+            }
+        }
+        end = ends(source);
+        if (!keepsRows()) {
+            rows = room(ends, materials);
+        }
+    }
+
+    /** Whether all old rows stay where they are and none came: columns are shared, and none need be copied. */
+    public boolean keepsRows() {
+        return added == null && source.length == old.count && (source.length == 0 || source[0] == 0 && end[0] == source.length);
+    }
+
+    /** @param ends for each rank the row behind the rows of all lower ranks */
+    private HitRows room(int[] ends, MaterialTable materials) {
+        boolean textured = false;
+        for (int r = 0; r < materials.count(); r++) {
+            textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.ranked(r));
+        }
+        boolean texels = old.texelRed != null || added != null && added.texelRed != null;
+        HitRows room = new HitRows(source.length, textured && texels, clear > 0, old.code != null, old.owner != null);
+        room.count = source.length;
+        room.reflective = reflective;
+        room.clear = clear;
+        for (int r = 0; r < materials.count(); r++) {
+            if (ends[r + 1] > ends[r]) {
+                room.addRun(materials.ranked(r), ends[r + 1]);
+            }
+        }
+        return room;
+    }
+
+    private static int[] ends(int[] source) {
+        int[] end = new int[source.length];
+        for (int i = source.length - 1; i >= 0; i--) {
+            // Numbers of added rows count backwards: ~0, ~1, ….
+            boolean follows = i + 1 < source.length && source[i + 1] == (source[i] < 0 ? source[i] - 1 : source[i] + 1)
+                    && source[i] < 0 == source[i + 1] < 0;
+            end[i] = follows ? end[i + 1] : i + 1;
+        }
+        return end;
+    }
+
+    /** Of each row the place of its material in the order of rows. */
+    private static int[] ranks(HitRows rows, MaterialTable materials) {
+        int[] ranks = new int[rows.count];
+        for (int r = 0; r < rows.runs; r++) {
+            Arrays.fill(ranks, rows.runStart(r), rows.runEnd[r], materials.rank(rows.runMaterial[r]));
+        }
+        return ranks;
+    }
+
+    /**
+     * The same rows in the order that other materials ask for.
+     *
+     * @param anew the parents of those that go, as their rays are traced anew
+     */
+    public static RowSplice sorted(HitRows old, BitSet anew, MaterialTable materials) {
+        int[] kept = new int[old.count];
+        int count = 0;
+        for (int i = 0; i < old.count; i++) {
+            kept[count] = i;
+            count += anew.get(old.parent[i]) ? 0 : 1;
+        }
+        var splice = new RowSplice(old, null, kept, count, materials);
+        splice.copy(old.parent);
+        return splice;
+    }
+
+    /**
+     * The rows that are seen from rows of the level above by rays that go on in one way.
+     *
+     * @param above what became of that level's rows; null if all of them are what they were
+     * @param rays  from how many rows of that level they go on now
+     * @param anew  rows of that level, as it is now, whose rays are traced anew: what these hit goes
+     */
+    public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, BitSet anew, MaterialTable materials) {
+        return seenFrom(above, rays, old, anew, null, materials);
+    }
+
+    /**
+     * Rows put together of those that are there and those traced since.
+     *
+     * @param rays  how many parents there are
+     * @param added rows of other parents
+     */
+    public static RowSplice joined(int rays, HitRows old, HitRows added, MaterialTable materials) {
+        return seenFrom(null, rays, old, new BitSet(), added, materials);
+    }
+
+    private static RowSplice seenFrom(RowSplice above, int rays, HitRows old, BitSet anew, HitRows added, MaterialTable materials) {
+        int[] hit = new int[rays];
+        Arrays.fill(hit, Integer.MIN_VALUE);
+        short[] parents = new short[HitRows.padded(old.count)];
+        for (int i = 0; i < old.count; i++) {
+            int parent = above == null ? old.parent[i] : above.now[old.parent[i]];
+            parents[i] = (short) parent;
+            if (parent >= 0 && parent < rays && !anew.get(parent)) {
+                hit[parent] = i;
+            }
+        }
+        for (int i = 0; added != null && i < added.count; i++) {
+            hit[added.parent[i]] = ~i;
+        }
+        int count = 0;
+        for (int s : hit) {
+            if (s != Integer.MIN_VALUE) {
+                hit[count++] = s;
+            }
+        }
+        var splice = new RowSplice(old, added, hit, count, materials);
+        splice.copy(parents);
+        return splice;
+    }
+
+    private void copy(short[] oldParents) {
+        HitRows from = old.seenFrom(oldParents, reflective);
+        if (keepsRows()) {
+            rows = from;
+        } else {
+            fill(rows.columns(), from.columns(), added == null ? null : added.columns());
+        }
+    }
+
+    /** The rows as they are now. */
+    public HitRows rows() {
+        return rows;
+    }
+
+    /** The old rows that are left, with all rows added since, as one step. */
+    public RowSplice then(RowSplice next) {
+        return new RowSplice(this, next);
+    }
+
+    private RowSplice(RowSplice first, RowSplice second) {
+        old = first.old;
+        added = second.added;
+        reflective = second.reflective;
+        clear = second.clear;
+        rows = second.rows;
+        source = new int[second.source.length];
+        Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);
+        end = ends(source);
+        now = new int[first.now.length];
+        Arrays.setAll(now, i -> first.now[i] < 0 ? -1 : second.now[first.now[i]]);
+    }
+
+    /** The rows whose ray that goes on in some way is not known, because they are new or cast none before. */
+    public BitSet unfollowed(Bounce bounce) {
+        BitSet found = new BitSet();
+        for (int i = 0; i < bounce.rows(rows); i++) {
+            found.set(i, source[i] < 0 || source[i] >= bounce.rows(old));
+        }
+        return found;
+    }
+
+    /**
+     * Fills columns over the rows as they are now.
+     *
+     * @param columns where a column is missing below, its rows stay what they are
+     * @param ofOld   columns over the old rows
+     * @param ofAdded columns over the added ones; unread where there are none
+     */
+    public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> ofOld, ColumnSet<C> ofAdded) {
+        for (int i = 0; i < source.length; i = end[i]) {
+            if (source[i] < 0) {
+                columns.copy(ofAdded, ~source[i], i, end[i] - i);
+            } else {
+                columns.copy(ofOld, source[i], i, end[i] - i);
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package lightning.render.trace;
+
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.scene.Clarity;
+
+/**
+ * One hit row on its own: what a ray met, as shading sees it.
+ *
+ * @param primitive index of the primitive
+ * @param material index of its material
+ * @param px       the point, off the surface, render space; likewise {@code py}, {@code pz}
+ * @param nx       the unit normal that faces the ray; likewise {@code ny}, {@code nz}
+ * @param vx       the unit direction of the ray; likewise {@code vy}, {@code vz}
+ * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
+ * @param specular k<sub>specular</sub>, or F0 with the texture in it, linear RGB, {@code float[3]}
+ * @param behind   where rays go on behind the surface; null where nothing is seen through it
+ * @param texel    the texture's colour alone, linear RGB, {@code float[3]}; white where there is none
+ */
+public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
+        float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, Behind behind) {
+
+    /**
+     * Where rays go on behind a surface.
+     *
+     * @param clarity of its material
+     * @param x       the point, off the surface, render space; likewise {@code y}, {@code z}
+     * @param inside  the way that the ray came inside, scene units; below 0 where it came from outside
+     */
+    public record Behind(Clarity clarity, float x, float y, float z, float inside) {
+        public boolean isInside() {
+            return inside >= 0;
+        }
+    }
+
+    /** The refracted ray; null where the surface mirrors all. */
+    public Ray refracted() {
+        double[] d = new double[3];
+        boolean passes = Refraction.direct(nx, ny, nz, vx, vy, vz, Refraction.eta(behind.clarity(), behind.isInside()), d);
+        return passes ? new Ray(new Vec3(behind.x(), behind.y(), behind.z()), new Vec3(d[0], d[1], d[2])) : null;
+    }
+
+    /** Which part of the light a clear surface mirrors. */
+    public float share() {
+        return Refraction.mirrored(behind.clarity(), behind.isInside(), nx, ny, nz, vx, vy, vz);
+    }
+
+    /** The mirrored ray, V + 2|N·V|N at length 1: away from the surface whatever the rounding. */
+    public Ray mirrored() {
+        double[] d = new double[3];
+        mirror(nx, ny, nz, vx, vy, vz, d);
+        return new Ray(new Vec3(px, py, pz), new Vec3(d[0], d[1], d[2]));
+    }
+
+    /**
+     * Writes the direction of the mirrored ray.
+     *
+     * @param to gets x, y, z, {@code double[3]}
+     */
+    public static void mirror(float nx, float ny, float nz, float vx, float vy, float vz, double[] to) {
+        double twice = 2 * Math.abs((double) nx * vx + (double) ny * vy + (double) nz * vz);
+        double rx = vx + twice * nx;
+        double ry = vy + twice * ny;
+        double rz = vz + twice * nz;
+        double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
+        to[0] = rx / length;
+        to[1] = ry / length;
+        to[2] = rz / length;
+    }
+}

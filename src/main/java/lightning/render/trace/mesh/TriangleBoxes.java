@@ -1,0 +1,101 @@
+package lightning.render.trace.mesh;
+
+import java.util.Arrays;
+import lightning.scene.Mesh;
+
+/**
+ * The boxes of a mesh's triangles, in an order that a builder changes. A box is its least x y z and its negative greatest, so that the lesser is the
+ * larger box in all six.
+ */
+final class TriangleBoxes {
+    /** Six floats for each triangle. */
+    final float[] boxes;
+    /** Which triangles these are. */
+    final int[] ids;
+
+    TriangleBoxes(int count) {
+        boxes = new float[6 * count];
+        ids = new int[count];
+    }
+
+    /** Takes some triangles of a mesh, each at its own place. */
+    void take(Mesh mesh, int from, int to) {
+        float[] p = mesh.positions();
+        int[] t = mesh.triangles();
+        for (int i = from; i < to; i++) {
+            ids[i] = i;
+            for (int a = 0; a < 3; a++) {
+                float x = p[3 * t[3 * i] + a];
+                float y = p[3 * t[3 * i + 1] + a];
+                float z = p[3 * t[3 * i + 2] + a];
+                float least = x < y ? x : y;
+                float most = x < y ? y : x;
+                boxes[6 * i + a] = least < z ? least : z;
+                boxes[6 * i + 3 + a] = -(most > z ? most : z);
+            }
+        }
+    }
+
+    /** Twice the centre of triangle {@code i}'s box. */
+    float centre(int i, int a) {
+        return boxes[6 * i + a] - boxes[6 * i + 3 + a];
+    }
+
+    /** Changes the places of two triangles. */
+    void swap(int i, int j) {
+        int id = ids[i];
+        ids[i] = ids[j];
+        ids[j] = id;
+        for (int k = 0; k < 6; k++) {
+            float b = boxes[6 * i + k];
+            boxes[6 * i + k] = boxes[6 * j + k];
+            boxes[6 * j + k] = b;
+        }
+    }
+
+    /** Writes the box of the triangles {@code from … to − 1} to {@code box}. */
+    void enclose(int from, int to, float[] box) {
+        float x = Float.POSITIVE_INFINITY;
+        float y = x;
+        float z = x;
+        float u = x;
+        float v = x;
+        float w = x;
+        for (int i = 6 * from; i < 6 * to; i += 6) {
+            x = boxes[i] < x ? boxes[i] : x;
+            y = boxes[i + 1] < y ? boxes[i + 1] : y;
+            z = boxes[i + 2] < z ? boxes[i + 2] : z;
+            u = boxes[i + 3] < u ? boxes[i + 3] : u;
+            v = boxes[i + 4] < v ? boxes[i + 4] : v;
+            w = boxes[i + 5] < w ? boxes[i + 5] : w;
+        }
+        box[0] = x;
+        box[1] = y;
+        box[2] = z;
+        box[3] = u;
+        box[4] = v;
+        box[5] = w;
+    }
+
+    /** A box that holds nothing. */
+    static float[] empty() {
+        float[] box = new float[6];
+        Arrays.fill(box, Float.POSITIVE_INFINITY);
+        return box;
+    }
+
+    /** Makes the box at {@code box[at]} hold that at {@code by[i]}. */
+    static void grow(float[] box, int at, float[] by, int i) {
+        for (int k = 0; k < 6; k++) {
+            box[at + k] = by[i + k] < box[at + k] ? by[i + k] : box[at + k];
+        }
+    }
+
+    /** Half the area of a box; 0 where it holds nothing. */
+    static double area(float[] box) {
+        double x = -(double) box[3] - box[0];
+        double y = -(double) box[4] - box[1];
+        double z = -(double) box[5] - box[2];
+        return x >= 0 ? x * y + y * z + z * x : 0;
+    }
+}

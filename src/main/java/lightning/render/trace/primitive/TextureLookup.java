@@ -1,0 +1,52 @@
+package lightning.render.trace.primitive;
+
+import java.util.Arrays;
+import lightning.render.trace.mesh.Facet;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.scene.TextureMap;
+
+/**
+ * The factor on the diffuse colour where a primitive is met: the colour of its texture, times that between the vertices of a mesh. Holds scratch memory: one for each thread.
+ *
+ * <p>Texture coordinates are multiplied by the repeat counts. The four nearest pixels are mixed bilinearly and the
+ * picture repeats endlessly; v runs upwards, from the picture's bottom row.
+ */
+public final class TextureLookup {
+    private final PictureCell cell = new PictureCell();
+    private final Facet facet = new Facet();
+    private final double[] uv = new double[2];
+
+    /**
+     * Writes the linear RGB, 0…1, at an own point of primitive {@code s} to {@code rgb[0…2]}.
+     *
+     * @param part the part that was hit
+     * @param map  the texture of its material; null where it has none
+     */
+    public void at(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
+        MeshSolid mesh = primitives.mesh(s);
+        if (mesh != null) {
+            facet.at(mesh.mesh(), part, x, y, z);
+        }
+        if (map == null) {
+            Arrays.fill(rgb, 1);
+        } else {
+            coordinates(primitives, s, mesh, x, y, z);
+            cell.at(map, uv[0], uv[1]);
+            cell.color(rgb);
+        }
+        if (primitives.isTinted(s)) {
+            for (int c = 0; c < 3; c++) {
+                rgb[c] *= (float) facet.color(c);
+            }
+        }
+    }
+
+    private void coordinates(PrimitiveTable primitives, int s, MeshSolid mesh, double x, double y, double z) {
+        if (mesh == null) {
+            primitives.kind(s).form().coordinates(primitives.data, primitives.at[s], x, y, z, uv);
+        } else {
+            uv[0] = facet.coordinate(0);
+            uv[1] = facet.coordinate(1);
+        }
+    }
+}

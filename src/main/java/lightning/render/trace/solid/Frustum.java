@@ -1,0 +1,155 @@
+package lightning.render.trace.solid;
+
+/**
+ * A cone cut parallel to its base: radius 1 at y = 0, its first own number at y = 1, closed by two discs where its second is not
+ * 0. A cone's top has radius 0. With h = 1 − lean·y, the radius at height y, its side is x² + z² = h².
+ */
+class Frustum extends Form {
+    /** The radius at y = 1. */
+    static final int TOP = MAP;
+    /** 1 where discs close it, else 0. */
+    static final int CAPS = MAP + 1;
+
+    @Override
+    public final void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
+        double base = Math.sqrt(mx * mx + mz * mz);
+        double middle = t + my;
+        double top = data[at + TOP] * base;
+        box[i] = Math.min(t - base, middle - top);
+        box[i + 3] = Math.max(t + base, middle + top);
+    }
+
+    /**
+     * Above y = 1 and not falling, or below 0 and not rising. Both ends of the interval in which 0 ≤ y ≤ 1, −oy / dy and
+     * (1 − oy) / dy, are then 0 or less, or −∞ where dy is 0, and what is met lies at no more ({@link Crossing}).
+     */
+    @Override
+    public final boolean isPassed(double low, double high, double falling, double rising) {
+        return low > 1 && falling >= 0 || high < 0 && rising <= 0;
+    }
+
+    @Override
+    public final double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return distance(data, at, ox, oy, oz, dx, dy, dz, Touch.NEITHER, 0);
+    }
+
+    /**
+     * In x, z and h a cone, whatever the lean: the origin is first moved along the ray to its point nearest to the apex. Otherwise
+     * the terms of a ray from far away that runs along a generator cancel, and the error grows with the square of the distance
+     * (Haines et al., Ray Tracing Gems, ch. 7, do so for the sphere). The discriminant is Lagrange's identity for
+     * that form. A ray steeper than the side always crosses the double cone, and for a point at a right angle to it this
+     * discriminant is a sum of squares, w²·(dh²/side − 1) among them; b² − ac rounds to either side of 0 at the apex.
+     */
+    @Override
+    public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
+            Touch touch, double margin) {
+        double lean = 1 - data[at + TOP];
+        double top = 1 - lean * oy;
+        double dh = -(lean * dy);
+        double side = dx * dx + dz * dz;
+        double up = dh * dh;
+        double shift = -(ox * dx + oz * dz + top * dh) / (side + up);
+        double x = ox + shift * dx;
+        double h = top + shift * dh;
+        double z = oz + shift * dz;
+        double a = side - up;
+        double b = h * dh - (x * dx + z * dz);
+        double c = x * x + z * z - h * h;
+        double u = x * dh - h * dx;
+        double v = z * dh - h * dz;
+        double w = x * dz - z * dx;
+        double root = Math.sqrt(u * u + v * v - w * w);
+        double q = b >= 0 ? b + root : b - root;
+        double t1 = shift + q / a;
+        double t0 = q == 0 ? t1 : shift + c / q;
+        double low = t0 < t1 ? t0 : t1;
+        double high = t0 < t1 ? t1 : t0;
+        // Steeper than the side (a < 0) the ray enters the half of the double cone in which h > 0 once and
+        // stays; along a generator (a = 0) only one root is left.
+        boolean steep = a < 0;
+        boolean generator = a == 0;
+        boolean forwards = steep ? dh > 0 : b >= 0;
+        double bound = steep ? (dh > 0 ? high : low) : t0;
+        double sideIn = steep || generator ? (forwards ? bound : -MISS) : low;
+        double sideOut = steep || generator ? (forwards ? MISS : bound) : high;
+        // Where there is no real root, one end of the interval at least is NaN: a miss by itself.
+        boolean none = Math.abs(c * a) > 2 * q * q;
+        return met(data, at, none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy, touch, margin);
+    }
+
+    /** What is met of the interval within the endless side. */
+    static double met(double[] data, int at, double sideIn, double sideOut, double oy, double dy, Touch touch, double margin) {
+        return data[at + CAPS] != 0 ? Crossing.withinSlab(sideIn, sideOut, oy, dy, touch, margin)
+                : Crossing.betweenRims(sideIn, sideOut, oy, dy, touch, margin);
+    }
+
+    /** The rim at the wider end is the sharper, the more the side leans. */
+    @Override
+    public final double tip(double[] data, int at) {
+        return 4 * steepness(data[at + TOP]);
+    }
+
+    /** From the side within its height, or from a disc: each distance changes by no more than the point moves. */
+    @Override
+    public final double gap(double[] data, int at, double x, double y, double z, double rate) {
+        double top = data[at + TOP];
+        double lean = 1 - top;
+        double ring = Math.sqrt(x * x + z * z);
+        double off = Math.abs(ring - (1 - lean * y)) * Math.sqrt(1 / (1 + lean * lean));
+        double base = Math.max(Math.abs(y), ring - 1);
+        double side = Math.max(off, Math.max(-y, y - 1));
+        if (data[at + CAPS] == 0) {
+            return side / rate;
+        }
+        if (top == 0) {
+            return Math.min(Math.max(off, -y), base) / rate;
+        }
+        return Math.min(side, Math.min(base, Math.max(Math.abs(1 - y), ring - top))) / rate;
+    }
+
+    @Override
+    public final void outward(double[] data, int at, double x, double y, double z, double[] out) {
+        double lean = 1 - data[at + TOP];
+        boolean side = isSide(data, at, x, y, z);
+        out[0] = side ? x : 0;
+        out[1] = side ? lean * (1 - lean * y) : data[at + TOP] > 0 && y > 0.5 ? 1 : -1;
+        out[2] = side ? z : 0;
+    }
+
+    /** Whether a point of the surface belongs to the side rather than to a disc: the nearest of them. */
+    private static boolean isSide(double[] data, int at, double x, double y, double z) {
+        double top = data[at + TOP];
+        if (data[at + CAPS] == 0) {
+            return true;
+        }
+        double disc = top > 0 && Math.abs(1 - y) <= Math.abs(y) ? Math.abs(1 - y) : Math.abs(y);
+        return Math.abs(Math.sqrt(x * x + z * z) - (1 - (1 - top) * y)) <= disc * steepness(top);
+    }
+
+    /** How far a point beside the side can lie off it along x and z for each unit that it is off by: 1 up to a cone's lean. */
+    static double steepness(double top) {
+        return Math.max(1, Math.abs(1 - top));
+    }
+
+    @Override
+    public final void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+        boolean side = isSide(data, at, x, y, z);
+        uv[0] = side ? longitude(x, z) : 0.5 * (x + 1);
+        uv[1] = side ? y : 0.5 * (z + 1);
+    }
+
+    @Override
+    public final void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+        boolean side = isSide(data, at, x, y, z);
+        if (side) {
+            longitudeGradient(x, z, to);
+        } else {
+            to[0] = 0.5;
+            to[1] = 0;
+            to[2] = 0;
+        }
+        to[3] = 0;
+        to[4] = side ? 1 : 0;
+        to[5] = side ? 0 : 0.5;
+    }
+}

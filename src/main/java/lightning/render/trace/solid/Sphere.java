@@ -1,0 +1,99 @@
+package lightning.render.trace.solid;
+
+/** Radius 1 about the origin. Texture coordinates are longitude and latitude. */
+final class Sphere extends Form {
+    @Override
+    public void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
+        double radius = Math.sqrt(mx * mx + my * my + mz * mz);
+        box[i] = t - radius;
+        box[i + 3] = t + radius;
+    }
+
+    /**
+     * The discriminant b² − ac is |d|² − |o × d|² by Lagrange's identity, which
+     * loses no digits to cancellation far from the sphere, and each root is the quotient that loses
+     * none near it (after Haines et al., Ray Tracing Gems, ch. 7). Only the nearest root ahead is
+     * divided out: the second one for a ray that leaves from inside, else the first. That |c·a| ≤ q² holds;
+     * where it fails by far, c and q are mere rounding of a ray that touches the surface it leaves: a miss.
+     */
+    @Override
+    public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = -(ox * dx + oy * dy + oz * dz);
+        double c = ox * ox + oy * oy + oz * oz - 1;
+        double u = oy * dz - oz * dy;
+        double v = oz * dx - ox * dz;
+        double w = ox * dy - oy * dx;
+        double root = Math.sqrt(a - (u * u + v * v + w * w));
+        double q = b >= 0 ? b + root : b - root;
+        boolean leaves = c <= 0 && b >= 0;
+        double t = (leaves ? q : c) / (leaves ? a : q);
+        return t > 0 && t < MISS && Math.abs(c * a) <= 2 * q * q ? t : MISS;
+    }
+
+    @Override
+    public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
+            Touch touch, double margin) {
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = -(ox * dx + oy * dy + oz * dz);
+        double c = ox * ox + oy * oy + oz * oz - 1;
+        double u = oy * dz - oz * dy;
+        double v = oz * dx - ox * dz;
+        double w = ox * dy - oy * dx;
+        double root = Math.sqrt(a - (u * u + v * v + w * w));
+        double q = b >= 0 ? b + root : b - root;
+        double t0 = c / q;
+        double t1 = q / a;
+        return Math.abs(c * a) <= 2 * q * q ? Crossing.met(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0, touch, margin) : MISS;
+    }
+
+    /** Heights alone tell nothing that rounding may not spoil. */
+    @Override
+    public boolean isPassed(double low, double high, double falling, double rising) {
+        return false;
+    }
+
+    @Override
+    public double middle(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);
+    }
+
+    @Override
+    public double depth(double[] data, int at, double x, double y, double z) {
+        return 1 - Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** It has no edge. */
+    @Override
+    public double tip(double[] data, int at) {
+        return 4;
+    }
+
+    @Override
+    public double gap(double[] data, int at, double x, double y, double z, double rate) {
+        return Math.abs(Math.sqrt(x * x + y * y + z * z) - 1) / rate;
+    }
+
+    @Override
+    public void outward(double[] data, int at, double x, double y, double z, double[] out) {
+        out[0] = x;
+        out[1] = y;
+        out[2] = z;
+    }
+
+    @Override
+    public void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+        uv[0] = longitude(x, z);
+        uv[1] = StrictMath.asin(y < -1 ? -1 : y > 1 ? 1 : y) / Math.PI + 0.5;
+    }
+
+    /** Along the surface, latitude rises as y / (π·cosine of the latitude) does. */
+    @Override
+    public void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+        double ring = Math.PI * Math.sqrt(x * x + z * z);
+        longitudeGradient(x, z, to);
+        to[3] = 0;
+        to[4] = ring > 0 ? 1 / ring : 0;
+        to[5] = 0;
+    }
+}

@@ -1,0 +1,62 @@
+package lightning.render.trace.tree;
+
+/** A ray to be tested against padded boxes, in double; one after the other. */
+public final class BoxRay {
+    /** Finite, so that a ray within a box's plane makes no NaN. */
+    private static final double STEEPEST = 0x1p900;
+
+    private double ox;
+    private double oy;
+    private double oz;
+    private double inverseX;
+    private double inverseY;
+    private double inverseZ;
+
+    /** Takes a ray. */
+    public void enter(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        inverseX = inverse(directionX);
+        inverseY = inverse(directionY);
+        inverseZ = inverse(directionZ);
+    }
+
+    private static double inverse(double d) {
+        double inverse = 1 / d;
+        return inverse < -STEEPEST ? -STEEPEST : inverse > STEEPEST ? STEEPEST : inverse;
+    }
+
+    /** Whether the ray goes towards greater coordinates on the axis. */
+    boolean forwards(int axis) {
+        return (axis == 0 ? inverseX : axis == 1 ? inverseY : inverseZ) > 0;
+    }
+
+    /** Whether the ray may meet the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
+    public boolean hits(float[] boxes, int at, double limit) {
+        double in = 0;
+        double out = limit;
+        double a = (boxes[at] - ox) * inverseX;
+        double b = (boxes[at + 3] - ox) * inverseX;
+        in = least(a, b) > in ? least(a, b) : in;
+        out = most(a, b) < out ? most(a, b) : out;
+        a = (boxes[at + 1] - oy) * inverseY;
+        b = (boxes[at + 4] - oy) * inverseY;
+        in = least(a, b) > in ? least(a, b) : in;
+        out = most(a, b) < out ? most(a, b) : out;
+        a = (boxes[at + 2] - oz) * inverseZ;
+        b = (boxes[at + 5] - oz) * inverseZ;
+        in = least(a, b) > in ? least(a, b) : in;
+        out = most(a, b) < out ? most(a, b) : out;
+        return in <= out;
+    }
+
+    /** Math.min but for the order of ±0, on which nothing depends here, and for NaN, of which there is none. */
+    private static double least(double a, double b) {
+        return a < b ? a : b;
+    }
+
+    private static double most(double a, double b) {
+        return a < b ? b : a;
+    }
+}

@@ -1,0 +1,13 @@
+/**
+ * What a scene calls for, from the scene alone: nothing is rendered to find out.
+ *
+ * <pre>{@code
+ * Effects effects = Effects.of(scene);
+ * effects.has(Effect.TEXTURES);           // false: no surface is textured
+ * effects.callers(Effect.ATTENUATION);    // [lamp]
+ * }</pre>
+ *
+ * <p>An effect is called for when the picture could be another one without it. What the scene holds but does not use
+ * (a light that is off, a material on no shape, mirrors at depth 0) calls for nothing.
+ */
+package lightning.scene.effects;

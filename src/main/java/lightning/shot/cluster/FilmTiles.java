@@ -1,0 +1,44 @@
+package lightning.shot.cluster;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import lightning.render.image.Film;
+import lightning.shot.cluster.wire.Message;
+
+/** Tiles of a film as plain bytes: of each tile all red, all green, all blue, floats with their highest byte first. */
+final class FilmTiles {
+    private static final int TILE_BYTES = 3 * Film.TILE_PIXELS * Float.BYTES;
+    /** Tiles that one message carries, at most. */
+    static final int MOST = Message.PART_BYTES / TILE_BYTES;
+
+    private FilmTiles() {}
+
+    /** @return none where the film has no such tiles, or they are too many */
+    static byte[] encode(Film film, int first, int count) {
+        if (count > MOST || (long) first + count > film.tileCount()) {
+            return new byte[0];
+        }
+        ByteBuffer bytes = ByteBuffer.allocate(count * TILE_BYTES);
+        FloatBuffer floats = bytes.asFloatBuffer();
+        for (int tile = first; tile < first + count; tile++) {
+            floats.put(film.red(tile)).put(film.green(tile)).put(film.blue(tile));
+        }
+        return bytes.array();
+    }
+
+    /**
+     * Puts tiles into a film that nobody sees yet.
+     *
+     * @return whether the bytes are so many tiles
+     */
+    static boolean decode(byte[] bytes, Film film, int first, int count) {
+        if (bytes.length != count * TILE_BYTES) {
+            return false;
+        }
+        FloatBuffer floats = ByteBuffer.wrap(bytes).asFloatBuffer();
+        for (int tile = first; tile < first + count; tile++) {
+            floats.get(film.red(tile)).get(film.green(tile)).get(film.blue(tile));
+        }
+        return true;
+    }
+}

@@ -1,0 +1,68 @@
+package lightning.shot.cluster;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import lightning.base.text.Quote;
+import lightning.base.text.Texts;
+
+/** Where a member of a cluster is heard: {@code render7:7800}, {@code 10.0.0.7}, {@code [::1]:7800}. */
+public record HostPort(String host, int port) {
+    private static final Pattern WORDS = Pattern.compile("(?:\\[([0-9a-fA-F:.%]{1,100})]|([^:,\\[\\]\\s]{1,255}))(?::([0-9]{1,5}))?");
+    private static final int LAST_PORT = 65_535;
+
+    /**
+     * Reads what a person typed; without a port it is {@link Place#NODE_PORT}.
+     *
+     * @throws IllegalArgumentException if it names no machine; a sentence
+     */
+    public static HostPort of(String text) {
+        Matcher words = WORDS.matcher(text);
+        int port = words.matches() && words.group(3) != null ? Integer.parseInt(words.group(3)) : Place.NODE_PORT;
+        if (!words.matches() || port < 1 || port > LAST_PORT) {
+            throw new IllegalArgumentException(
+                    Texts.of("expected a machine and a port from 1 to {0} as in render7:7800, found {1}", LAST_PORT, Quote.of(text)));
+        }
+        return new HostPort(words.group(1) == null ? words.group(2) : words.group(1), port);
+    }
+
+    /**
+     * Reads several with commas between them, at least one.
+     *
+     * @throws IllegalArgumentException as {@link #of}
+     */
+    public static List<HostPort> several(String text) {
+        List<HostPort> all = new ArrayList<>();
+        for (String one : text.split(",", -1)) {
+            all.add(of(one.strip()));
+        }
+        return all;
+    }
+
+    /**
+     * Its address; may ask a name server, and wait for it.
+     *
+     * @throws JoinException if there is no such machine
+     */
+    public InetSocketAddress address() throws JoinException {
+        return new InetSocketAddress(address(host), port);
+    }
+
+    /** Returns what a person would type: {@code render7:7800}, {@code 10.0.0.7:7800}, {@code [::1]:7800}. */
+    public String text() {
+        return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
+    }
+
+    /** The address of a machine by its name likewise. */
+    public static InetAddress address(String host) throws JoinException {
+        try {
+            return InetAddress.getByName(host);
+        } catch (UnknownHostException e) {
+            throw new JoinException(Texts.of("there is no machine {0} that this one knows of", Quote.of(host)), e);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package lightning.shot.cluster;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.text.Texts;
+
+/**
+ * Where a process takes part, and with whom.
+ *
+ * @param bind        the address where it is heard
+ * @param port        the first port that it may take
+ * @param ports       how many it may try
+ * @param join        where members are asked for; none for the first member
+ * @param certificate the file that all members have
+ * @param timing      when a member counts as lost
+ */
+public record Place(InetAddress bind, int port, int ports, List<InetSocketAddress> join, Path certificate, Timing timing) {
+    /** Of nodes. */
+    public static final int NODE_PORT = 7800;
+    /** Of those that ask, the first of {@value #ASKING_PORTS}. */
+    public static final int ASKING_PORT = 7900;
+    public static final int ASKING_PORTS = 100;
+
+    /**
+     * Where a process takes part, with the libraries for that at hand.
+     *
+     * @throws JoinException if they are not
+     */
+    public static Place of(InetAddress bind, int port, int ports, List<InetSocketAddress> join, Path certificate) throws JoinException {
+        Libraries.ready();
+        return new Place(bind, port, ports, join, certificate, Timing.DEFAULT);
+    }
+
+    /**
+     * Where a process takes part that asks others to hold frames: at the address of this machine from which the first of them is reached, which
+     * on the machine itself is one that no other reaches. May ask a name server, and wait for it.
+     *
+     * @throws JoinException if there is no such machine, or no way to it
+     */
+    public static Place asking(List<HostPort> others, Path certificate) throws JoinException {
+        List<InetSocketAddress> join = new ArrayList<>();
+        for (HostPort other : others) {
+            join.add(other.address());
+        }
+        return of(towards(join.getFirst()), ASKING_PORT, ASKING_PORTS, join, certificate);
+    }
+
+    private static InetAddress towards(InetSocketAddress other) throws JoinException {
+        if (other.getAddress().isLoopbackAddress()) {
+            return InetAddress.getLoopbackAddress();
+        }
+        // Nothing is sent: the system only says which of its addresses would be.
+        try (var socket = new DatagramSocket()) {
+            socket.connect(other);
+            if (!socket.getLocalAddress().isAnyLocalAddress()) {
+                return socket.getLocalAddress();
+            }
+        } catch (IOException | UncheckedIOException e) {
+            throw new JoinException(Texts.of("there is no way from this machine to {0}: {1}", other.getHostString(), e.getMessage()), e);
+        }
+        throw new JoinException(Texts.of("there is no way from this machine to {0}", other.getHostString()), null);
+    }
+
+    /**
+     * When a member counts as lost: one whose connection ended, when it does not answer a question; one that is silent, after so long.
+     *
+     * @param silence milliseconds without a sign of life
+     * @param verify  milliseconds that it has to answer
+     * @param merge   milliseconds after which parts of a cluster look for each other, at most
+     */
+    public record Timing(long silence, long verify, long merge) {
+        public static final Timing DEFAULT = new Timing(15_000, 4000, 1500);
+    }
+}

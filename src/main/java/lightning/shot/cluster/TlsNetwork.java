@@ -1,0 +1,228 @@
+package lightning.shot.cluster;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.stream.Collectors;
+import javax.net.ssl.SSLContext;
+import lightning.base.text.Texts;
+import org.jgroups.Address;
+import org.jgroups.BytesMessage;
+import org.jgroups.Event;
+import org.jgroups.JChannel;
+import org.jgroups.Message;
+import org.jgroups.Receiver;
+import org.jgroups.View;
+import org.jgroups.logging.LogFactory;
+import org.jgroups.protocols.FD_ALL3;
+import org.jgroups.protocols.FRAG4;
+import org.jgroups.protocols.MERGE3;
+import org.jgroups.protocols.TCP;
+import org.jgroups.protocols.TCPPING;
+import org.jgroups.protocols.UFC;
+import org.jgroups.protocols.UNICAST3;
+import org.jgroups.protocols.VERIFY_SUSPECT2;
+import org.jgroups.protocols.pbcast.GMS;
+import org.jgroups.protocols.pbcast.NAKACK2;
+import org.jgroups.protocols.pbcast.STABLE;
+import org.jgroups.stack.DiagnosticsHandler;
+import org.jgroups.util.DefaultSocketFactory;
+import org.jgroups.util.DefaultThreadFactory;
+import org.jgroups.util.UUID;
+
+/** A network of members that show the same certificate: JGroups over TLS, both sides of a connection known. */
+public final class TlsNetwork implements Network {
+    /** Bytes of what comes over a connection in one piece; larger messages are cut by {@link FRAG4}. */
+    private static final int MOST_BYTES = 1 << 18;
+    private static final String CLUSTER = "lightning";
+    private static final int SHORT_BYTES = 4096;
+    private static final int HANDSHAKE_MILLISECONDS = 5000;
+    private static final int JOIN_MILLISECONDS = 2000;
+    /** Attempts to join before a member starts a part of its own. JGroups' 10 block 20 s where the coordinator it found has gone. */
+    private static final int JOIN_ATTEMPTS = 2;
+    /** Limit of a merge. One that includes a member that does not answer takes all of it and is repeated. */
+    private static final int MERGE_MILLISECONDS = 2000;
+    /** Questions to the hosts within that time. */
+    private static final int DISCOVERIES = 4;
+
+    private final Place place;
+    private final ExecutorService inbox =
+            Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().name("lightning-cluster").factory());
+    private JChannel channel;
+
+    public TlsNetwork(Place place) {
+        this.place = place;
+    }
+
+    @Override
+    public void join(Listener listener) throws JoinException {
+        SSLContext context = SharedKey.context(place.certificate());
+        LogFactory.useNoopLogger(true);
+        PlainMessages.alone();
+        try {
+            channel = new JChannel(transport(context), discovery(), merging(), new FD_ALL3().setTimeout(place.timing().silence())
+                    .setInterval(Math.max(1, place.timing().silence() / 4)), verifying(), multicasts(), new UNICAST3(), new STABLE(),
+                    membership(), new UFC(), new FRAG4());
+            channel.setReceiver(new Ears(listener));
+            channel.connect(CLUSTER);
+        } catch (Exception e) {
+            close();
+            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}",
+                    new HostPort(place.bind().getHostAddress(), place.port()).text(), reason(e)), e);
+        }
+    }
+
+    /** The innermost reason: JGroups wraps it. */
+    private static String reason(Throwable e) {
+        Throwable inner = e;
+        while (inner.getCause() != null) {
+            inner = inner.getCause();
+        }
+        return inner.getMessage() == null ? inner.getClass().getSimpleName() : inner.getMessage();
+    }
+
+    private TCP transport(SSLContext context) throws Exception {
+        TCP tcp = new TCP();
+        tcp.setBindAddress(place.bind()).setBindPort(place.port()).setPortRange(place.ports() - 1);
+        // It would open a port of its own, without TLS.
+        tcp.setDiagnosticsHandler(new DiagnosticsHandler(LogFactory.getLog(DiagnosticsHandler.class), new DefaultSocketFactory(),
+                new DefaultThreadFactory("lightning-cluster", true)).setEnabled(false));
+        tcp.setMaxLength(MOST_BYTES);
+        tcp.tcpNodelay(true);
+        // On a machine that traces with all its processors, two that have just begun take seconds for a handshake.
+        tcp.setPeerAddrReadTimeout(HANDSHAKE_MILLISECONDS);
+        tcp.setSockConnTimeout(HANDSHAKE_MILLISECONDS);
+        // A process that is killed is known to be gone when its connection ends.
+        tcp.enableSuspectEvents(true);
+        tcp.tls(new LimitedHandshakes(context, HANDSHAKE_MILLISECONDS));
+        return tcp;
+    }
+
+    private TCPPING discovery() {
+        List<InetSocketAddress> hosts =
+                place.join().isEmpty() ? List.of(new InetSocketAddress(place.bind(), place.port())) : place.join();
+        TCPPING ping = new TCPPING();
+        ping.setInitialHosts(hosts);
+        ping.setPortRange(0);
+        // Members that each know only the first one learn each other's addresses from it. Without them a merged view does not hold: its
+        // members cannot reach each other, suspect each other, and split again.
+        ping.returnEntireCache(true);
+        // A host that starts at the same moment may not listen yet: ask several times, and let none wait for another.
+        ping.numDiscoveryRuns(DISCOVERIES);
+        ping.asyncDiscovery(true);
+        ping.asyncDiscoveryUseSeparateThread(true);
+        return ping;
+    }
+
+    private MERGE3 merging() {
+        long most = place.timing().merge();
+        return new MERGE3().setMinInterval(Math.max(1, most / 4)).setMaxInterval(most).setCheckInterval(2 * most);
+    }
+
+    private VERIFY_SUSPECT2 verifying() {
+        return new VERIFY_SUSPECT2().setTimeout(place.timing().verify());
+    }
+
+    private static NAKACK2 multicasts() {
+        NAKACK2 multicasts = new NAKACK2();
+        multicasts.useMcastXmit(false);
+        return multicasts;
+    }
+
+    private static GMS membership() {
+        GMS membership = new GMS();
+        membership.setJoinTimeout(JOIN_MILLISECONDS);
+        membership.setMaxJoinAttempts(JOIN_ATTEMPTS);
+        membership.setMergeTimeout(MERGE_MILLISECONDS);
+        membership.printLocalAddress(false);
+        return membership;
+    }
+
+    /** Hands on what JGroups tells, on one thread. */
+    private final class Ears implements Receiver {
+        private final Listener listener;
+
+        Ears(Listener listener) {
+            this.listener = listener;
+        }
+
+        @Override
+        public void receive(Message message) {
+            if (!message.hasArray()) {
+                return;
+            }
+            byte[] bytes = new byte[message.getLength()];
+            System.arraycopy(message.getArray(), message.getOffset(), bytes, 0, bytes.length);
+            Member from = member(message.getSrc());
+            hand(() -> listener.heard(from, bytes));
+        }
+
+        @Override
+        public void viewAccepted(View view) {
+            Address self = channel.getAddress();
+            Set<Member> others =
+                    view.getMembers().stream().filter(a -> !a.equals(self)).map(TlsNetwork::member).collect(Collectors.toUnmodifiableSet());
+            hand(() -> listener.changed(others));
+        }
+
+        private void hand(Runnable call) {
+            try {
+                inbox.execute(call);
+            } catch (RejectedExecutionException e) {
+                // Closed meanwhile.
+            }
+        }
+    }
+
+    private static Member member(Address address) {
+        UUID id = (UUID) address;
+        return new Member(new java.util.UUID(id.getMostSignificantBits(), id.getLeastSignificantBits()));
+    }
+
+    private static Address address(Member member) {
+        return new UUID(member.id().getMostSignificantBits(), member.id().getLeastSignificantBits());
+    }
+
+    @Override
+    public void send(Member to, byte[] bytes) {
+        try {
+            Address address = address(to);
+            if (channel.getView().containsMember(address)) {
+                BytesMessage message = new BytesMessage(address, bytes);
+                if (bytes.length <= SHORT_BYTES) {
+                    // Who is flooded by others is asked for a sign of life all the same.
+                    message.setFlag(Message.Flag.NO_FC);
+                }
+                channel.send(message);
+            }
+        } catch (Exception e) {
+            // It left meanwhile, or this did; whoever waits for an answer asks again or hears that it is gone.
+        }
+    }
+
+    @Override
+    public void rejoin() {
+        try {
+            channel.disconnect();
+            channel.connect(CLUSTER);
+        } catch (Exception e) {
+            // Tried again by whoever still sees nobody.
+        }
+    }
+
+    @Override
+    public String name(Member member) {
+        return String.valueOf(channel.<Object>down(new Event(Event.GET_PHYSICAL_ADDRESS, address(member))));
+    }
+
+    @Override
+    public void close() {
+        if (channel != null) {
+            channel.close();
+        }
+        inbox.shutdown();
+    }
+}

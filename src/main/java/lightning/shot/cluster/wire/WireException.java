@@ -1,0 +1,12 @@
+package lightning.shot.cluster.wire;
+
+import lightning.base.text.Told;
+
+/** Bytes that are no message; the sentence tells where, what was expected and what was found. */
+public final class WireException extends Exception implements Told {
+    private static final long serialVersionUID = 1;
+
+    WireException(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,42 @@
+package lightning.shot.movie;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * The files of a shot's frames: {@code bird-0001.png} and so on, in one folder.
+ *
+ * @param name   what stands before the number
+ * @param ending what stands behind it, with its point
+ */
+public record FrameFiles(Path folder, String name, String ending) {
+    /**
+     * @param output a file's name, which gets the numbers before its ending, or, without an ending, a folder for PNG files
+     * @param scene  whose name the files in such a folder have
+     */
+    public static FrameFiles of(Path output, Path scene) {
+        String file = output.getFileName() == null ? "" : output.getFileName().toString();
+        int point = file.lastIndexOf('.');
+        if (point <= 0) {
+            String own = scene.getFileName().toString();
+            return new FrameFiles(output, own.endsWith(".jen") ? own.substring(0, own.length() - 4) : own, ".png");
+        }
+        Path folder = output.toAbsolutePath().getParent();
+        return new FrameFiles(output.getParent() == null ? Path.of("") : folder == null ? output : output.getParent(),
+                file.substring(0, point), file.substring(point));
+    }
+
+    /** The file of one frame; four digits at least. */
+    public Path file(int frame) {
+        return folder.resolve(name + "-" + String.format(Locale.ROOT, "%04d", frame) + ending);
+    }
+
+    /** Makes the folder where it is missing; the one around it must be there. */
+    public void makeFolder() throws IOException {
+        if (!folder.toString().isEmpty() && !Files.isDirectory(folder)) {
+            Files.createDirectory(folder);
+        }
+    }
+}

@@ -1,0 +1,52 @@
+package lightning.shot.movie;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** The kinds of films that can be written. */
+public enum MovieKind {
+    MP4(".mp4", "mp4", List.of("-c:v", "libx264", "-crf", "17", "-preset", "medium", "-movflags", "+faststart")),
+    MOV(".mov", "mov", List.of("-c:v", "libx264", "-crf", "17", "-preset", "medium")),
+    MKV(".mkv", "matroska", List.of("-c:v", "libx264", "-crf", "17", "-preset", "medium")),
+    WEBM(".webm", "webm", List.of("-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0"));
+
+    private final String ending;
+    private final String format;
+    private final List<String> encoder;
+
+    MovieKind(String ending, String format, List<String> encoder) {
+        this.ending = ending;
+        this.format = format;
+        this.encoder = encoder;
+    }
+
+    /** What a file's name ends in, with its point. */
+    public String ending() {
+        return ending;
+    }
+
+    /** As ffmpeg calls it. */
+    String format() {
+        return format;
+    }
+
+    /** What ffmpeg is asked for. */
+    List<String> encoder() {
+        return encoder;
+    }
+
+    /** The kind that a file's name asks for; empty where it is no film's. */
+    public static Optional<MovieKind> of(Path file) {
+        String name = file.getFileName() == null ? "" : file.getFileName().toString().toLowerCase(Locale.ROOT);
+        return Arrays.stream(values()).filter(kind -> name.endsWith(kind.ending)).findFirst();
+    }
+
+    /** All endings: {@code .mp4, .mov}. */
+    public static String endings() {
+        return Arrays.stream(values()).map(MovieKind::ending).collect(Collectors.joining(", "));
+    }
+}

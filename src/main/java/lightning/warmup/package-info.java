@@ -1,2 +1,0 @@
-/** {@link lightning.warmup.WarmUp}: how a process comes from the engine that is quick at once to the one that is fastest. */
-package lightning.warmup;

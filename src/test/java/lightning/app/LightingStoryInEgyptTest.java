@@ -1,9 +1,0 @@
-package lightning.app;
-
-import org.junit.jupiter.api.extension.RegisterExtension;
-
-/** The same afternoon where other digits are used. */
-class LightingStoryInEgyptTest extends LightingStoryTest {
-    @RegisterExtension
-    static final StoryAbroad ABROAD = new StoryAbroad("ar", "EG");
-}

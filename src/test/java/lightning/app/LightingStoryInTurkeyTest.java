@@ -1,9 +1,0 @@
-package lightning.app;
-
-import org.junit.jupiter.api.extension.RegisterExtension;
-
-/** The same afternoon where other letters are used. */
-class LightingStoryInTurkeyTest extends LightingStoryTest {
-    @RegisterExtension
-    static final StoryAbroad ABROAD = new StoryAbroad("tr", "TR");
-}

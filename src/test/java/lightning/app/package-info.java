@@ -1,2 +1,0 @@
-/** Drives the editor as an artist does, on JavaFX's platform without a window system. */
-package lightning.app;

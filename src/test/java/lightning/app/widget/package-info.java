@@ -1,2 +1,0 @@
-/** The controls of the property editor, each alone in a small window. */
-package lightning.app.widget;

@@ -1,0 +1,87 @@
+package lightning.base.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files that go with their process. */
+class ScratchFolderTest {
+    @TempDir
+    Path place;
+
+    private List<Path> folders() throws IOException {
+        try (Stream<Path> all = Files.list(place)) {
+            return all.toList();
+        }
+    }
+
+    @Test
+    void folder_isItsOwnersAloneAndGoesInTheEnd() throws IOException {
+        try (ScratchFolder scratch = ScratchFolder.in(place)) {
+            Path file = scratch.file("a");
+            scratch.write(file, channel -> channel.write(ByteBuffer.wrap(new byte[] {1, 2})));
+            assertThat(file).hasBinaryContent(new byte[] {1, 2});
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("rw-------");
+            assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(folders().getFirst()))).isEqualTo("rwx------");
+        }
+        assertThat(folders()).isEmpty();
+    }
+
+    @Test
+    void contentThatFails_leavesNoFile() throws IOException {
+        try (ScratchFolder scratch = ScratchFolder.in(place)) {
+            assertThatThrownBy(() -> scratch.write(scratch.file("a"), channel -> {
+                channel.write(ByteBuffer.wrap(new byte[10]));
+                throw new IOException("full");
+            })).hasMessage("full");
+            assertThat(scratch.file("a")).doesNotExist();
+        }
+    }
+
+    @Test
+    void folderOfAnEndedProcess_isRemovedAndOneInUseIsNot() throws IOException {
+        Path left = Files.createDirectory(place.resolve("lightning-scratch-00000000-0000-0000-0000-000000000000"));
+        Files.writeString(left.resolve("in-use"), "");
+        Files.writeString(left.resolve("rows-1"), "x");
+        Path other = Files.createDirectory(place.resolve("lightning-scratch-mine"));
+        Path halfMade = Files.createDirectory(place.resolve("lightning-scratch-00000000-0000-0000-0000-000000000001"));
+        try (ScratchFolder first = ScratchFolder.in(place); ScratchFolder second = ScratchFolder.in(place)) {
+            assertThat(left).doesNotExist();
+            assertThat(other).exists();
+            assertThat(halfMade).exists();
+            assertThat(first.file("in-use")).exists();
+            assertThat(second.file("in-use")).exists();
+        }
+    }
+
+    @Test
+    void foldersOfAnotherProcess_stayWhileThatRuns() throws Exception {
+        Process other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"), ScratchHolder.class.getName(), place.toString()).start();
+        try {
+            assertThat(other.inputReader().readLine()).isEqualTo("made");
+            List<Path> both = folders();
+            ScratchFolder.in(place).close();
+            assertThat(folders()).hasSize(2).containsExactlyInAnyOrderElementsOf(both);
+            other.destroyForcibly().waitFor();
+            ScratchFolder.in(place).close();
+            assertThat(folders()).isEmpty();
+        } finally {
+            other.destroyForcibly();
+        }
+    }
+
+    @Test
+    void placeThatIsNoFolder_isRefusedWithItsName() {
+        assertThatThrownBy(() -> ScratchFolder.in(place.resolve("none"))).hasMessageContaining("none").hasMessageContaining("is no folder");
+    }
+}

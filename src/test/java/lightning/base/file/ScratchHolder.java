@@ -1,0 +1,16 @@
+package lightning.base.file;
+
+import java.nio.file.Path;
+
+/** A process that holds two scratch folders in one place until it is killed. */
+final class ScratchHolder {
+    private ScratchHolder() {}
+
+    public static void main(String... args) throws Exception {
+        try (ScratchFolder scratch = ScratchFolder.in(Path.of(args[0])); ScratchFolder _ = ScratchFolder.in(Path.of(args[0]))) {
+            scratch.write(scratch.file("rows"), _ -> {});
+            System.out.println("made");
+            Thread.sleep(600_000);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+package lightning.base.file;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.stream.Stream;
+
+/** A process that writes a file, and in the middle of it nothing for two hours: until it reads a line. */
+final class SlowWriter {
+    private SlowWriter() {}
+
+    public static void main(String... args) throws Exception {
+        Path file = Path.of(args[0]);
+        SafeFile.at(file).writeByName(temporary -> {
+            Files.writeString(temporary, "first");
+            try (Stream<Path> all = Files.list(file.getParent())) {
+                for (Path each : all.toList()) {
+                    Files.setLastModifiedTime(each, FileTime.from(Instant.now().minus(Duration.ofHours(2))));
+                }
+            }
+            System.out.println("writing");
+            System.in.read();
+            Files.writeString(temporary, "whole");
+        });
+    }
+}

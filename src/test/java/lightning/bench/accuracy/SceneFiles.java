@@ -1,0 +1,42 @@
+package lightning.bench.accuracy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.scene.Scene;
+
+/** The scenes of the project. */
+final class SceneFiles {
+    private static final Path FOLDER = Path.of("scenes");
+
+    private SceneFiles() {}
+
+    /** The names of all scenes, without {@code .jen}. */
+    static List<String> names() {
+        try (Stream<Path> files = Files.list(FOLDER)) {
+            return files.map(f -> f.getFileName().toString()).filter(n -> n.endsWith(".jen"))
+                    .map(n -> n.substring(0, n.length() - 4)).sorted().toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    static Scene read(String name) {
+        try {
+            return JenReader.read(FOLDER.resolve(name + ".jen")).scene();
+        } catch (IOException | JenException e) {
+            throw new AssertionError(name, e);
+        }
+    }
+
+    /** A scene at {@code size} × {@code size} pixels. */
+    static Scene read(String name, int size) {
+        Scene scene = read(name);
+        return scene.withPicture(scene.picture().withSize(size, size));
+    }
+}

@@ -1,0 +1,88 @@
+package lightning.bench.accuracy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.trace.Geometry;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The scenes are lit with care: no light is idle, and no picture is burnt out or lost in the dark. */
+class SceneLightingTest {
+    private static final int SIZE = 100;
+    /** A light must be seen in a five-hundredth of the picture. */
+    private static final long LEAST_PIXELS = SIZE * SIZE / 500;
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void everyLight_changesThePictureInPlaces(String name) {
+        Scene small = SceneFiles.read(name, SIZE);
+        var geometry = new Geometry(small);
+        List<String> idle = new ArrayList<>();
+        try (var workers = new Workers(2)) {
+            Film all = trace(small, geometry, workers);
+            for (Light light : small.lights()) {
+                Film without = trace(small.withLight(light.withOn(false)), geometry, workers);
+                if (visiblyDarker(without, all) < LEAST_PIXELS) {
+                    idle.add(light.name());
+                }
+            }
+        }
+        assertThat(idle).as("lights that nobody would miss").isEmpty();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void picture_isNeitherBurntOutNorBlack(String name) {
+        Scene small = SceneFiles.read(name, SIZE);
+        try (var workers = new Workers(2)) {
+            Film film = trace(small, new Geometry(small), workers);
+            assertThat(share(film, 1, Float.MAX_VALUE)).as("share of white pixels").isLessThan(0.01);
+            assertThat(share(film, 0, 0.003f)).as("share of black pixels").isLessThan(0.1);
+        }
+    }
+
+    static List<String> names() {
+        return SceneFiles.names();
+    }
+
+    private static Film trace(Scene scene, Geometry geometry, Workers workers) {
+        return new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE).film();
+    }
+
+    /** How many pixels lose at least 8 of 255 steps of the display in some channel. */
+    private static long visiblyDarker(Film without, Film all) {
+        ViewTransform view = ViewTransform.DEFAULT;
+        long count = 0;
+        for (int y = 0; y < all.height(); y++) {
+            for (int x = 0; x < all.width(); x++) {
+                int lost = Math.max(view.encode(all.red(x, y)) - view.encode(without.red(x, y)),
+                        Math.max(view.encode(all.green(x, y)) - view.encode(without.green(x, y)),
+                                view.encode(all.blue(x, y)) - view.encode(without.blue(x, y))));
+                count += lost >= 8 ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    /** The share of pixels whose channels are all from {@code least} to {@code most}. */
+    private static double share(Film film, float least, float most) {
+        long count = 0;
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                float low = Math.min(film.red(x, y), Math.min(film.green(x, y), film.blue(x, y)));
+                float high = Math.max(film.red(x, y), Math.max(film.green(x, y), film.blue(x, y)));
+                count += low >= least && high <= most ? 1 : 0;
+            }
+        }
+        return count / (double) (film.width() * film.height());
+    }
+}

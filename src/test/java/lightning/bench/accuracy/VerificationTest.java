@@ -1,0 +1,155 @@
+package lightning.bench.accuracy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.render.engine.choice.Engines;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Difference;
+import lightning.render.image.Film;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.Update;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.SeenScenes;
+import lightning.render.trace.Geometry;
+import lightning.sample.EngineMix;
+import lightning.sample.StudioScene;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.effects.ViewEffects;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** One promise of a picture, and what is said of one that keeps it and of one that does not. */
+class VerificationTest {
+    private static final Scene STUDIO = StudioScene.of(LightType.POINT);
+    private static final Light KEY = STUDIO.lights().getFirst();
+    private static final Scene DIM = STUDIO.withLight(KEY.withIntensity(0.3));
+
+    private static Renderer renderer(Accuracy accuracy, Reflections reflections) {
+        return new Renderer(new Options(accuracy, reflections, MirrorStorage.FULL_ROWS, 1));
+    }
+
+    private static Promise promise(Scene scene, Scene mirrored, double bound) {
+        return new Promise(new SeenScenes(scene, mirrored), ViewEffects.ALL, bound);
+    }
+
+    private static Verification verify(Promise promise, Film picture) {
+        try (Workers workers = new Workers(1)) {
+            return promise.verify(picture, workers, Progress.NONE);
+        }
+    }
+
+    /** A picture that is brighter by 0.25 in one value. */
+    private static Film off(Film film) {
+        Film off = film.copy();
+        off.blue(0)[33] += 0.25f;
+        return off;
+    }
+
+    @Test
+    void promise_isOfEveryBitOrOfABound() {
+        Film black = Film.black(2, 2);
+        Film other = Film.black(2, 2);
+        other.red(0)[0] = 0.25f;
+        Difference none = Difference.of(black, black);
+        Difference some = Difference.of(black, other);
+        assertThat(promise(STUDIO, STUDIO, 0).isKeptBy(none)).isTrue();
+        assertThat(promise(STUDIO, STUDIO, 0).isKeptBy(some)).isFalse();
+        assertThat(promise(STUDIO, STUDIO, 0.25).isKeptBy(some)).isTrue();
+        assertThat(promise(STUDIO, STUDIO, 0.24).isKeptBy(some)).isFalse();
+    }
+
+    @Test
+    void promise_saysHowFarValuesMayBeOffAndWhetherMirrorsAreOlder() {
+        assertThat(promise(STUDIO, STUDIO, 0).text()).isEqualTo("exact");
+        assertThat(promise(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections of an older light");
+        assertThat(promise(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
+        Scene renamed = STUDIO.withLights(List.of(KEY.withName("rim")));
+        assertThat(promise(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
+        Scene matt = DIM.withPicture(DIM.picture().withDepth(0));
+        assertThat(promise(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("there are no mirrors").isEqualTo("exact");
+    }
+
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void renderersPicture_isWhatItIsSaidToBe(Accuracy accuracy) {
+        try (Renderer renderer = renderer(accuracy, Reflections.STALE)) {
+            renderer.render(STUDIO, Progress.NONE);
+            Update update = renderer.render(DIM, Progress.NONE);
+            Verification verification = verify(Promise.of(renderer, update), renderer.film());
+            assertThat(verification.isKept()).isTrue();
+            assertThat(verification.text()).startsWith("Verified: ").contains("whose mirrors show an older light",
+                    "would change with current mirrors");
+            assertThat(verification.full().sameBits(new ReferenceTracer(DIM).trace())).isTrue();
+            assertThat(verification.current().pixels()).isPositive();
+        }
+    }
+
+    @Test
+    void timeOfTheFullTrace_isToldByAWarmProcessAlone() {
+        Film film = new ReferenceTracer(STUDIO).trace();
+        try {
+            Engines.use(_ -> Engines.SCALAR);
+            assertThat(verify(promise(STUDIO, STUDIO, 0), film).fullTraceMs()).isEmpty();
+            Engines.use(Engines.FASTEST);
+            assertThat(verify(promise(STUDIO, STUDIO, 0), film).fullTraceMs().getAsDouble()).isPositive();
+        } finally {
+            Engines.use(new EngineMix(2));
+        }
+    }
+
+    @Test
+    void keptPromise_isSaid() {
+        Film film = new ReferenceTracer(STUDIO).trace();
+        assertThat(verify(promise(STUDIO, STUDIO, 0), film).text()).isEqualTo("Verified: equal to a full trace in every bit");
+        assertThat(verify(promise(STUDIO, STUDIO, 0.5), off(film)).text())
+                .isEqualTo("Verified: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where 5.0e-01 is promised");
+    }
+
+    @Test
+    void brokenPromise_isSaidAndNotMeasured() {
+        Film film = off(new ReferenceTracer(STUDIO).trace());
+        Verification broken = verify(promise(STUDIO, STUDIO, 0), film);
+        assertThat(broken.isKept()).isFalse();
+        assertThat(broken.text())
+                .isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
+        assertThatThrownBy(() -> BrokenPromise.require(broken, Grade.EXACT)).isInstanceOf(BrokenPromise.class)
+                .hasMessage("grade exact: " + broken.text() + "; not measured");
+        assertThat(verify(promise(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
+        assertThatCode(() -> BrokenPromise.require(verify(promise(STUDIO, STUDIO, 0.3), film), Grade.RATIO)).doesNotThrowAnyException();
+    }
+
+    /** The boxes of the renderer's tree hold nothing any more: a trace over the same tree sees as little as the picture. */
+    @Test
+    void wrongTreeOfTheRenderer_shows() throws ReflectiveOperationException {
+        try (Renderer renderer = renderer(Accuracy.EXACT, Reflections.CURRENT); Workers workers = new Workers(1)) {
+            renderer.render(STUDIO, Progress.NONE);
+            empty(renderer.cache().geometry());
+            Update update = renderer.render(STUDIO.withPicture(STUDIO.picture().withSize(20, 16)), Progress.NONE);
+            Film overTheSameTree =
+                    new TraditionalTracer(renderer.scene(), renderer.cache().geometry()).trace(workers, Progress.NONE).film();
+            assertThat(overTheSameTree.sameBits(renderer.film())).isTrue();
+            assertThat(verify(Promise.of(renderer, update), renderer.film()).isKept()).isFalse();
+        }
+    }
+
+    private static void empty(Geometry geometry) throws ReflectiveOperationException {
+        var tree = Geometry.class.getDeclaredField("bvh");
+        tree.setAccessible(true);
+        var boxes = tree.getType().getDeclaredField("boxes");
+        boxes.setAccessible(true);
+        Arrays.fill((float[]) boxes.get(tree.get(geometry)), Float.NaN);
+    }
+}

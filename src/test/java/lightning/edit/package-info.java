@@ -1,2 +1,0 @@
-/** The editor without its window. */
-package lightning.edit;

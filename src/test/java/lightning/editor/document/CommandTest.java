@@ -1,0 +1,323 @@
+package lightning.editor.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.file.FileState;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.editor.loop.Frame;
+import lightning.editor.loop.Look;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.Options;
+import lightning.sample.ClearScenes;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Limits;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Every command is enabled exactly when it has something to do, in a session with real pictures. */
+class CommandTest {
+    @TempDir
+    private Path folder;
+
+    private final Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1));
+    private OpenDocument document;
+    private Optional<Frame> frame = Optional.empty();
+
+    @BeforeEach
+    void open() throws Exception {
+        document = OpenDocument.open(Files.writeString(folder.resolve("desk.jen"), Desk.TEXT));
+    }
+
+    @AfterEach
+    void close() {
+        renderer.close();
+    }
+
+    private void go() {
+        var update = renderer.render(document.scene(), Progress.NONE);
+        frame = Optional
+                .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update,
+                        renderer.cache().geometry(), renderer.isFinished()));
+    }
+
+    private void updateReflections() {
+        var update = renderer.updateReflections(Progress.NONE);
+        frame = Optional
+                .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update,
+                        renderer.cache().geometry(), renderer.isFinished()));
+    }
+
+    private Situation now() {
+        return Situation.of(document, frame);
+    }
+
+    private void dial(double intensity) {
+        document.apply(Desk.dial("intensity").set(document.scene(), "key", intensity));
+    }
+
+    private void assertDisabled(Command command, String reason) {
+        assertThat(command.obstacle(now())).contains(reason);
+        assertThat(command.isEnabled(now())).isFalse();
+    }
+
+    private void assertEnabled(Command command) {
+        assertThat(command.obstacle(now())).isEmpty();
+        assertThat(command.isEnabled(now())).isTrue();
+    }
+
+    @Test
+    void go_isEnabledUntilThePictureShowsTheScene() {
+        assertEnabled(Command.GO);
+        go();
+        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        dial(2);
+        assertEnabled(Command.GO);
+    }
+
+    @Test
+    void undoAfterGo_leavesGoEnabled() {
+        go();
+        dial(2);
+        go();
+        document.history().undo();
+        assertEnabled(Command.GO);
+    }
+
+    @Test
+    void undoBeforeGo_leavesNothingToRender() {
+        go();
+        dial(2);
+        document.history().undo();
+        assertDisabled(Command.GO, "nothing was edited since the last Go");
+    }
+
+    @Test
+    void editsThatNoPictureShows_leaveNothingToRender() {
+        go();
+        document.apply(LightEdits.position(document.scene(), "sun", new Vec3(9, 9, 9)));
+        document.apply(LightEdits.rename(document.scene(), "key", "rim"));
+        assertDisabled(Command.GO, "nothing was edited since the last Go");
+        assertThat(document.isDirty()).isTrue();
+    }
+
+    @Test
+    void go_isDisabledWhileItsSceneIsRendered() {
+        go();
+        dial(2);
+        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(document.scene())))).contains("the scene is being rendered");
+        Scene older = document.scene();
+        dial(3);
+        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(older)))).isEmpty();
+    }
+
+    @Test
+    void go_makesTheSamplesThatThePictureLacks() {
+        go();
+        frame = frame.map(f -> new Frame(f.film(), f.seen(), f.look(), f.scene(), f.mirrored(), f.update(), f.geometry(), false));
+        assertEnabled(Command.GO);
+        assertThat(now().pendingRemark()).contains("the picture lacks the finer samples of its edges");
+        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(document.scene())))).contains("the scene is being rendered");
+    }
+
+    @Test
+    void updateReflections_isEnabledWhileMirrorsAreStale() {
+        assertDisabled(Command.UPDATE_REFLECTIONS, "there is no picture yet");
+        go();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        dial(2);
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        go();
+        assertEnabled(Command.UPDATE_REFLECTIONS);
+        updateReflections();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+    }
+
+    @Test
+    void updateReflectionsOfASceneWithoutMirrors_isDisabled() {
+        document.apply(Dial.DEPTH.set(document.scene(), "", 0));
+        go();
+        dial(2);
+        go();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "nothing in the picture mirrors or is clear");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {ClearScenes.BALL, ClearScenes.PANE})
+    void updateReflections_isEnabledWhileClearShapesShowOlderLights(String text) throws Exception {
+        document = OpenDocument.open(Files.writeString(folder.resolve("clear.jen"), text));
+        go();
+        document.apply(Desk.dial("intensity").set(document.scene(), "lamp", 2));
+        go();
+        assertEnabled(Command.UPDATE_REFLECTIONS);
+        assertThat(now().mirrorsRemark()).isPresent();
+        updateReflections();
+        assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
+        assertThat(now().mirrorsRemark()).isEmpty();
+    }
+
+    @Test
+    void undoAndRedo_areEnabledWhereThereAreSteps() {
+        assertDisabled(Command.UNDO, "there is nothing to undo");
+        assertDisabled(Command.REDO, "there is nothing to redo");
+        dial(2);
+        assertEnabled(Command.UNDO);
+        go();
+        assertEnabled(Command.UNDO);
+        document.history().undo();
+        assertDisabled(Command.UNDO, "there is nothing to undo");
+        assertEnabled(Command.REDO);
+    }
+
+    @Test
+    void undoAndRedoOfTheLight_areThoseOfTheSelectedOne() {
+        dial(2);
+        assertDisabled(Command.UNDO_LIGHT, "no light is selected");
+        document.selectLight("fill");
+        assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
+        document.selectLight("key");
+        assertEnabled(Command.UNDO_LIGHT);
+        assertDisabled(Command.REDO_LIGHT, "there is nothing to redo of this light");
+        document.history().undoLight(document.history().id("key"));
+        assertEnabled(Command.REDO_LIGHT);
+        assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
+    }
+
+    @Test
+    void reloadAndSave_areEnabledWithUnsavedEdits() throws Exception {
+        assertDisabled(Command.RELOAD, "the scene is as it is on disk");
+        assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
+        dial(2);
+        assertEnabled(Command.RELOAD);
+        assertEnabled(Command.SAVE_SCENE);
+        Saves.save(document);
+        assertDisabled(Command.RELOAD, "the scene is as it is on disk");
+        assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
+    }
+
+    @Test
+    void fileChangedByOthers_canBeReloaded() throws Exception {
+        Files.writeString(document.file(), Desk.TEXT + "# theirs\n");
+        document.hear(new DiskNews(document.file(), document.known(), FileState.of(document.file()), false));
+        assertEnabled(Command.RELOAD);
+    }
+
+    @Test
+    void loadAndSaveAs_areAlwaysEnabled() {
+        assertEnabled(Command.LOAD_FILE);
+        assertEnabled(Command.SAVE_SCENE_AS);
+    }
+
+    @Test
+    void saveImage_needsAPictureAndSaysWhatItLacks() {
+        assertDisabled(Command.SAVE_IMAGE, "there is no picture yet");
+        go();
+        assertEnabled(Command.SAVE_IMAGE);
+        assertThat(now().pendingRemark()).isEmpty();
+        dial(2);
+        assertEnabled(Command.SAVE_IMAGE);
+        assertThat(now().pendingRemark()).contains("the picture does not show the edits since the last Go");
+    }
+
+    @Test
+    void verify_needsAPicture() {
+        assertDisabled(Command.VERIFY, "there is no picture yet");
+        go();
+        assertEnabled(Command.VERIFY);
+    }
+
+    @Test
+    void cancel_needsSomethingThatRuns() {
+        assertDisabled(Command.CANCEL, "nothing is running");
+        assertThat(Command.CANCEL.isEnabled(now().withVerifying(true))).isTrue();
+        assertThat(Command.CANCEL.isEnabled(now().withInWork(Optional.of(document.scene())))).isTrue();
+    }
+
+    @Test
+    void commandsOfALight_needASelectedOne() {
+        for (Command command : List.of(Command.DELETE_LIGHT, Command.DUPLICATE_LIGHT, Command.RENAME_LIGHT, Command.CHANGE_TYPE,
+                Command.SWITCH_ON, Command.SOLO, Command.COPY_SETTINGS, Command.LOOK_THROUGH_LIGHT, Command.AIM)) {
+            document.select(Selection.NONE);
+            assertDisabled(command, "no light is selected");
+            document.selectLight("key");
+            assertEnabled(command);
+        }
+    }
+
+    @Test
+    void addLight_isEnabledWithPendingEditsUntilTheSceneIsFull() {
+        go();
+        dial(2);
+        assertEnabled(Command.ADD_LIGHT);
+        List<Light> many = new ArrayList<>();
+        for (int i = 0; i < Limits.MAX_LIGHTS; i++) {
+            many.add(Light.of("l" + i, LightType.POINT));
+        }
+        document.apply(new Change.To(document.scene().withLights(many)));
+        document.selectLight("l0");
+        assertDisabled(Command.ADD_LIGHT, "a scene has at most 1000 lights");
+        assertDisabled(Command.DUPLICATE_LIGHT, "a scene has at most 1000 lights");
+    }
+
+    @Test
+    void pasteSettings_needsCopiedOnes() {
+        document.selectLight("key");
+        assertDisabled(Command.PASTE_SETTINGS, "no settings were copied");
+        assertThat(Command.PASTE_SETTINGS.isEnabled(now().withCopied(document.selectedLight()))).isTrue();
+    }
+
+    @Test
+    void aim_needsALightWithADirection() {
+        document.selectLight("fill");
+        assertDisabled(Command.AIM, "a point light has no direction");
+    }
+
+    @Test
+    void makeAnimation_needsASelectedLightAndNothingPending() {
+        assertDisabled(Command.MAKE_ANIMATION, "no light is selected");
+        document.selectLight("key");
+        assertDisabled(Command.MAKE_ANIMATION, "there is no picture yet");
+        go();
+        assertEnabled(Command.MAKE_ANIMATION);
+        dial(2);
+        assertDisabled(Command.MAKE_ANIMATION, "the picture does not show the last edits; press Go first");
+    }
+
+    @Test
+    void openAnimation_holdsBackWhatChangesTheDocument() {
+        document.selectLight("key");
+        go();
+        dial(2);
+        Situation animating = now().withAnimating(true).withCopied(document.selectedLight());
+        EnumSet<Command> heldBack = EnumSet.noneOf(Command.class);
+        for (Command command : Command.values()) {
+            if (command.obstacle(animating).equals(Optional.of("an animation is open; close it first"))) {
+                heldBack.add(command);
+            }
+        }
+        assertThat(heldBack).containsExactlyInAnyOrder(Command.LOAD_FILE, Command.LOAD_RECENT, Command.RELOAD, Command.SAVE_SCENE,
+                Command.SAVE_SCENE_AS, Command.UNDO, Command.REDO, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.PASTE_SETTINGS,
+                Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, Command.RENAME_LIGHT, Command.SHOW_SHAPE,
+                Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, Command.NEW_BANK,
+                Command.DELETE_BANK, Command.NEW_SCENE, Command.PASTE_PROPERTY, Command.RESET_PROPERTY, Command.LOAD_RIG, Command.ADD_RIG,
+                Command.SAVE_RIG, Command.CHANGE_TYPE,
+                Command.SWITCH_ON, Command.SOLO, Command.AIM, Command.PLACE_HIGHLIGHT, Command.PLACE_DIFFUSE, Command.PLACE_RIM,
+                Command.PLACE_SHADOW, Command.MAKE_ANIMATION, Command.KEYS_TO_WAY, Command.NEW_SHOT, Command.DELETE_SHOT, Command.PLAY_SHOT,
+                Command.FIRST_FRAME, Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY,
+                Command.SET_KEY, Command.KEY_PROPERTY, Command.UNKEY_PROPERTY, Command.DELETE_KEYS, Command.LINEAR_KEYS,
+                Command.SMOOTH_KEYS, Command.STEPPED_KEYS, Command.EXPORT_SHOT);
+    }
+}

@@ -1,0 +1,88 @@
+package lightning.editor.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.base.math.Rgb;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MaterialEditsTest {
+    private final Scene scene = Desk.scene();
+
+    private static Material after(Change change, String name) {
+        return Desk.done(change).material(name).orElseThrow();
+    }
+
+    @Test
+    void eachEdit_changesItsProperty() {
+        Material mirror = scene.material("mirror").orElseThrow();
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.AMBIENT, Rgb.WHITE), "mirror"))
+                .isEqualTo(mirror.withAmbient(Rgb.WHITE));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, Rgb.WHITE), "mirror"))
+                .isEqualTo(mirror.withDiffuse(Rgb.WHITE));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.SPECULAR, Rgb.WHITE), "mirror"))
+                .isEqualTo(mirror.withSpecular(Rgb.WHITE));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.SHININESS, 3.0), "mirror"))
+                .isEqualTo(mirror.withShininess(3));
+        assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.REFLECTIVE, Rgb.BLACK), "mirror"))
+                .isEqualTo(mirror.withReflective(Rgb.BLACK));
+    }
+
+    @Test
+    void texture_isReadBesideTheSceneAndTakenAway() {
+        Scene wood = Desk.done(MaterialEdits.texture(scene, "mirror", "wood.png", Path.of("scenes")));
+        Scene repeated = Desk.done(MaterialEdits.repeat(wood, "mirror", 2, 3));
+        assertThat(repeated.material("mirror").orElseThrow().texture().orElseThrow().repeatV()).isEqualTo(3);
+        assertThat(Desk.done(MaterialEdits.noTexture(repeated, "mirror"))).isEqualTo(scene);
+    }
+
+    @Test
+    void impossibleEdits_areRefused() {
+        assertThat(MaterialEdits.set(scene, "miror", MaterialAttribute.SHININESS, 3.0).refusal()).contains("there is no material 'miror'");
+        assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.SHININESS, -3.0).refusal())
+                .contains("shininess must be ≥ 0, was -3");
+        assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, new Rgb(0, 2, 0)).refusal())
+                .contains("diffuse green must be from 0 to 1, was 2");
+        assertThat(MaterialEdits.repeat(scene, "mirror", 2, 2).refusal()).contains("material 'mirror': repeat needs a texture, found none");
+        assertThat(MaterialEdits.texture(scene, "mirror", "none.png", Path.of("scenes")).refusal().orElseThrow())
+                .contains("there is no texture 'none.png'");
+        assertThat(MaterialEdits.texture(scene, "mirror", "../wood.png", Path.of("scenes")).refusal().orElseThrow())
+                .contains("without empty names, . and ..");
+    }
+
+    @Test
+    void shapeWithoutAMaterial_hasTheDefaultOneWhichAnEditAdds() {
+        assertThat(MaterialEdits.ofShape(scene, "ball")).contains(Material.DEFAULT);
+        assertThat(MaterialEdits.ofShape(scene, "ground")).isEqualTo(scene.material("mirror"));
+        assertThat(MaterialEdits.ofShape(scene, "key")).isEmpty();
+        Scene edited = Desk.done(MaterialEdits.set(scene, "default", MaterialAttribute.SHININESS, 5.0));
+        assertThat(MaterialEdits.ofShape(edited, "ball")).contains(Material.DEFAULT.withShininess(5));
+    }
+
+    @Test
+    void edits_areUndoneNamedAndSavedInTheirBlock(@TempDir Path folder) throws Exception {
+        Path file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
+        OpenDocument document = OpenDocument.open(file);
+        document.apply(MaterialEdits.set(document.scene(), "mirror", MaterialAttribute.SHININESS, 5.0));
+        assertThat(document.history().undoLabel()).contains("mirror: shininess 16 → 5");
+        document.apply(MaterialEdits.set(document.scene(), "default", MaterialAttribute.DIFFUSE, new Rgb(1, 0, 0)));
+        assertThat(document.history().undoLabel()).contains("default: diffuse 0.8 0.8 0.8 → 1 0 0");
+        document.history().undo();
+        Saves.save(document);
+        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT.replace("0.4 0.4 0.4 }", "0.4 0.4 0.4  shininess 5 }"));
+        document.history().undo();
+        assertThat(document.scene()).isEqualTo(scene);
+    }
+
+    @Test
+    void severalProperties_areNamedWithoutTheirValues() {
+        var history = new History(scene);
+        history.edit(Desk.done(MaterialEdits.with(scene, "mirror", m -> m.withShininess(5).withReflective(Rgb.BLACK))));
+        assertThat(history.undoLabel()).contains("mirror: shininess, reflective");
+    }
+}

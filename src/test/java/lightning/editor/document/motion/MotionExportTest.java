@@ -1,0 +1,91 @@
+package lightning.editor.document.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.editor.document.Desk;
+import lightning.format.picture.PictureFile;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.ViewTransform;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MotionExportTest {
+    private static final Vec3 DOWN = new Vec3(0, -1, 0);
+
+    private final MotionPath path = new MotionPath(10,
+            List.of(new MotionPath.Key(new Vec3(0, 5, 2), DOWN), new MotionPath.Key(new Vec3(4, 5, 2), DOWN)));
+
+    @TempDir
+    private Path folder;
+
+    /** Stops after so many pictures. */
+    private record StopAfter(int most, List<Integer> written) implements MotionExport.Listener {
+        @Override
+        public void written(int pictures) {
+            written.add(pictures);
+        }
+
+        @Override
+        public boolean isCancelled() {
+            return written.size() >= most;
+        }
+    }
+
+    @Test
+    void pictures_areEvenlySpacedFromBeginToEnd() {
+        MotionExport export = export(3);
+        assertThat(List.of(0, 1, 2)).extracting(i -> Desk.light(export.scene(i), "key").position().x())
+                .containsExactly(0.0, 2.0, 4.0);
+    }
+
+    @Test
+    void onePicture_showsTheBegin() {
+        assertThat(Desk.light(export(1).scene(0), "key").position().x()).isZero();
+    }
+
+    @Test
+    void files_sortAsTheyAreNumbered() {
+        assertThat(export(3).file("a", 1)).isEqualTo("a-0002.png");
+        assertThat(export(12_345).file("a", 1)).isEqualTo("a-00002.png");
+    }
+
+    @Test
+    void everyPicture_isTheFullTraceWithItsMirrors() throws Exception {
+        MotionExport export = export(3);
+        export.write(folder, "desk", new StopAfter(Integer.MAX_VALUE, new ArrayList<>()));
+        Scene last = export.scene(2);
+        try (var workers = new Workers(1)) {
+            PictureFile.write(folder.resolve("full.png"), new TraditionalTracer(last).trace(workers, Progress.NONE).film(),
+                    ViewTransform.DEFAULT);
+        }
+        assertThat(folder.resolve("desk-0003.png")).hasSameBinaryContentAs(folder.resolve("full.png"));
+    }
+
+    @Test
+    void cancelled_keepsTheFinishedPictures() {
+        var listener = new StopAfter(1, new ArrayList<>());
+        assertThatThrownBy(() -> export(3).write(folder, "desk", listener)).isInstanceOf(CancellationException.class);
+        assertThat(listener.written()).containsExactly(1);
+        assertThat(folder.resolve("desk-0001.png")).exists();
+        assertThat(Files.exists(folder.resolve("desk-0002.png"))).isFalse();
+    }
+
+    @Test
+    void noPictureAtAll_isRefused() {
+        assertThatThrownBy(() -> export(0)).hasMessage("the number of pictures must be from 1 to 100000, was 0");
+    }
+
+    private MotionExport export(int pictures) {
+        return new MotionExport(Desk.scene(), "key", path, pictures, ViewTransform.DEFAULT);
+    }
+}

@@ -1,0 +1,2 @@
+/** The editor without its window. */
+package lightning.editor.document;

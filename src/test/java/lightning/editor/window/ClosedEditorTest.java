@@ -1,0 +1,44 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.ref.WeakReference;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.EditorModel;
+import org.junit.jupiter.api.Test;
+
+class ClosedEditorTest extends EditorDesk {
+    private WeakReference<EditorModel> before;
+
+    /** The toolkit may touch a window once more that its owner took with it. */
+    @Test
+    void windowsBesideTheEditors_closeBeforeIt() {
+        List<Window> closed = new ArrayList<>();
+        robot.interact(() -> {
+            model().commands().run(Command.MIXER);
+            model().commands().run(Command.HISTORY_PANEL);
+            List.copyOf(Window.getWindows()).forEach(w -> w.addEventHandler(WindowEvent.WINDOW_HIDING, _ -> closed.add(w)));
+            assertThat(Window.getWindows()).hasSizeGreaterThanOrEqualTo(3);
+            model().commands().run(Command.QUIT);
+        });
+        assertThat(closed).hasSizeGreaterThanOrEqualTo(3).endsWith(stage);
+    }
+
+    /** Its pictures and caches would stay for as long as the process lives. */
+    @Test
+    void closedEditor_isForgotten() throws Exception {
+        before = new WeakReference<>(model());
+        close();
+        open();
+        // What the tests' hand touched last it knows.
+        robot.clickOn("#traced-picture");
+        waitFor("nothing knows the closed editor", () -> {
+            System.gc();
+            return before.get() == null;
+        });
+    }
+}

@@ -1,0 +1,85 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import javafx.scene.image.ImageView;
+import javafx.stage.Window;
+import lightning.editor.document.Command;
+import lightning.editor.document.Desk;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A closed panel, and a closed editor, leave no thread. */
+class ClosedPanelTest extends EditorDesk {
+
+    private static Set<Thread> threads() {
+        return Thread.getAllStackTraces().keySet().stream().filter(t -> t.getName().startsWith("lightning-")).collect(Collectors.toSet());
+    }
+
+    private static boolean runs(String name) {
+        return threads().stream().anyMatch(t -> t.getName().equals(name));
+    }
+
+    private void closePanels() {
+        robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(w -> w != stage).forEach(Window::hide));
+    }
+
+    private void open(Command... panels) {
+        robot.interact(() -> Arrays.stream(panels).forEach(model().commands()::run));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"MIXER, lightning-mixer", "SCOPES, lightning-scopes", "CONTRIBUTIONS, lightning-contributions"})
+    void closedPanel_endsItsThreadUntilItIsOpenedAgain(Command panel, String thread) {
+        for (int time = 1; time <= 2; time++) {
+            open(panel);
+            waitFor("the panel works", () -> runs(thread));
+            closePanels();
+            waitFor("its thread has ended", () -> !runs(thread));
+        }
+    }
+
+    @Test
+    void pointedPixel_isToldByAThreadThatEndsWithThePanel() {
+        open(Command.CONTRIBUTIONS);
+        robot.moveTo("#traced-picture");
+        waitFor("the pixel is asked", () -> runs("lightning-pixel-share"));
+        closePanels();
+        waitFor("its thread has ended", () -> !runs("lightning-pixel-share"));
+    }
+
+    @Test
+    void panelOpenedAgain_showsWhatWasEditedMeanwhile() {
+        open(Command.SCOPES);
+        waitFor("it is counted", () -> robot.lookup("#waveform").<ImageView>query().getImage() != null);
+        Object before = robot.lookup("#waveform").<ImageView>query().getImage();
+        closePanels();
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 3)));
+        click("go");
+        waitForPicture();
+        open(Command.SCOPES);
+        waitFor("it is counted again", () -> robot.lookup("#waveform").<ImageView>query().getImage() != before);
+    }
+
+    @Test
+    void closedEditor_endsTheThreadsOfAllPanels() throws Exception {
+        close();
+        waitFor("the first editor's threads have ended",
+                () -> threads().stream().noneMatch(t -> t.getName().startsWith("lightning-render")));
+        Set<Thread> others = threads();
+        open();
+        open(Command.MIXER, Command.SCOPES, Command.CONTRIBUTIONS, Command.CUES, Command.HISTORY_PANEL, Command.UPDATES_PANEL,
+                Command.EFFECTS_PANEL, Command.ACCURACY_PANEL, Command.KEYS, Command.TIMELINE);
+        robot.moveTo("#traced-picture");
+        waitFor("they work", () -> runs("lightning-mixer") && runs("lightning-scopes") && runs("lightning-contributions"));
+        close();
+        waitFor("no thread is left", () -> others.containsAll(threads()));
+        assertThat(threads()).isSubsetOf(others);
+        open();
+    }
+}

@@ -1,0 +1,120 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuItem;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCombination;
+import javafx.stage.Window;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.Precision;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Every command is found by a few letters, and heard by the key that the artist gave it. */
+class CommandPaletteTest extends EditorDesk {
+    @AfterEach
+    void closeWindows() {
+        robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide));
+    }
+
+    private void find(String letters) {
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.P);
+        robot.write(letters);
+    }
+
+    private boolean isOpen() {
+        return robot.lookup("#palette").tryQuery().isPresent();
+    }
+
+    @Test
+    void fewLetters_findTheCommandAndEnterDoesIt() {
+        find("dup li");
+        robot.push(KeyCode.ENTER);
+        assertThat(isOpen()).isFalse();
+        assertThat(model().lights()).hasSize(4);
+    }
+
+    @Test
+    void valueOfACommand_isFoundByItsMenu() {
+        find("accuracy ratio");
+        robot.push(KeyCode.ENTER);
+        assertThat(model().precisionProperty().get()).isEqualTo(Precision.RATIO);
+    }
+
+    @Test
+    void commandThatHasNothingToDo_saysWhyAndStays() {
+        find("undo");
+        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Not now: there is nothing to undo.");
+        robot.push(KeyCode.ENTER);
+        assertThat(isOpen()).isTrue();
+        robot.push(KeyCode.ESCAPE);
+        assertThat(isOpen()).isFalse();
+    }
+
+    @Test
+    void longReason_isShownWhole() {
+        find("way keys");
+        Label about = robot.lookup("#palette-about").query();
+        assertThat(about.getText()).contains("Not now: ");
+        assertThat(about.getHeight()).isGreaterThanOrEqualTo(about.prefHeight(about.getWidth()));
+    }
+
+    private void listenFor(Command command) {
+        robot.interact(() -> model().commands().run(Command.KEYS));
+        robot.interact(() -> {
+            robot.lookup("#key-" + command.id()).<Button>query().requestFocus();
+            robot.lookup("#key-" + command.id()).<Button>query().fire();
+        });
+    }
+
+    private void closeKeys() {
+        closeWindows();
+        robot.interact(() -> stage.requestFocus());
+    }
+
+    @Test
+    void keyThatIsGiven_isHeardAtOnceAndTheOldOneNoMore() {
+        listenFor(Command.DUPLICATE_LIGHT);
+        robot.push(KeyCode.CONTROL, KeyCode.J);
+        closeKeys();
+        robot.push(KeyCode.CONTROL, KeyCode.J);
+        assertThat(model().lights()).hasSize(4);
+        robot.push(KeyCode.CONTROL, KeyCode.D);
+        assertThat(model().lights()).hasSize(4);
+        assertThat(text(Command.DUPLICATE_LIGHT)).isEqualTo("Ctrl+J");
+    }
+
+    /** The key that the menu bar shows. */
+    private String text(Command command) {
+        MenuItem item = robot.lookup(".menu-bar").<MenuBar>query().getMenus().stream().flatMap(m -> m.getItems().stream())
+                .filter(i -> ("menu-" + command.id()).equals(i.getId())).findFirst().orElseThrow();
+        return item.getAccelerator().getDisplayText();
+    }
+
+    @Test
+    void keyOfAnotherCommand_isTakenAtTheSecondPress() {
+        listenFor(Command.DUPLICATE_LIGHT);
+        robot.push(KeyCode.CONTROL, KeyCode.L);
+        assertThat(robot.lookup("Ctrl+L is Add Light's: press again to take it").tryQuery()).isPresent();
+        assertThat(model().keys().isChanged(Command.DUPLICATE_LIGHT)).isFalse();
+        robot.push(KeyCode.CONTROL, KeyCode.L);
+        assertThat(model().keys().of(Command.DUPLICATE_LIGHT)).contains(KeyCombination.valueOf("Shortcut+L"));
+        assertThat(robot.lookup("#key-add-light").<Button>query().getText()).isEqualTo("none");
+        robot.interact(() -> robot.lookup("#reset-keys").<Button>query().fire());
+        assertThat(robot.lookup("#key-add-light").<Button>query().getText()).isEqualTo("Ctrl+L");
+    }
+
+    @Test
+    void letterAlone_isRefusedWithTheReason() {
+        listenFor(Command.GO);
+        robot.push(KeyCode.K);
+        assertThat(robot.lookup("K alone types or moves; hold Ctrl or Alt with it, or take a function key").tryQuery()).isPresent();
+        robot.push(KeyCode.ESCAPE);
+        assertThat(model().keys().isChanged(Command.GO)).isFalse();
+    }
+}

@@ -1,0 +1,415 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javafx.application.Platform;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
+import lightning.editor.document.Command;
+import lightning.editor.document.Desk;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.widget.PictureView;
+import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrReader;
+import lightning.format.gltf.Gltf;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.format.jen.Problem;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.DisplayCurve;
+import lightning.render.image.ViewTransform;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+
+class FilesTest extends EditorDesk {
+
+    private void dim() {
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+    }
+
+    /** Does not wait for the command, which may wait for an answer. */
+    private void begin(Command command) {
+        Platform.runLater(() -> model().commands().run(command));
+    }
+
+    private boolean says(String text) {
+        return robot.lookup(text).tryQuery().isPresent();
+    }
+
+    @Test
+    void saveScene_writesTheFileAndIsDoneThen() throws IOException, JenException {
+        dim();
+        assertThat(stage.getTitle()).startsWith("•");
+        click("save-scene");
+        waitFor("it is saved", () -> text("message").equals("Saved desk.jen"));
+        assertThat(isEnabled(Command.SAVE_SCENE)).isFalse();
+        assertThat(stage.getTitle()).startsWith("desk.jen");
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().scene());
+    }
+
+    @Test
+    void saveSceneAs_isTheDocumentsFileFromThenOn() {
+        answer = folder.resolve("other");
+        begin(Command.SAVE_SCENE_AS);
+        waitFor("it is saved", () -> Files.exists(folder.resolve("other.jen")) && model().document().name().equals("other.jen"));
+    }
+
+    @Test
+    void saveImage_writesWhatTheCanvasShows() throws IOException {
+        answer = folder.resolve("picture.pfm");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved picture.pfm"));
+        assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+    }
+
+    private void export(String title) {
+        Menu menu = robot.lookup(".menu-bar").<MenuBar>query().getMenus().getFirst().getItems().stream()
+                .filter(item -> "menu-export".equals(item.getId())).map(Menu.class::cast).findFirst().orElseThrow();
+        Platform.runLater(() -> menu.getItems().stream().filter(item -> item.getText().equals(title)).findFirst().orElseThrow().fire());
+    }
+
+    @Test
+    void exportedLayers_areOfTheVeryPicture() throws IOException {
+        answer = folder.resolve("desk.exr");
+        export("Layers as OpenEXR, 32 Bits…");
+        waitFor("it is written", () -> text("message").equals("Exported desk.exr"));
+        assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+        try (ExrReader reader = new ExrReader(answer)) {
+            assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
+        }
+        assertThat(model().fileWork().file()).isNull();
+    }
+
+    @Test
+    void exportWithoutTheEnding_getsIt() throws IOException {
+        answer = folder.resolve("deep");
+        export("Picture as PNG, 16 Bits…");
+        waitFor("it is written", () -> text("message").equals("Exported deep.png"));
+        assertThat(Files.readAllBytes(folder.resolve("deep.png"))[24]).isEqualTo((byte) 16);
+    }
+
+    @Test
+    void exportThatCannotBeWritten_isToldInASentence() {
+        answer = folder.resolve("nowhere").resolve("desk.hdr");
+        export("Picture as Radiance HDR…");
+        waitFor("it tells", () -> says("The picture could not be exported"));
+        robot.clickOn("Close");
+        assertThat(model().fileWork().file()).isNull();
+    }
+
+    @Test
+    void pictureSavedWhileStopsAreShown_isThePicture() throws IOException {
+        robot.interact(() -> model().viewProperty().set(model().viewProperty().get().withCurve(DisplayCurve.FALSE)));
+        answer = folder.resolve("picture.png");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved picture.png"));
+        assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(answer)))
+                .isEqualTo(ViewTransform.DEFAULT.toPixels(model().frame().film()));
+    }
+
+    @Test
+    void saveImageWithPendingEdits_mentionsThem() {
+        dim();
+        answer = folder.resolve("picture.png");
+        begin(Command.SAVE_IMAGE);
+        waitFor("it asks", () -> says("The picture does not show the edits since the last Go."));
+        robot.clickOn("Save As It Is");
+        waitFor("it is written", () -> Files.exists(answer));
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void goFirst_rendersInsteadOfSaving() {
+        dim();
+        answer = folder.resolve("picture.png");
+        begin(Command.SAVE_IMAGE);
+        waitFor("it asks", () -> says("Go First"));
+        robot.clickOn("Go First");
+        waitForPicture();
+        assertThat(answer).doesNotExist();
+    }
+
+    @Test
+    void brokenFile_showsItsProblemsAndTheOpenSceneStays() throws IOException {
+        answer = Files.writeString(folder.resolve("broken.jen"), "jen 1\nlight key spot { intensity -3 }\nsphere { }\n");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> robot.lookup("#problems").tryQuery().isPresent());
+        List<Problem> problems = robot.lookup("#problems").<ListView<Problem>>query().getItems();
+        assertThat(problems).extracting(Problem::line).contains(2, 3);
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        robot.clickOn("Close");
+    }
+
+    @Test
+    void missingFile_isToldInASentence() {
+        answer = folder.resolve("nowhere.jen");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> says(answer + ": there is no such file"));
+        robot.clickOn("Close");
+    }
+
+    @Test
+    void loadedFile_isTracedInPlaceOfTheOldOne() throws IOException {
+        String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30");
+        answer = Files.writeString(folder.resolve("small.jen"), text);
+        begin(Command.LOAD_FILE);
+        waitFor("it is open", () -> model().document().name().equals("small.jen"));
+        waitForPicture();
+        assertThat(model().raster().pixels().width()).isEqualTo(40);
+        assertThat(text("traced-sizes")).isEqualTo("40 × 30");
+    }
+
+    @Test
+    void anotherScene_isTracedFromNothing() throws IOException {
+        String text = Files.readString(folder.resolve("desk.jen")).replace("fov 40", "fov 50");
+        answer = Files.writeString(folder.resolve("wide.jen"), text);
+        begin(Command.LOAD_FILE);
+        waitFor("it is open", () -> model().document().name().equals("wide.jen"));
+        waitForPicture();
+        assertThat(telemetry()).startsWith("first pass: no picture yet");
+    }
+
+    /** A scene of the size that no other test has, and of so much work that it can be cancelled on any machine. */
+    private OpenDocument large() throws IOException, JenException {
+        String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 170 170  antialias every  samples 8");
+        String lights = IntStream.range(0, 100).mapToObj(i -> "light more_" + i + " point { at 1 3 4 }\n").collect(Collectors.joining());
+        return OpenDocument.open(Files.writeString(folder.resolve("other.jen"), text + lights));
+    }
+
+    /** How many pixels the traced picture has; 0 where there is none. */
+    private int shownPixels() {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        return picture.isEmpty() ? 0 : picture.pixels().length;
+    }
+
+    /** The picture is that of the scene in the title, or none, whichever thread comes first. */
+    @Test
+    void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
+        OpenDocument opened = large();
+        List<String> wrong = new ArrayList<>();
+        robot.interact(() -> {
+            stage.titleProperty().subscribe(title -> {
+                if (title.startsWith("other.jen") && shownPixels() == 64 * 48) {
+                    wrong.add(title);
+                }
+            });
+            model().open(opened);
+        });
+        robot.interact(() -> model().commands().run(Command.CANCEL));
+        waitFor("it is stopped", () -> model().renderingProperty().get().cancelled());
+        // Its centers may have been there before it was stopped.
+        waitFor("the last scene's picture is gone", () -> isShown("waiting") || shownPixels() == 170 * 170);
+        assertThat(stage.getTitle()).startsWith("other.jen");
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void anotherSceneCancelledAtOnce_saysSo() throws Exception {
+        OpenDocument opened = large();
+        robot.interact(() -> {
+            model().open(opened);
+            model().commands().run(Command.CANCEL);
+        });
+        waitFor("nothing is in work", () -> model().situationProperty().get().inWork().isEmpty());
+        waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Cancelled. Go traces the picture."));
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void droppedScene_isOpenedAndAnythingElseIsNot() throws IOException {
+        Path small = Files.writeString(folder.resolve("small.jen"),
+                Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30"));
+        EditorWindow window = editor.window();
+        AtomicBoolean taken = new AtomicBoolean(true);
+        robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile()))));
+        assertThat(taken).isFalse();
+        robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
+        assertThat(taken).isTrue();
+        waitFor("it is open", () -> model().document().name().equals("small.jen"));
+    }
+
+    @Test
+    void droppedMesh_becomesASceneBesideIt_andAnotherIsAskedFor() throws IOException {
+        Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
+        robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
+        waitFor("it is open", () -> model().document().name().equals("tri.jen"));
+        waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 kinds of things are left out"));
+        String first = Files.readString(folder.resolve("tri.jen"));
+        answer = folder.resolve("again.jen");
+        robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
+        waitFor("the other is open", () -> model().document().name().equals("again.jen"));
+        assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
+    }
+
+    @Test
+    void fileThatDoesNotSayItsUnits_isShownInAllOfThem_andTheChosenAreKept() throws IOException {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
+        robot.interact(() -> editor.window().drop(List.of(gltf.toFile())));
+        waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
+        assertThat(folder.resolve("lit.jen")).doesNotExist();
+        click("units-watts");
+        waitFor("it is open", () -> model().document().name().equals("lit.jen"));
+        assertThat(light("bulb").intensity() / light("bulb").attenuation().quadratic())
+                .isCloseTo(100 / (4 * Math.PI * Math.PI), Offset.offset(1e-9));
+        assertThat(Files.readString(folder.resolve("lit.jen"))).contains("# light units: the file's numbers were taken as watts");
+    }
+
+    @Test
+    void questionForUnits_canBeCancelled() throws IOException {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
+        robot.interact(() -> editor.window().drop(List.of(gltf.toFile())));
+        waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
+        robot.type(javafx.scene.input.KeyCode.ESCAPE);
+        waitFor("it is gone", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
+        assertThat(text("message")).isEmpty();
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(folder.resolve("lit.jen")).doesNotExist();
+    }
+
+    @Test
+    void brokenMesh_isToldAndTheOpenSceneStays() throws IOException {
+        answer = Files.writeString(folder.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> says("bad.obj could not be opened"));
+        assertThat(robot.lookup(".dialog-pane .label").queryAllAs(Label.class)).extracting(Label::getText)
+                .anyMatch(text -> text.startsWith(folder.resolve("bad.obj") + ": line 2: "));
+        assertThat(text("message")).isEmpty();
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(folder.resolve("bad.jen")).doesNotExist();
+        robot.type(javafx.scene.input.KeyCode.ESCAPE);
+    }
+
+    @Test
+    void longSentence_isSaidInTheMiddleOfTheWindow() throws IOException {
+        Path deep = Files.createDirectories(folder.resolve("a folder of meshes ".repeat(10).strip()));
+        answer = Files.writeString(deep.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+        begin(Command.LOAD_FILE);
+        waitFor("it tells", () -> says("bad.obj could not be opened"));
+        Window told = robot.lookup(".dialog-pane").query().getScene().getWindow();
+        assertThat(told.getX() + told.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
+        robot.type(javafx.scene.input.KeyCode.ESCAPE);
+    }
+
+    @Test
+    void recentScene_isOpenedFromTheMenu() throws IOException {
+        answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        begin(Command.LOAD_FILE);
+        waitFor("it is open", () -> model().document().name().equals("other.jen"));
+        waitFor("the first is listed", () -> editor.files().recentItems().stream().anyMatch(i -> i.getText().endsWith("desk.jen")));
+        robot.interact(() -> editor.files().recentItems().stream().filter(i -> i.getText().equals(folder.resolve("desk.jen").toString()))
+                .findFirst().orElseThrow().fire());
+        waitFor("the first is open again", () -> model().document().name().equals("desk.jen"));
+    }
+
+    @Test
+    void unsavedEdits_canBeDiscardedForAnotherScene() throws IOException, JenException {
+        dim();
+        answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        begin(Command.LOAD_FILE);
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Don't Save");
+        waitFor("it is open", () -> model().document().name().equals("other.jen"));
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(1);
+    }
+
+    @Test
+    void reload_startsOverAndCanBeUndone() {
+        dim();
+        click("reload");
+        waitFor("it is reloaded", () -> light("lamp").intensity() == 1);
+        click("undo");
+        assertThat(light("lamp").intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void closingWithUnsavedEdits_asksAndCancelStays() {
+        dim();
+        Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Cancel");
+        assertThat(stage.isShowing()).isTrue();
+        assertThat(model().document().isDirty()).isTrue();
+    }
+
+    @Test
+    void closingDuringASave_waitsUntilItIsWritten() throws IOException, JenException {
+        dim();
+        robot.interact(() -> {
+            model().commands().run(Command.SAVE_SCENE);
+            stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
+        });
+        waitFor("it is closed", () -> !stage.isShowing());
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void editMadeWhileAnotherSceneIsRead_isAskedAbout() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            editor.files().load(other);
+            model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25));
+        });
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Cancel");
+        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(light("lamp").intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void sceneThatIsRead_isNoLongerWantedAfterCancel() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            editor.files().load(other);
+            model().commands().run(Command.CANCEL);
+        });
+        Path third = Files.writeString(folder.resolve("third.jen"), Files.readString(folder.resolve("desk.jen")));
+        List<String> opened = new ArrayList<>();
+        robot.interact(() -> model().documentProperty().addListener((_, _, now) -> opened.add(now.name())));
+        robot.interact(() -> editor.files().load(third));
+        waitFor("the third is open", () -> model().document().name().equals("third.jen"));
+        assertThat(opened).containsExactly("third.jen");
+    }
+
+    @Test
+    void cancelledReading_leavesNoWordOfHowFarItWas() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
+        robot.interact(() -> {
+            editor.files().load(other);
+            model().say("Reading other.jen: 64 %");
+            model().commands().run(Command.CANCEL);
+        });
+        assertThat(text("message")).isEmpty();
+    }
+
+    @Test
+    void choiceOfAccuracy_isKeptAtOnce() {
+        robot.interact(() -> model().precisionProperty().set(Precision.RATIO));
+        waitFor("it is kept",
+                () -> new Preferences(folder.resolve("own"), Runnable::run).choice("precision", Precision.EXACT) == Precision.RATIO);
+    }
+
+    @Test
+    void saveOnClosing_writesTheScene() throws IOException, JenException {
+        dim();
+        Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
+        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        robot.clickOn("Save");
+        waitFor("it is saved", () -> !model().document().isDirty());
+        Path file = folder.resolve("desk.jen");
+        assertThat(JenReader.read(file).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+}

@@ -1,0 +1,92 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import javafx.application.Platform;
+import javafx.stage.Stage;
+import lightning.base.work.Wait;
+import lightning.editor.document.FileThread;
+import lightning.editor.window.model.Preferences;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+
+@ExtendWith(JavaFxNeeds.class)
+class FirstSightTest {
+    @TempDir
+    private Path folder;
+
+    private final FileThread thread = new FileThread(Platform::runLater);
+    private final AtomicReference<Boolean> seen = new AtomicReference<>();
+    private Stage stage;
+    private FirstSight sight;
+
+    @BeforeEach
+    void register() throws Exception {
+        FxToolkit.registerPrimaryStage();
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        FxToolkit.setupFixture(() -> {
+            sight.close();
+            stage.close();
+        });
+        thread.close();
+    }
+
+    /** Shows the pane of a picture, and asks to hear when it is seen: whether there was one then. */
+    private void show(String size) throws Exception {
+        Path file = Files.writeString(folder.resolve("scene.jen"), "jen 1\npicture { size " + size + " }\nsphere ball { }\n");
+        FxToolkit.setupFixture(() -> {
+            stage = new Stage();
+            sight = OpenEditor.sight(file, OpenEditor.frame(file), folder, thread);
+            OpenEditor.show(stage, sight.frame());
+            sight.whenSeen(() -> seen.set(!sight.traced().isEmpty()));
+        });
+    }
+
+    @Test
+    void restOfTheWindow_waitsForThePicture() throws Exception {
+        show("40 30");
+        OpenEditor.await(() -> seen.get() != null);
+        assertThat(seen.get()).isTrue();
+    }
+
+    @Test
+    void restOfTheWindow_doesNotWaitForAPictureThatCannotBe() throws Exception {
+        show("16384 16384");
+        OpenEditor.await(() -> seen.get() != null);
+        assertThat(seen.get()).isFalse();
+    }
+
+    @Test
+    void tableOfTheRunBefore_isReadAgain() throws Exception {
+        Path table = Files.writeString(folder.resolve("look.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        var preferences = new Preferences(folder.resolve("own"), Runnable::run);
+        preferences.set("table", table);
+        preferences.save();
+        show("16 12");
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
+                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().viewProperty().get().cube().isPresent()).get());
+    }
+
+    @Test
+    void tableThatIsGone_isSaidAndNotShown() throws Exception {
+        var preferences = new Preferences(folder.resolve("own"), Runnable::run);
+        preferences.set("table", folder.resolve("gone.cube"));
+        preferences.save();
+        show("16 12");
+        WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
+                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().messageProperty().get().contains("there is no such file")).get());
+        assertThat(sight.model().viewProperty().get().cube()).isEmpty();
+    }
+}

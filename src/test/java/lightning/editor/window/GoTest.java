@@ -1,0 +1,353 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import javafx.application.Platform;
+import javafx.scene.control.Button;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.Spinner;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToolBar;
+import javafx.scene.input.KeyCode;
+import lightning.base.work.Wait;
+import lightning.bench.accuracy.WarmSaving;
+import lightning.editor.document.Change;
+import lightning.editor.document.Command;
+import lightning.editor.document.Desk;
+import lightning.editor.document.Dial;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.window.model.Precision;
+import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.TraceCounts;
+import lightning.sample.ClearScenes;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.scene.effects.Effect;
+import lightning.scene.effects.ViewEffects;
+import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
+
+class GoTest extends EditorDesk {
+
+    private void asIn1998() {
+        robot.interact(() -> model().precisionProperty().set(Precision.ON_DEMAND));
+        waitForPicture();
+    }
+
+    private void dim() {
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+    }
+
+    /** So many that a large picture takes its time. */
+    private void manyLights() {
+        robot.interact(() -> {
+            for (int i = 0; i < 120; i++) {
+                model().edit(scene -> LightEdits.duplicate(scene, "lamp"));
+            }
+        });
+    }
+
+    private MenuItem sizeItem(String id) {
+        return robot.lookup("#traced-sizes").<MenuButton>query().getItems().stream().filter(i -> id.equals(i.getId()))
+                .findFirst().orElseThrow();
+    }
+
+    private void size(int width, int height) {
+        robot.interact(sizeItem("size-" + width + "x" + height)::fire);
+    }
+
+    @Test
+    void openedScene_isTracedAndLeavesNothingToDo() {
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(model().commands().reason(Command.GO)).contains("nothing was edited since the last Go");
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
+        assertThat(telemetry()).contains("first pass").contains("exact");
+    }
+
+    @Test
+    void edit_enablesGoAndMarksTheCanvas() {
+        dim();
+        assertThat(isEnabled(Command.GO)).isTrue();
+        waitFor("the canvas is marked", () -> isShown("pending"));
+        assertThat(text("pending")).isEqualTo("Edits not yet rendered");
+    }
+
+    @Test
+    void go_showsTheEditAndWhatItCost() {
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(isEnabled(Command.GO)).isFalse();
+        assertThat(isShown("pending")).isFalse();
+        assertThat(text("status")).matches("[0-9.]+ m?s, exact");
+        assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
+        waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
+        // Which of the two it is depends on the machine: the picture is tiny.
+        assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
+    }
+
+    @Test
+    void go_bringsTheEditToTheMirrorsToo() {
+        dim();
+        click("go");
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertThat(isShown("mirrors")).isFalse();
+        assertThat(model().commands().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
+    }
+
+    @Test
+    void antialiasingSwitchedOn_isNotComparedWithTheTimeOfAnotherPicture() {
+        dim();
+        click("go");
+        waitForPicture();
+        waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
+        WarmSaving told = model().renderingProperty().get().measured();
+        robot.interact(() -> model().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSampling(
+                new Sampling(Antialias.EDGES, 2))))));
+        click("go");
+        waitFor("the saving is another", () -> model().renderingProperty().get().measured() != told);
+        assertThat(model().renderingProperty().get().measured().isOf(model().frame().update())).isTrue();
+        assertThat(model().frame().update().plan().text()).contains("samples");
+    }
+
+    @Test
+    void staleGo_showsThePictureOfTheStaleOracle() {
+        asIn1998();
+        Scene mirrored = model().scene();
+        dim();
+        click("go");
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(model().scene(), mirrored).trace());
+        assertCanvasShows(new ReferenceTracer(model().scene(), mirrored).trace());
+        assertThat(text("status")).contains("reflections of an older light");
+    }
+
+    @Test
+    void goAndUpdateReflections_giveThePictureOfAFullTrace() {
+        asIn1998();
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
+        click("update-reflections");
+        waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void undoAfterGo_leavesGoEnabled() {
+        dim();
+        click("go");
+        waitForPicture();
+        click("undo");
+        assertThat(light("lamp").intensity()).isEqualTo(1);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        click("redo");
+        assertThat(isEnabled(Command.GO)).isFalse();
+    }
+
+    @Test
+    void shortcut_doesWhatTheButtonDoes() {
+        dim();
+        robot.push(KeyCode.F5);
+        waitForPicture();
+        assertThat(model().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void live_rendersWithoutGo() {
+        click("live");
+        dim();
+        waitForPicture();
+        assertThat(model().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void depthSpinner_isAnEditLikeAnyOther() {
+        // In a narrow window it is in the tool bar's overflow.
+        Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream()
+                .flatMap(item -> item.lookupAll(".spinner").stream()).map(Spinner.class::cast).findFirst().orElseThrow();
+        robot.interact(() -> depth.increment());
+        assertThat(model().scene().picture().depth()).isEqualTo(3);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        click("undo");
+        assertThat(model().scene().picture().depth()).isEqualTo(2);
+    }
+
+    @Test
+    void anotherSize_isTracedAnew() {
+        size(200, 200);
+        waitForPicture();
+        assertThat(model().frame().film().width()).isEqualTo(200);
+        assertThat(model().raster().pixels().pixels()).isEqualTo(model().viewProperty().get().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void sizes_areOfFourToThreeToo() {
+        for (String size : new String[] {"320x240", "640x480", "1024x768"}) {
+            assertThat(sizeItem("size-" + size)).isNotNull();
+        }
+    }
+
+    @Test
+    void scenesOwnSize_comesBack() {
+        assertThat(sizeItem("size-own").getText()).isEqualTo("The scene's own, 64 × 48");
+        size(200, 200);
+        robot.interact(sizeItem("size-own")::fire);
+        waitForPicture();
+        assertThat(model().frame().film().width()).isEqualTo(64);
+        assertThat(model().frame().film().height()).isEqualTo(48);
+    }
+
+    private void typeSize(String typed) {
+        MenuItem other = sizeItem("size-other");
+        Platform.runLater(other::fire);
+        waitFor("it asks", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
+        robot.interact(() -> robot.lookup(".text-input-dialog .text-field").<TextField>query().setText(typed));
+        robot.clickOn("OK");
+    }
+
+    @Test
+    void typedSize_isTracedAnew() {
+        typeSize("50 x 40");
+        waitFor("it is traced", () -> model().frame().film().width() == 50);
+        assertThat(model().frame().film().height()).isEqualTo(40);
+    }
+
+    @Test
+    void typedNonsense_isRefusedInASentence() {
+        typeSize("large");
+        waitFor("it tells", () -> text("message").contains("640 × 480, was 'large'"));
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void longTrace_showsProgressThatCanBeCancelledWhileTheWindowAnswers() throws Exception {
+        Scene before = model().frame().scene();
+        manyLights();
+        size(1920, 1080);
+        waitFor("progress is shown", () -> isShown("progress"));
+        assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
+        robot.interact(robot.lookup("#cancel-progress").<Button>query()::fire);
+        waitFor("it is over", () -> !isShown("progress"));
+        assertThat(model().frame().scene()).isEqualTo(before);
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void verify_saysThatThePictureIsAFullTraces() {
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
+        assertThat(isShown("difference")).isTrue();
+    }
+
+    @Test
+    void verifyOfStaleMirrors_saysThatTheyAre() {
+        asIn1998();
+        dim();
+        click("go");
+        waitForPicture();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).startsWith("Verified: equal to a full trace whose mirrors show an older light in every bit")
+                .contains("would change with current mirrors");
+    }
+
+    @Test
+    void updatedReflections_takeTheVerdictAndTheDifferenceAway() {
+        asIn1998();
+        dim();
+        click("go");
+        waitForPicture();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        click("difference");
+        Object verified = model().frame();
+        click("update-reflections");
+        waitFor("the mirrors are new", () -> model().frame() != verified);
+        waitFor("the verdict is gone", () -> !text("status").contains("Verified"));
+        assertThat(isShown("difference")).isFalse();
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void anotherAccuracy_castsNoRay() {
+        for (Precision precision : new Precision[] {Precision.RATIO, Precision.EXACT, Precision.ON_DEMAND}) {
+            Object before = model().frame();
+            robot.interact(() -> model().precisionProperty().set(precision));
+            waitFor("it is rendered", () -> model().frame() != before);
+            assertThat(model().frame().update().rays()).as(precision.toString()).isEqualTo(TraceCounts.NONE);
+            assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        }
+    }
+
+    @Test
+    void olderMirrors_areTellingUntilABadgesClickUpdatesThem() {
+        asIn1998();
+        dim();
+        click("go");
+        waitFor("it is told", () -> isShown("mirrors"));
+        assertThat(text("mirrors")).isEqualTo("The mirrors are older than the lights: Update Reflections");
+        click("mirrors");
+        waitFor("they are updated", () -> !isShown("mirrors"));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    /** Hidden reflections leave what is seen through the glass, and that is as old. */
+    @Test
+    void oldLightSeenThroughGlass_isToldUntilABadgesClickUpdatesIt() throws Exception {
+        OpenDocument glass = OpenDocument.open(Files.writeString(folder.resolve("glass.jen"), ClearScenes.BALL));
+        asIn1998();
+        robot.interact(() -> model().open(glass));
+        waitForPicture();
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(text("status")).contains("reflections of an older light");
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
+        robot.interact(() -> model().look().effectsProperty().set(ViewEffects.ALL.with(Effect.REFLECTION, false)));
+        waitFor("the look is shown", () -> !model().frame().look().isPlain());
+        waitFor("it is told", () -> isShown("mirrors"));
+        click("mirrors");
+        waitFor("it is updated", () -> !isShown("mirrors"));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
+    }
+
+    @Test
+    void mirrorsThatShowLightsThatAreGone_areExplained() {
+        asIn1998();
+        robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().edit(scene -> LightEdits.delete(scene, l))));
+        click("go");
+        waitFor("it is told", () -> isShown("mirrors"));
+        assertThat(text("mirrors")).isEqualTo("No light shines here; the mirrors still show those of before: Update Reflections");
+        robot.interact(() -> model().precisionProperty().set(Precision.EXACT));
+        waitFor("no ghost is left", () -> !isShown("mirrors"));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void sceneWithoutMirrors_isNeverBehindInThem() {
+        asIn1998();
+        robot.interact(() -> model().edit(scene -> Dial.DEPTH.set(scene, "", 0)));
+        click("go");
+        waitForPicture();
+        dim();
+        click("go");
+        waitForPicture();
+        assertThat(model().situationProperty().get().mirrorsRemark()).isEmpty();
+        assertThat(text("status")).endsWith("exact");
+    }
+}

@@ -1,0 +1,167 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.ContextMenu;
+import javafx.scene.control.Control;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuBar;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.input.MouseButton;
+import javafx.stage.Window;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Command;
+import lightning.editor.window.command.CommandItems;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Whatever a menu of the editor offers is a command. */
+class MenusTest extends EditorDesk {
+    @AfterEach
+    void closeWindows() {
+        robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide));
+    }
+
+    private List<MenuItem> items() {
+        List<MenuItem> all = new ArrayList<>();
+        for (Window window : Window.getWindows()) {
+            if (window instanceof ContextMenu menu) {
+                collect(menu.getItems(), all);
+            }
+            collect(window.getScene().getRoot(), all);
+        }
+        return all;
+    }
+
+    private static void collect(Node node, List<MenuItem> all) {
+        if (node instanceof MenuBar bar) {
+            bar.getMenus().forEach(menu -> collect(menu.getItems(), all));
+        }
+        if (node instanceof MenuButton button) {
+            // As its menu is filled when it opens.
+            if (button.getOnShowing() != null) {
+                button.getOnShowing().handle(null);
+            }
+            collect(button.getItems(), all);
+        }
+        if (node instanceof Control control && control.getContextMenu() != null) {
+            collect(control.getContextMenu().getItems(), all);
+        }
+        if (node instanceof Parent parent) {
+            parent.getChildrenUnmodifiable().forEach(child -> collect(child, all));
+        }
+    }
+
+    private static void collect(List<MenuItem> items, List<MenuItem> all) {
+        for (MenuItem item : items) {
+            if (item instanceof Menu menu) {
+                collect(menu.getItems(), all);
+            } else if (!(item instanceof SeparatorMenuItem)) {
+                all.add(item);
+            }
+        }
+    }
+
+    /** Those of a shape's menu, and those that are there with every tab and window open. */
+    private List<MenuItem> allItems() {
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.clickOn(inPreview(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
+        waitFor("the shape's menu is open", () -> items().stream().anyMatch(i -> "Edit Material matt of ball".equals(i.getText())));
+        List<MenuItem> all = new ArrayList<>();
+        robot.interact(() -> all.addAll(items()));
+        robot.interact(() -> model().materials().inFrontProperty().set(false));
+        robot.clickOn("#intensity .label", MouseButton.SECONDARY);
+        robot.interact(() -> {
+            all.addAll(items());
+            Stream.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.MAKE_ANIMATION).forEach(model().commands()::run);
+            all.addAll(items());
+        });
+        return all;
+    }
+
+    @Test
+    void everyItem_isMadeOfACommand() {
+        assertThat(allItems()).hasSizeGreaterThan(100)
+                .allSatisfy(item -> assertThat(CommandItems.command(item)).as("the command of %s", item.getText()).isPresent());
+    }
+
+    @Test
+    void everyCommand_isInAMenuOfTheEditor() {
+        Set<Command> offered = EnumSet.noneOf(Command.class);
+        allItems().forEach(item -> CommandItems.command(item).ifPresent(offered::add));
+        // Of the light's type there is a choice of its own, among its properties.
+        offered.add(Command.CHANGE_TYPE);
+        assertThat(offered).containsExactlyInAnyOrder(Command.values());
+    }
+
+    @Test
+    void menuMadeAhead_opensWithTheLinesThatAreThereAndTheirLooks() {
+        List<Menu> menus = robot.lookup(".menu-bar").<MenuBar>query().getMenus();
+        Set<Double> notMadeAhead = heights(opened(menus.get(1)));
+        ContextMenu window = window(menus.get(2));
+        assertThat(window.getSkin()).isNull();
+        robot.interact(() -> editor.window().ahead().forEach(Runnable::run));
+        assertThat(window.isShowing()).isFalse();
+        Node made = window.getSkin().getNode();
+        Node seen = opened(menus.get(2));
+        assertThat(seen).isSameAs(made);
+        assertThat(heights(seen)).isEqualTo(notMadeAhead);
+    }
+
+    private static ContextMenu window(Menu menu) {
+        return menu.getItems().getFirst().getParentPopup();
+    }
+
+    private Node opened(Menu menu) {
+        robot.interact(menu::show);
+        waitFor("the menu is open", () -> window(menu).isShowing());
+        return window(menu).getSkin().getNode();
+    }
+
+    /** Of a menu's lines. */
+    private static Set<Double> heights(Node menu) {
+        return ((Parent) ((Parent) menu).getChildrenUnmodifiable().getFirst()).getChildrenUnmodifiable().stream()
+                .map(line -> line.getBoundsInParent().getHeight()).collect(Collectors.toSet());
+    }
+
+    @Test
+    void item_isDisabledExactlyWhileItsCommandIs() {
+        robot.interact(() -> model().selectLight("lamp"));
+        robot.interact(() -> {
+            for (MenuItem item : items()) {
+                boolean empty = "None yet".equals(item.getText());
+                assertThat(item.isDisable()).as(item.getText())
+                        .isEqualTo(empty || !model().commands().isEnabled(CommandItems.command(item).orElseThrow()));
+            }
+        });
+    }
+
+    @Test
+    void keys_areOfOneCommandEach() {
+        List<String> keys = Arrays.stream(Command.values()).map(Command::shortcut).filter(k -> !k.isEmpty()).toList();
+        assertThat(keys).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void itemThatSwitchesSomething_isMarkedWhileItIsOn() {
+        MenuItem live = items().stream().filter(i -> "menu-live".equals(i.getId())).findFirst().orElseThrow();
+        assertThat(((CheckMenuItem) live).isSelected()).isFalse();
+        robot.interact(live::fire);
+        assertThat(model().liveProperty().get()).isTrue();
+        assertThat(((CheckMenuItem) live).isSelected()).isTrue();
+        click("live");
+        assertThat(((CheckMenuItem) live).isSelected()).isFalse();
+    }
+}

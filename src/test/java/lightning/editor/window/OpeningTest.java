@@ -1,0 +1,49 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.framework.junit5.Start;
+import org.testfx.framework.junit5.Stop;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class OpeningTest {
+    @TempDir
+    private Path folder;
+    private LightningApp app;
+    private volatile Editor editor;
+
+    @Start
+    private void start(Stage stage) throws Exception {
+        Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        app = new LightningApp() {
+            @Override
+            Path file() {
+                return mesh;
+            }
+
+            @Override
+            void opened(Editor opened) {
+                editor = opened;
+            }
+        };
+        app.init();
+        app.start(stage);
+    }
+
+    @Stop
+    private void stop() {
+        app.stop();
+    }
+
+    @Test
+    void fileOfAnotherProgram_becomesASceneBesideIt() throws Exception {
+        OpenEditor.await(() -> editor != null && editor.model().document().name().equals("tri.jen"));
+        assertThat(folder.resolve("tri.jen")).exists();
+    }
+}

@@ -1,0 +1,237 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import javafx.geometry.Bounds;
+import javafx.geometry.Rectangle2D;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.SplitPane;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
+import javafx.scene.text.Text;
+import javafx.stage.Stage;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.window.model.Precision;
+import lightning.editor.window.widget.OnScreen;
+import org.junit.jupiter.api.Test;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** On a small screen, or a large one at twice the scale, nothing is out of reach. */
+class SmallWindowTest extends EditorDesk {
+
+    private void resize(double width, double height) {
+        robot.interact(() -> {
+            stage.setWidth(width);
+            stage.setHeight(height);
+        });
+        // The window hears of its size a little later.
+        waitFor("the window is so wide", () -> stage.getScene().getWidth() == width && stage.getScene().getHeight() == height);
+        QuickRobot.settle();
+    }
+
+    private static Bounds onScreen(Node node) {
+        return node.localToScreen(node.getBoundsInLocal());
+    }
+
+    private Bounds window() {
+        return onScreen(stage.getScene().getRoot());
+    }
+
+    private List<Region> panes() {
+        return List.of("#traced", "#preview", "#lights", "#side").stream().map(id -> robot.lookup(id).<Region>query()).toList();
+    }
+
+    @Test
+    void everyPane_isWhollyInTheWindow() {
+        resize(960, 540);
+        for (Region pane : panes()) {
+            assertThat(window().contains(onScreen(pane))).as(pane.getId()).isTrue();
+            assertThat(pane.getWidth()).as(pane.getId()).isGreaterThan(150);
+            assertThat(pane.getHeight()).as(pane.getId()).isGreaterThan(80);
+        }
+    }
+
+    @Test
+    void everyControlOfAPanesHeader_isInThePane() {
+        resize(960, 540);
+        for (String pane : new String[] {"#traced", "#preview"}) {
+            Bounds all = onScreen(robot.lookup(pane).query());
+            Set<Node> controls = robot.from(robot.lookup(pane + " .pane-header").<Node>query()).lookup(Node::isFocusTraversable).queryAll();
+            assertThat(controls).hasSizeGreaterThan(4);
+            assertThat(controls.stream().filter(c -> c.isVisible() && !all.contains(onScreen(c))).map(Node::getId)).isEmpty();
+        }
+    }
+
+    @Test
+    void pixelUnderTheMouse_isToldWithoutACut() {
+        resize(960, 540);
+        Label line = robot.lookup("#pixel").query();
+        robot.moveTo("#traced-picture");
+        waitFor("it tells", () -> line.getText().contains("normal"));
+        QuickRobot.settle();
+        assertThat(robot.from(line).lookup(".text").<Text>query().getText()).isEqualTo(line.getText());
+    }
+
+    @Test
+    void lineOfAPixel_staysWhileTheMouseIsOverIt() {
+        Label line = robot.lookup("#pixel").query();
+        robot.moveTo("#traced-picture");
+        waitFor("it tells", () -> line.getText().contains("normal"));
+        robot.moveTo("#pixel");
+        QuickRobot.settle();
+        assertThat(line.getText()).contains("normal");
+        assertThat(line.getTooltip().getText()).isEqualTo(line.getText());
+        robot.moveTo("#lights");
+        waitFor("it tells no more", () -> line.getText().isBlank());
+        assertThat(line.getTooltip()).isNull();
+    }
+
+    @Test
+    void lastProperty_isReachedByScrolling() {
+        resize(960, 540);
+        ScrollPane scroll = robot.lookup("#properties .scroll-pane").query();
+        robot.interact(() -> scroll.setVvalue(1));
+        QuickRobot.settle();
+        Node last = robot.lookup("#environment-softness").query();
+        assertThat(onScreen(scroll)).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
+        assertThat(window()).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
+    }
+
+    @Test
+    void toolBar_keepsWhatHasNoRoomInItsOverflow() {
+        resize(860, 540);
+        Node overflow = robot.lookup("#toolbar .tool-bar-overflow-button").query();
+        waitFor("the tool bar has an overflow", overflow::isVisible);
+        assertThat(window()).as(onScreen(overflow) + " is in it").matches(b -> b.contains(onScreen(overflow)));
+        assertThat(onScreen(overflow).getWidth()).isGreaterThan(8);
+        robot.clickOn(overflow);
+        // Whenever the bar is laid out, it takes its buttons out of the menu and puts them back: only the window's thread sees them for sure.
+        waitFor("its menu shows what has no room", () -> robot.lookup("#effects-panel").tryQuery().isPresent());
+        robot.push(KeyCode.ESCAPE);
+    }
+
+    @Test
+    void nameOfAControlInTheToolBar_isWhereTheControlIs() {
+        for (double width : new double[] {860, 960, 1300}) {
+            resize(width, 540);
+            QuickRobot.settle();
+            Node bar = robot.lookup("#toolbar").query();
+            boolean named = robot.from(bar).lookup("Depth").tryQuery().filter(SmallWindowTest::isSeen).isPresent();
+            boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isSeen).isPresent();
+            assertThat(named).as("the name beside the control, at " + width).isEqualTo(there);
+        }
+    }
+
+    /** Whether it and all that it is in are visible. */
+    private static boolean isSeen(Node node) {
+        return node == null || node.isVisible() && isSeen(node.getParent());
+    }
+
+    @Test
+    void growingBack_restoresEveryPane() {
+        resize(1000, 700);
+        List<Bounds> before = panes().stream().map(SmallWindowTest::onScreen).toList();
+        resize(860, 500);
+        resize(1000, 700);
+        List<Bounds> after = panes().stream().map(SmallWindowTest::onScreen).toList();
+        for (int i = 0; i < before.size(); i++) {
+            assertThat(after.get(i).getWidth()).as(panes().get(i).getId()).isCloseTo(before.get(i).getWidth(), within(2.0));
+            assertThat(after.get(i).getHeight()).as(panes().get(i).getId()).isCloseTo(before.get(i).getHeight(), within(2.0));
+        }
+    }
+
+    @Test
+    void window_hasASmallestSize() {
+        assertThat(stage.getMinWidth()).isBetween(600.0, 960.0);
+        assertThat(stage.getMinHeight()).isBetween(300.0, 540.0);
+        assertThat(robot.lookup(".split-pane").queryAllAs(SplitPane.class)).isNotEmpty();
+    }
+
+    @Test
+    void noLabelOfAHeader_isCut() {
+        for (double width : new double[] {1000, 960}) {
+            resize(width, 540);
+            robot.interact(() -> model().commands().run(Command.VERIFY));
+            waitFor("it is verified", () -> isShown("difference"));
+            QuickRobot.settle();
+            Set<String> cut = robot.lookup(n -> n instanceof Labeled && isIn(n, "pane-header", "tool-bar", "lights-tools"))
+                    .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
+            assertThat(cut).isEmpty();
+        }
+    }
+
+    @Test
+    void badge_isReadInFull() {
+        resize(860, 540);
+        robot.interact(() -> {
+            model().precisionProperty().set(Precision.ON_DEMAND);
+            model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5)));
+            model().go();
+        });
+        waitFor("mirrors are older", () -> isShown("mirrors"));
+        QuickRobot.settle();
+        Labeled badge = robot.lookup("#mirrors").query();
+        assertThat(onScreen(robot.lookup("#traced").query()).contains(onScreen(badge))).isTrue();
+        assertThat(textOf(badge)).isEqualToIgnoringWhitespace(badge.getText());
+    }
+
+    /** What is drawn of it. */
+    private static String textOf(Labeled labeled) {
+        return labeled.getChildrenUnmodifiable().stream().filter(n -> n instanceof Text t && !(n instanceof FontIcon))
+                .map(n -> ((Text) n).getText()).collect(Collectors.joining());
+    }
+
+    @Test
+    void everyAccuracy_isReadInFull() {
+        for (Precision precision : Precision.values()) {
+            robot.interact(() -> model().precisionProperty().set(precision));
+            Set<String> cut = robot.lookup("#precision .label").queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut)
+                    .map(Labeled::getText).collect(Collectors.toSet());
+            assertThat(cut).isEmpty();
+        }
+    }
+
+    private static boolean isIn(Node node, String... classes) {
+        for (Node n = node; n != null; n = n.getParent()) {
+            if (n.getStyleClass().stream().anyMatch(Set.of(classes)::contains)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The text that is drawn is shorter than what it should be. */
+    private static boolean isCut(Labeled labeled) {
+        return labeled.isVisible() && labeled.getText() != null && labeled.getChildrenUnmodifiable().stream()
+                .anyMatch(n -> n instanceof Text t && !(n instanceof FontIcon) && !t.getText().equals(labeled.getText()));
+    }
+
+    @Test
+    void windowBesideTheEditors_isWhollyOnTheScreenAndScrolled() {
+        robot.push(KeyCode.F1);
+        QuickRobot.settle();
+        Node keys = robot.lookup("#keys").query();
+        Stage window = (Stage) keys.getScene().getWindow();
+        assertThat(window.getX()).isGreaterThanOrEqualTo(0);
+        assertThat(window.getY() + window.getHeight()).isLessThanOrEqualTo(1000);
+        assertThat(robot.from(keys).lookup("Rotate it").tryQuery()).isPresent();
+        assertThat(robot.from(keys).lookup("Ctrl+Z").tryQuery()).isPresent();
+        robot.push(KeyCode.ESCAPE);
+    }
+
+    @Test
+    void windowBeyondTheScreen_comesBack() {
+        var screen = new Rectangle2D(100, 50, 960, 540);
+        assertThat(OnScreen.within(screen, new Rectangle2D(900, -200, 400, 300))).isEqualTo(new Rectangle2D(660, 50, 400, 300));
+        assertThat(OnScreen.within(screen, new Rectangle2D(0, 400, 1600, 300))).isEqualTo(new Rectangle2D(100, 290, 960, 300));
+        assertThat(OnScreen.within(screen, new Rectangle2D(200, 100, 400, 300))).isEqualTo(new Rectangle2D(200, 100, 400, 300));
+    }
+}

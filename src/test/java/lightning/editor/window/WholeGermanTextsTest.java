@@ -1,0 +1,24 @@
+package lightning.editor.window;
+
+import lightning.base.text.Language;
+import lightning.base.text.Texts;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+class WholeGermanTextsTest extends WholeTexts {
+    @BeforeAll
+    static void speak() {
+        Texts.speak(Language.GERMAN);
+    }
+
+    @AfterAll
+    static void speakEnglish() {
+        Texts.speak(Language.ENGLISH);
+    }
+
+    @Test
+    void noText_isCut() {
+        assertWhole();
+    }
+}

@@ -1,0 +1,228 @@
+package lightning.editor.window.animation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
+import javafx.scene.control.Label;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Pane;
+import javafx.stage.Stage;
+import lightning.base.math.Vec3;
+import lightning.base.work.Wait;
+import lightning.editor.document.Change;
+import lightning.editor.document.Command;
+import lightning.editor.document.motion.MotionPath;
+import lightning.editor.document.motion.MotionPathFile;
+import lightning.editor.window.JavaFxNeeds;
+import lightning.editor.window.OnStage;
+import lightning.editor.window.OpenEditor;
+import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.model.EditorModel;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.Start;
+import org.testfx.framework.junit5.Stop;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class AnimationWindowTest {
+    @TempDir
+    private Path folder;
+    private EditorModel model;
+    private AnimationWindow window;
+    private Scene before;
+
+    /** Answers every question with one file or folder. */
+    private record Answer(Path path) implements PathAsk {
+        @Override
+        public Optional<Path> fileToOpen(String title, String extension) {
+            return Optional.of(path.resolve("way.path"));
+        }
+
+        @Override
+        public Optional<Path> fileToSave(String title, String name, String extension) {
+            return Optional.of(path.resolve("way.path"));
+        }
+
+        @Override
+        public Optional<Path> folder(String title) {
+            return Optional.of(path);
+        }
+    }
+
+    @Start
+    private void start(Stage stage) throws Exception {
+        model = OpenEditor.model(folder);
+        OpenEditor.show(stage, new Pane());
+        before = model.scene();
+        window = new AnimationWindow(model, stage, new Answer(folder));
+        window.show();
+    }
+
+    @Stop
+    private void stop() {
+        window.close();
+        model.close();
+    }
+
+    @Test
+    void opening_disablesWhatWouldEditTheDocument() {
+        assertThat(model.isAnimating()).isTrue();
+        assertThat(model.commands().isEnabled(Command.MAKE_ANIMATION)).isFalse();
+        assertThat(model.commands().isEnabled(Command.DELETE_LIGHT)).isFalse();
+    }
+
+    @Test
+    void withoutAPath_onlyRecordAndLoadAreEnabled(FxRobot robot) {
+        assertThat(Stream.of("record", "stop", "play", "save-animation", "load-animation", "export", "cancel-export", "scrub")
+                .filter(id -> !robot.lookup("#" + id).query().isDisabled())).containsExactly("record", "load-animation");
+    }
+
+    @Test
+    void movingTheLightWhileRecording_makesAPath(FxRobot robot) throws Exception {
+        type(robot, "resolution", "2");
+        record(robot, 5);
+        robot.clickOn("#save-animation");
+        OpenEditor.await(() -> status(robot).startsWith("Saved to "));
+        MotionPath path = MotionPathFile.load(folder.resolve("way.path"));
+        assertThat(path.every()).isEqualTo(2);
+        assertThat(path.keys()).extracting(key -> key.position().x()).containsExactly(3.0, 5.0, 7.0);
+    }
+
+    @Test
+    void resolution_isTenUnlessTheArtistSaysOtherwise(FxRobot robot) {
+        assertThat(field(robot, "resolution").getText()).isEqualTo("10");
+        type(robot, "resolution", "0");
+        assertThat(robot.lookup("#resolution .refusal").queryAs(Label.class).getText())
+                .isEqualTo("resolution must be from 1 to 10000, was 0");
+    }
+
+    @Test
+    void play_rendersFrameByFrameUntilStop(FxRobot robot) throws Exception {
+        load(robot, 0, 8);
+        robot.clickOn("#play");
+        OpenEditor.await(() -> model.frame() != null && x(model.frame().scene()) > 1);
+        robot.clickOn("#stop");
+        assertThat(robot.lookup("#play").query().isDisabled()).isFalse();
+        assertThat(robot.lookup("#stop").query().isDisabled()).isTrue();
+        assertThat(x(model.scene())).isBetween(0.0, 8.0);
+        assertThat(model.document().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void windowsThatAsk_openAtTheScene(FxRobot robot) {
+        robot.interact(() -> {
+            assertThat(PathAsk.folders("Export", folder).getInitialDirectory()).isEqualTo(folder.toFile());
+            assertThat(PathAsk.chooser("Save", "path", folder).getInitialDirectory()).isEqualTo(folder.toFile());
+        });
+    }
+
+    @Test
+    void scrub_showsTheFrame(FxRobot robot) throws Exception {
+        load(robot, 0, 8);
+        robot.interact(() -> robot.lookup("#scrub").queryAs(Slider.class).setValue(5));
+        assertThat(x(model.scene())).isEqualTo(5);
+        OpenEditor.await(() -> model.frame() != null && x(model.frame().scene()) == 5);
+    }
+
+    @Test
+    void close_restoresTheSceneAndItsPicture(FxRobot robot) throws Exception {
+        load(robot, 0, 8);
+        OpenEditor.await(() -> model.frame() != null && x(model.frame().scene()) == 0);
+        robot.clickOn("#close-animation");
+        assertThat(model.isAnimating()).isFalse();
+        assertThat(model.scene()).isEqualTo(before);
+        assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
+        OpenEditor.await(() -> model.frame().scene().equals(before));
+    }
+
+    @Test
+    void escape_closesTheWindow(FxRobot robot) {
+        robot.push(KeyCode.ESCAPE);
+        assertThat(window.isShowing()).isFalse();
+        assertThat(model.isAnimating()).isFalse();
+    }
+
+    @Test
+    void fileThatIsNoPath_isRefusedWithItsPlaceAndNothingChanges(FxRobot robot) throws Exception {
+        Files.writeString(folder.resolve("way.path"), "lightning-path 1\nat 1 2\n");
+        robot.clickOn("#load-animation");
+        OpenEditor.await(() -> status(robot).startsWith("Not loaded: "));
+        assertThat(status(robot)).contains("way.path:2");
+        assertThat(robot.lookup("#play").query().isDisabled()).isTrue();
+    }
+
+    @Test
+    void export_writesNumberedPictures(FxRobot robot) throws Exception {
+        load(robot, 0, 8);
+        type(robot, "pictures", "3");
+        robot.clickOn("#export");
+        OpenEditor.await(() -> status(robot).startsWith("Exported 3 pictures"));
+        try (var files = Files.list(folder)) {
+            assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".png")))
+                    .containsExactlyInAnyOrder("desk-key-0001.png", "desk-key-0002.png", "desk-key-0003.png");
+        }
+    }
+
+    @Test
+    void cancelledExport_saysHowManyPicturesThereAre(FxRobot robot) throws Exception {
+        load(robot, 0, 8);
+        type(robot, "pictures", "100000");
+        robot.clickOn("#export").clickOn("#cancel-export");
+        OpenEditor.await(() -> status(robot).startsWith("Export cancelled after "));
+        assertThat(robot.lookup("#export").query().isDisabled()).isFalse();
+        // It ends with the picture that it is writing; the test's folder goes only then.
+        Wait.untilEnded("lightning-export");
+    }
+
+    /** The preview draws so many frames, the light one unit further along x before each. */
+    private void record(FxRobot robot, int frames) {
+        robot.clickOn("#record");
+        for (int i = 0; i < frames; i++) {
+            robot.interact(() -> {
+                model.edit(scene -> new Change.To(moved(scene)));
+                model.previewFramesProperty().set(model.previewFramesProperty().get() + 1);
+            });
+        }
+        robot.clickOn("#stop");
+    }
+
+    private static Scene moved(Scene scene) {
+        Light key = scene.light("key").orElseThrow();
+        return scene.withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0))));
+    }
+
+    /** Loads the way from one place on the x axis to another, a frame for each unit. */
+    private void load(FxRobot robot, int from, int to) throws IOException, TimeoutException {
+        Files.writeString(folder.resolve("way.path"), "lightning-path 1\nevery " + (to - from) + "\nat " + from
+                + " 5 2 direction -3 -4 -2\nat " + to + " 5 2 direction -3 -4 -2\n");
+        robot.clickOn("#load-animation");
+        OpenEditor.await(() -> status(robot).equals("2 keys over " + (to - from + 1) + " frames"));
+    }
+
+    private static double x(Scene scene) {
+        return scene.light("key").orElseThrow().position().x();
+    }
+
+    private static String status(FxRobot robot) {
+        return robot.lookup("#animation-status").queryAs(Label.class).getText();
+    }
+
+    private static TextField field(FxRobot robot, String id) {
+        return robot.lookup("#" + id + " .number-field").queryAs(TextField.class);
+    }
+
+    private static void type(FxRobot robot, String id, String text) {
+        robot.clickOn(field(robot, id)).push(KeyCode.SHORTCUT, KeyCode.A).write(text).push(KeyCode.ENTER);
+    }
+}

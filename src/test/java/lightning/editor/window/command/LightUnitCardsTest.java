@@ -1,0 +1,54 @@
+package lightning.editor.window.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+import lightning.base.work.Wait;
+import lightning.editor.window.JavaFxNeeds;
+import lightning.editor.window.OnStage;
+import lightning.format.exchange.LightUnits;
+import lightning.render.image.Film;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.testfx.framework.junit5.Start;
+import org.testfx.util.WaitForAsyncUtils;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class LightUnitCardsTest {
+    private final Map<LightUnits, Film> pictures = new EnumMap<>(LightUnits.class);
+    private Stage stage;
+
+    @Start
+    void open(Stage given) {
+        stage = given;
+        for (LightUnits units : LightUnits.values()) {
+            pictures.put(units, Film.black(280, 210));
+        }
+    }
+
+    private double width(double widest) {
+        return WaitForAsyncUtils.waitForAsyncFx(TimeUnit.SECONDS.toMillis(Wait.MOST_SECONDS), () -> {
+            var cards = new LightUnitCards(pictures, widest, () -> {});
+            stage.setScene(new Scene(cards));
+            cards.applyCss();
+            return cards.prefWidth(-1);
+        });
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {640, 920})
+    void smallScreen_holdsAllPictures(double widest) {
+        assertThat(width(widest)).isLessThanOrEqualTo(widest);
+    }
+
+    @Test
+    void largeScreen_hasThePicturesAtTheirOwnSize() {
+        assertThat(width(1880)).isEqualTo(width(3800)).isGreaterThan(3 * 280);
+    }
+}

@@ -1,0 +1,86 @@
+package lightning.editor.window.contribution;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import javafx.geometry.Bounds;
+import javafx.scene.control.TableView;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.PictureView;
+import lightning.render.image.Film;
+import lightning.render.relight.Contribution;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class ContributionPaneTest extends EditorDesk {
+
+    /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */
+    private Scene openWith(Light more) {
+        robot.interact(() -> model().edit(s -> LightEdits.add(s, more)));
+        robot.interact(() -> model().commands().run(Command.GO));
+        waitForPicture();
+        robot.push(KeyCode.CONTROL, KeyCode.F9);
+        waitFor("all lights are asked", () -> text("contribution-summary").contains("displayed pixel")
+                || text("contribution-summary").startsWith("Every"));
+        return model().scene();
+    }
+
+    private List<Contribution> rows() {
+        return List.copyOf(robot.lookup("#contribution-table").<TableView<Contribution>>query().getItems());
+    }
+
+    @Test
+    void lightThatChangesNothing_isSwitchedOffAndProvedInEveryBit() {
+        Scene before = openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
+        Film old = model().frame().film();
+        assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
+        assertThat(rows()).extracting(Contribution::light).containsExactly("lamp", "sun", "stage", "below");
+        assertThat(ContributionPane.without(rows().getLast())).isEqualTo("equal in every bit");
+        click("switch-off-idle");
+        waitFor("it is proved", () -> text("contribution-proof").contains("equal to the old one in every bit"));
+        assertThat(light("below").on()).isFalse();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(old);
+        waitFor("it is told anew", () -> text("contribution-summary").startsWith("Every light"));
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void lightThatNobodySees_isProvedByHowMuchItWasOff() {
+        openWith(light("lamp").withName("dim").withIntensity(1e-6));
+        click("switch-off-idle");
+        waitFor("it is proved", () -> text("contribution-proof").contains("every pixel is displayed as before"));
+        assertThat(light("dim").on()).isFalse();
+    }
+
+    @Test
+    void regionAndPointer_haveSharesOfTheirOwn() {
+        openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
+        double whole = rows().get(1).region();
+        click("contribution-region");
+        assertThat(model().part().askProperty().get()).isNotNull();
+        PictureView picture = robot.lookup("#traced-picture").query();
+        Bounds at = picture.localToScreen(picture.getBoundsInLocal());
+        robot.interact(() -> picture.getScene().getWindow().requestFocus());
+        robot.moveTo(at.getMinX() + 12, at.getCenterY() - 20).press(MouseButton.PRIMARY).moveBy(40, 30).release(MouseButton.PRIMARY);
+        waitFor("the region is asked", () -> text("contribution-region-text").contains("pixels at"));
+        waitFor("its shares are there", () -> rows().get(1).region() != whole);
+        assertThat(rows().get(1).picture()).isEqualTo(whole);
+        robot.moveTo(at.getMinX() + 30, at.getCenterY());
+        waitFor("the pixel is told", () -> robot.lookup(".table-cell").queryAll().stream()
+                .filter(c -> c instanceof javafx.scene.control.TableCell<?, ?> t && t.getTableColumn() != null
+                        && "Pointer".equals(t.getTableColumn().getText()))
+                .anyMatch(c -> ((javafx.scene.control.TableCell<?, ?>) c).getText() != null
+                        && ((javafx.scene.control.TableCell<?, ?>) c).getText().endsWith("%")));
+        click("contribution-whole");
+        waitFor("the whole is asked", () -> rows().get(1).region() == whole);
+    }
+}

@@ -1,0 +1,152 @@
+package lightning.editor.window.cue;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import lightning.base.math.Rgb;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.cue.Lighting;
+import lightning.editor.document.cue.LightingBlend;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.PictureView;
+import lightning.format.jen.JenReader;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class CuePaneTest extends EditorDesk {
+    private Scene day;
+    private Scene night;
+
+    private void keep(String name) {
+        robot.interact(() -> robot.lookup("#cue-new-name").<TextField>query().setText(name));
+        click("cue-keep");
+        waitFor("the cue is kept", () -> robot.lookup("#cue-" + name).tryQuery().isPresent());
+    }
+
+    private void go() {
+        robot.interact(() -> model().commands().run(Command.GO));
+        waitForPicture();
+    }
+
+    /** Two cues, of which the second is lit now. */
+    private void keepTwo() {
+        day = model().scene();
+        robot.push(KeyCode.SHIFT, KeyCode.F4);
+        keep("day");
+        robot.interact(() -> model().edit(s -> LightEdits.color(s, "lamp", new Rgb(0.1, 0.1, 0.5))));
+        robot.interact(() -> model().edit(s -> LightEdits.on(s, "sun", false)));
+        go();
+        night = model().scene();
+        keep("night");
+    }
+
+    private int[] shown() {
+        return robot.lookup("#cue-picture").<PictureView>query().pixels();
+    }
+
+    private int[] pixels(Scene scene) {
+        return model().viewProperty().get().toPixels(new ReferenceTracer(scene).trace());
+    }
+
+    @Test
+    void cues_areKeptRestoredRenamedAndBroughtBack() throws Exception {
+        keepTwo();
+        assertThat(JenReader.read(folder.resolve("desk.cues/night.jen")).scene().lights()).isEqualTo(night.lights());
+        click("cue-restore-day");
+        assertThat(model().scene()).isEqualTo(day);
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(day).trace());
+        robot.push(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(model().scene()).isEqualTo(night);
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(night).trace());
+        robot.clickOn("#cue-name-day");
+        robot.interact(() -> robot.lookup("#cue-name-day").<TextField>query().setText("noon"));
+        robot.push(KeyCode.ENTER);
+        waitFor("it is renamed", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
+        click("cue-remove-noon");
+        waitFor("it is gone", () -> robot.lookup("#cue-noon").tryQuery().isEmpty());
+        click("cue-back");
+        waitFor("it is back", () -> robot.lookup("#cue-noon").tryQuery().isPresent());
+        assertThat(Files.exists(folder.resolve("desk.cues/noon.png"))).isTrue();
+    }
+
+    @Test
+    void blend_isExactBetweenTwoCuesAndOneStep() {
+        keepTwo();
+        click("cue-a-day");
+        click("cue-b-night");
+        Slider slider = robot.lookup("#cue-blend").query();
+        robot.interact(() -> slider.setValue(30));
+        Lighting expected = LightingBlend.at(Lighting.of(day), Lighting.of(night), 0.3);
+        assertThat(Lighting.of(model().scene())).isEqualTo(expected);
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        robot.interact(() -> slider.setValue(100));
+        assertThat(model().scene()).isEqualTo(night);
+        robot.interact(() -> slider.setValue(0));
+        assertThat(model().scene()).isEqualTo(day);
+        robot.interact(() -> slider.setValue(100));
+        robot.drag("#cue-blend .thumb").moveBy(-60, 0).moveBy(-60, 0).drop();
+        assertThat(model().scene()).isNotEqualTo(night);
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().scene()).isEqualTo(night);
+    }
+
+    @Test
+    void comparedCues_areWipedFlippedAndTheirDifferenceIsShown() {
+        keepTwo();
+        click("cue-a-day");
+        click("cue-b-night");
+        assertThat(robot.lookup("#cue-picture").<PictureView>query().wipe().isVisible()).isTrue();
+        assertThat(shown()).isEqualTo(pixels(night));
+        click("cue-flip");
+        assertThat(shown()).isEqualTo(pixels(day));
+        assertThat(text("cue-note")).isEqualTo("A: day");
+        robot.clickOn("#cue-picture");
+        assertThat(shown()).isEqualTo(pixels(night));
+        assertThat(text("cue-note")).isEqualTo("B: night");
+        click("cue-difference");
+        int[] difference = shown();
+        int[] a = pixels(day);
+        int[] b = pixels(night);
+        for (int i = 0; i < a.length; i++) {
+            assertThat(difference[i] == 0xFF000000).as("pixel %d", i).isEqualTo(a[i] == b[i]);
+        }
+        click("cue-b-day");
+        assertThat(text("cue-note")).isEqualTo("The pictures are equal");
+    }
+
+    @Test
+    void pictureThatIsBehind_isNotKept() {
+        robot.interact(() -> model().edit(s -> LightEdits.on(s, "sun", false)));
+        robot.push(KeyCode.SHIFT, KeyCode.F4);
+        assertThat(robot.lookup("#cue-keep").query().isDisabled()).isTrue();
+    }
+
+    @Test
+    void lightRig_isSavedAndLoadedAndAdded() throws Exception {
+        Scene before = model().scene();
+        answer = folder.resolve("three.jen");
+        robot.interact(() -> model().commands().run(Command.SAVE_RIG));
+        waitFor("it is written", () -> Files.exists(answer));
+        assertThat(Files.readString(answer)).contains("light lamp point").doesNotContain("sphere");
+        robot.interact(() -> model().edit(s -> LightEdits.delete(s, "lamp")));
+        robot.interact(() -> model().commands().run(Command.LOAD_RIG));
+        waitFor("it is loaded", () -> model().lights().size() == 3);
+        assertThat(model().scene()).isEqualTo(before);
+        robot.interact(() -> model().commands().run(Command.ADD_RIG));
+        waitFor("it is added", () -> model().lights().size() == 6);
+        go();
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().scene()).isEqualTo(before);
+        answer = model().document().file();
+        robot.interact(() -> model().commands().run(Command.SAVE_RIG));
+        assertThat(model().messageProperty().get()).contains("is the open scene");
+    }
+}

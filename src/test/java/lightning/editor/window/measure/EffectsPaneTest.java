@@ -1,0 +1,116 @@
+package lightning.editor.window.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.scene.Node;
+import javafx.scene.input.KeyCode;
+import lightning.editor.document.Command;
+import lightning.editor.document.Desk;
+import lightning.editor.window.EditorDesk;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.effects.Effect;
+import org.junit.jupiter.api.Test;
+
+class EffectsPaneTest extends EditorDesk {
+
+    private boolean isListed(String id) {
+        return robot.lookup("#" + id).tryQuery().isPresent();
+    }
+
+    @Test
+    void effects_areToldWithWhoCallsForThem() {
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
+        assertThat(text("effects-summary")).startsWith("desk.jen calls for ");
+        assertThat(isListed("effect-reflection")).isTrue();
+        assertThat(robot.lookup("up to 2 bounces: mirror").tryQuery()).isPresent();
+        assertThat(isListed("effect-textures")).isFalse();
+        assertThat(text("effects-absent")).contains("textures").contains("cylinders").doesNotContain("spheres");
+    }
+
+    @Test
+    void editThatEndsAnEffect_takesItFromTheList() {
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
+        assertThat(isListed("effect-spot-cone")).isTrue();
+        robot.interact(() -> model().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
+        assertThat(isListed("effect-spot-cone")).isFalse();
+    }
+
+    @Test
+    void hiddenEffect_isGoneFromTheViewAloneUntilAllIsShown() {
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
+        assertThat(robot.lookup("#show-all-effects").<Node>query().isDisabled()).isTrue();
+        click("effect-specular");
+        waitFor("it is hidden", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: No specular highlights");
+        assertCanvasShows(new ReferenceTracer(model().look().effectsProperty().get().of(model().scene())).trace());
+        assertThat(model().look().effectsProperty().get().shows(Effect.SPECULAR)).isFalse();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(isEnabled(Command.GO)).isFalse();
+        click("show-all-effects");
+        waitFor("all is shown", () -> !isShown("look"));
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+    }
+
+    private EffectRow row(String id) {
+        return (EffectRow) robot.lookup("#" + id).query().getParent();
+    }
+
+    private void openAndMeasure() {
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
+        click("measure-effects");
+        waitFor("it is measured", () -> text("effects-outcome").startsWith("First pass"));
+    }
+
+    @Test
+    void measured_effectsInUseTellWhatTheyTake() {
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: full recompute");
+        // No columns of their own: states that tiles in part in shadow cannot share, a byte for each row.
+        assertThat(text("bytes-shadows")).matches("[1-9][0-9]* B");
+        assertThat(text("bytes-reflection")).matches("[0-9.]+ [kM]?B").isNotEqualTo("0 B");
+        assertThat(text("first-reflection")).endsWith(" ms");
+        assertThat(text("update-shadows")).endsWith(" ms");
+    }
+
+    @Test
+    void measured_absentEffectsTellWhatTheirAbsenceSaves() {
+        openAndMeasure();
+        assertThat(row("bytes-textures").getChildren().getFirst()).isNotInstanceOf(javafx.scene.control.CheckBox.class);
+        assertThat(text("bytes-textures")).endsWith("kB");
+        assertThat(text("bytes-cylinders")).isEqualTo("–");
+    }
+
+    @Test
+    void editMadeLast_isTheOneMeasured() {
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: weight");
+        assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
+    }
+
+    @Test
+    void editAfterMeasuring_marksTheCostsAsOlder() {
+        openAndMeasure();
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
+    }
+
+    @Test
+    void editThatEndedAnEffect_isNotTheOneMeasured() {
+        robot.interact(() -> model().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
+        openAndMeasure();
+        assertThat(text("effects-outcome")).contains("lamp: full recompute");
+    }
+
+    @Test
+    void cancelledMeasuring_tellsNothing() {
+        robot.push(KeyCode.SHIFT, KeyCode.F9);
+        // In one go: a quick machine would have measured before the second click.
+        robot.interact(() -> {
+            robot.lookup("#measure-effects").queryButton().fire();
+            robot.lookup("#cancel-measure-effects").queryButton().fire();
+        });
+        waitFor("it is over", () -> text("effects-outcome").equals("Cancelled"));
+        assertThat(isShown("bytes-shadows")).isFalse();
+    }
+}

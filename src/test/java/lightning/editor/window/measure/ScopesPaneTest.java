@@ -1,0 +1,41 @@
+package lightning.editor.window.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import javafx.scene.control.Slider;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelFormat;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorDesk;
+import lightning.render.image.Scopes;
+import org.junit.jupiter.api.Test;
+
+class ScopesPaneTest extends EditorDesk {
+    private int[] pixels(String id) {
+        Image image = robot.lookup("#" + id).<ImageView>query().getImage();
+        if (image == null) {
+            return new int[0];
+        }
+        int[] pixels = new int[(int) (image.getWidth() * image.getHeight())];
+        image.getPixelReader().getPixels(0, 0, (int) image.getWidth(), (int) image.getHeight(), PixelFormat.getIntArgbInstance(), pixels, 0,
+                (int) image.getWidth());
+        return pixels;
+    }
+
+    private Scopes expected() {
+        return Scopes.of(model().frame().film(), model().viewProperty().get());
+    }
+
+    @Test
+    void scopes_followThePictureAndItsExposure() {
+        robot.interact(() -> model().commands().run(Command.SCOPES));
+        waitFor("they are counted", () -> Arrays.equals(pixels("waveform"), expected().waveformPixels()));
+        assertThat(pixels("histogram")).isEqualTo(expected().histogramPixels(160));
+        int[] before = pixels("histogram");
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        waitFor("they are counted anew", () -> Arrays.equals(pixels("histogram"), expected().histogramPixels(160)));
+        assertThat(pixels("histogram")).isNotEqualTo(before);
+    }
+}

@@ -1,0 +1,334 @@
+package lightning.editor.window.mixer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.Stream;
+import javafx.event.Event;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.Node;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.TextField;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import lightning.base.math.Rgb;
+import lightning.editor.document.BankEdits;
+import lightning.editor.document.ChannelEdits;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.Percent;
+import lightning.render.image.Film;
+import lightning.render.relight.LightShare;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class MixerPaneTest extends EditorDesk {
+    private Scene first;
+
+    @BeforeEach
+    void openMixer() {
+        first = model().scene();
+        robot.push(KeyCode.F4);
+        waitFor("the strips have pictures", () -> robot.lookup("#thumbnail-stage").<ImageView>query().getImage() != null);
+    }
+
+    private Fader fader(String name) {
+        return robot.lookup("#fader-" + name).query();
+    }
+
+    /** Where the middle of a fader's cap is for so many stops. */
+    private Point2D place(String name, double stops) {
+        Fader fader = fader(name);
+        Bounds at = fader.localToScreen(fader.getBoundsInLocal());
+        return new Point2D(at.getCenterX(), at.getMinY() + fader.place(stops));
+    }
+
+    private void press(String name, double from, double to) {
+        robot.moveTo(place(name, from)).press(MouseButton.PRIMARY).moveTo(place(name, to));
+    }
+
+    private void drag(String name, double from, double to) {
+        press(name, from, to);
+        robot.release(MouseButton.PRIMARY);
+    }
+
+    private void type(String field, String text) {
+        robot.clickOn("#" + field);
+        robot.interact(() -> robot.lookup("#" + field).<TextField>query().setText(text));
+        robot.push(KeyCode.ENTER);
+    }
+
+    /** Waits for the picture of the scene as it is, and holds it against the reference. */
+    private void assertPictureShowsTheScene() {
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    private List<String> strips() {
+        return robot.lookup(".strip").queryAllAs(Node.class).stream().filter(n -> n instanceof Strip)
+                .sorted((a, b) -> Double.compare(a.getLayoutX(), b.getLayoutX())).map(n -> ((Strip) n).channel().title()).toList();
+    }
+
+    private Node head(String name) {
+        return robot.lookup("#strip-head-" + name).query();
+    }
+
+    /** The headless platform's mouse knows of no keys that are down. */
+    private void ctrlClick(String name) {
+        robot.interact(() -> Stream.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED).forEach(type -> Event.fireEvent(head(name),
+                new MouseEvent(type, 1, 1, 0, 0, MouseButton.PRIMARY, 1, false, true, false, false, true, false, false, true, false, true,
+                        null))));
+    }
+
+    @Test
+    void strip_showsItsLightsShareAndPart() {
+        Film share = new ReferenceTracer(LightShare.scene(first, "stage")).trace();
+        int[] all = model().viewProperty().get().toPixels(share);
+        var image = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
+        int[] shown = new int[64 * 48];
+        image.getPixelReader().getPixels(0, 0, 64, 48, PixelFormat.getIntArgbInstance(), shown, 0, 64);
+        assertThat(shown).isEqualTo(all);
+        double part = brightness(share) / brightness(model().frame().film());
+        assertThat(part).isBetween(0.01, 0.99);
+        assertThat(robot.lookup("#part-stage").<Labeled>query().getText()).isEqualTo(Percent.text(part));
+    }
+
+    private static double brightness(Film film) {
+        double sum = 0;
+        float[] rgb = film.toScanlines();
+        for (int i = 0; i < rgb.length; i += 3) {
+            sum += new Rgb(rgb[i], rgb[i + 1], rgb[i + 2]).luminance();
+        }
+        return sum;
+    }
+
+    @Test
+    void draggedFader_changesThePictureWhileItMovesAndIsOneStep() {
+        press("lamp", 0, 1);
+        double half = light("lamp").intensity();
+        assertThat(half).isBetween(1.8, 2.2);
+        assertPictureShowsTheScene();
+        robot.moveTo(place("lamp", 2));
+        assertPictureShowsTheScene();
+        robot.release(MouseButton.PRIMARY);
+        assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
+        robot.push(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(model().scene()).isEqualTo(first);
+    }
+
+    @Test
+    void undoInTheMixer_isInThePictureAtOnce() {
+        drag("lamp", 0, 1);
+        waitForPicture();
+        robot.push(KeyCode.CONTROL, KeyCode.Z);
+        assertThat(model().scene()).isEqualTo(first);
+        assertPictureShowsTheScene();
+    }
+
+    @Test
+    void refusedText_isToldInTheMixer() {
+        type("intensity-lamp", "abc");
+        assertThat(robot.lookup("#mixer-message").<Labeled>query().getText()).contains("'abc'");
+    }
+
+    @Test
+    void longNumberThatWasSet_showsItsBegin() {
+        type("intensity-lamp", "1/3");
+        TextField field = robot.lookup("#intensity-lamp").query();
+        assertThat(field.getText()).isEqualTo("0.3333333333333333");
+        assertThat(field.getSelectedText()).isEqualTo(field.getText());
+        assertThat(field.getCaretPosition()).isZero();
+    }
+
+    @Test
+    void draggedFaderOfTheSelectedLight_leavesTheMaterialInFront() {
+        drag("lamp", 0, 1);
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        drag("lamp", 1, 2);
+        assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
+        assertThat(model().materials().inFrontProperty().get()).isTrue();
+    }
+
+    @Test
+    void editOfOneLight_leavesTheImagesOfOthers() {
+        var ofStage = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
+        var ofLamp = robot.lookup("#thumbnail-lamp").<ImageView>query().getImage();
+        drag("lamp", 0, 1);
+        waitForPicture();
+        waitFor("the lamp has another picture", () -> robot.lookup("#thumbnail-lamp").<ImageView>query().getImage() != ofLamp);
+        assertThat(robot.lookup("#thumbnail-stage").<ImageView>query().getImage()).isSameAs(ofStage);
+    }
+
+    @Test
+    void escapeInADrag_takesItBack() {
+        press("lamp", 0, 3);
+        robot.push(KeyCode.ESCAPE);
+        robot.release(MouseButton.PRIMARY);
+        assertThat(model().scene()).isEqualTo(first);
+        assertThat(isShown("mixer")).isTrue();
+    }
+
+    @Test
+    void faderAtItsLowerEnd_isDarkAndComesBack() {
+        drag("lamp", 0, -14);
+        assertThat(light("lamp").intensity()).isZero();
+        assertThat(robot.lookup("#stops-lamp").<TextField>query().isDisabled()).isTrue();
+        robot.interact(() -> fader("lamp").requestFocus());
+        robot.push(KeyCode.UP);
+        assertThat(light("lamp").intensity()).isEqualTo(ChannelEdits.ofStops(-9.9));
+    }
+
+    @Test
+    void typedStopsAndNumbers_setTheIntensity() {
+        type("stops-lamp", "-1");
+        assertThat(light("lamp").intensity()).isEqualTo(0.5);
+        type("intensity-lamp", "0.25");
+        assertThat(robot.lookup("#stops-lamp").<TextField>query().getText()).isEqualTo("-2");
+        assertPictureShowsTheScene();
+    }
+
+    @Test
+    void severalStrips_keepTheirRatiosOrGetTheSame() {
+        robot.clickOn(head("lamp"));
+        ctrlClick("sun");
+        type("stops-lamp", "2");
+        assertThat(List.of(light("lamp").intensity(), light("sun").intensity(), light("stage").intensity()))
+                .isEqualTo(List.of(4.0, 1.6, 1.5));
+        click("undo");
+        assertThat(model().scene()).isEqualTo(first);
+        click("mixer-absolute");
+        type("intensity-sun", "3");
+        assertThat(List.of(light("lamp").intensity(), light("sun").intensity(), light("stage").intensity()))
+                .isEqualTo(List.of(3.0, 3.0, 1.5));
+        assertPictureShowsTheScene();
+    }
+
+    @Test
+    void relativeEditFromADarkStrip_saysWhatToDo() {
+        type("intensity-lamp", "0");
+        robot.clickOn(head("lamp"));
+        ctrlClick("sun");
+        type("intensity-lamp", "1");
+        assertThat(light("lamp").intensity()).isZero();
+        assertThat(text("mixer-message")).contains("choose Absolute");
+    }
+
+    @Test
+    void master_scalesEveryLightAndStandsAtZeroAgain() {
+        drag("master", 0, 1);
+        double factor = light("lamp").intensity();
+        assertThat(factor).isBetween(1.8, 2.2);
+        assertThat(light("stage").intensity() / 1.5).isCloseTo(factor, org.assertj.core.data.Percentage.withPercentage(1e-3));
+        assertThat(fader("master").stops()).isZero();
+        assertPictureShowsTheScene();
+        click("undo");
+        assertThat(model().scene()).isEqualTo(first);
+        type("stops-master", "-1");
+        assertThat(first.lights().stream().map(Light::intensity).map(i -> i / 2).toList())
+                .isEqualTo(model().lights().stream().map(Light::intensity).toList());
+    }
+
+    @Test
+    void soloAndMute_switchAllThatAreSelected() {
+        click("mute-lamp");
+        assertThat(light("lamp").on()).isFalse();
+        robot.clickOn(head("sun"));
+        ctrlClick("stage");
+        click("solo-stage");
+        assertThat(light("sun").solo()).isTrue();
+        assertThat(light("stage").solo()).isTrue();
+        assertThat(light("lamp").solo()).isFalse();
+        assertPictureShowsTheScene();
+    }
+
+    @Test
+    void draggedHead_putsTheLightToAnotherPlaceOfTheScene() {
+        assertThat(strips()).containsExactly("lamp", "sun", "stage");
+        Bounds to = head("lamp").localToScreen(head("lamp").getBoundsInLocal());
+        robot.moveTo(head("stage")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
+                .release(MouseButton.PRIMARY);
+        assertThat(model().lights().stream().map(Light::name)).containsExactly("stage", "lamp", "sun");
+        assertThat(strips()).containsExactly("stage", "lamp", "sun");
+        assertThat(model().commands().reason(Command.UNDO)).isEmpty();
+        assertThat(model().situationProperty().get().undo()).hasValue("order of lights");
+        String text = model().document().text(model().document().content());
+        assertThat(text.indexOf("light stage")).isLessThan(text.indexOf("light lamp"));
+        assertPictureShowsTheScene();
+        click("undo");
+        assertThat(strips()).containsExactly("lamp", "sun", "stage");
+    }
+
+    @Test
+    void draggedHeadOfABank_putsItBeforeAnotherWithItsLights() {
+        robot.interact(() -> {
+            model().edit(scene -> BankEdits.add(scene, "sun"));
+            model().edit(scene -> BankEdits.add(scene, "stage"));
+        });
+        assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
+        Bounds to = head("bank").localToScreen(head("bank").getBoundsInLocal());
+        robot.moveTo(head("bank2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
+                .release(MouseButton.PRIMARY);
+        assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
+        assertThat(model().situationProperty().get().undo()).hasValue("order of banks");
+        String text = model().document().text(model().document().content());
+        assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
+        assertPictureShowsTheScene();
+        click("undo");
+        assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
+    }
+
+    @Test
+    void bank_hasAStripWhoseFaderIsItsMasterAndTakesLights() {
+        robot.interact(() -> model().edit(scene -> BankEdits.add(scene, "stage")));
+        assertThat(strips()).containsExactly("lamp", "sun", "bank", "stage");
+        type("stops-bank", "1");
+        assertThat(model().scene().rig().bank("bank").orElseThrow().intensity()).isEqualTo(2);
+        assertThat(light("stage").intensity()).isEqualTo(1.5);
+        assertPictureShowsTheScene();
+        Bounds to = head("stage").localToScreen(head("stage").getBoundsInLocal());
+        robot.moveTo(head("lamp")).press(MouseButton.PRIMARY).moveBy(20, 0).moveTo(to.getMaxX() - 4, to.getCenterY())
+                .release(MouseButton.PRIMARY);
+        assertThat(light("lamp").bank()).isEqualTo("bank");
+        assertThat(strips()).containsExactly("sun", "bank", "stage", "lamp");
+    }
+
+    @Test
+    void colour_isSetForAllThatAreSelected() {
+        robot.clickOn(head("lamp"));
+        ctrlClick("sun");
+        click("color-sun");
+        waitFor("the colour is there", () -> robot.lookup("#color-popup").tryQuery().isPresent());
+        TextField red = robot.lookup("#color-popup .text-field").queryAllAs(TextField.class).stream()
+                .filter(n -> "red".equals(n.getAccessibleText())).findFirst().orElseThrow();
+        robot.clickOn(red);
+        robot.interact(() -> red.setText("0.25"));
+        robot.push(KeyCode.ENTER);
+        assertThat(Stream.of("lamp", "sun", "stage").map(n -> light(n).color().r())).containsExactly(0.25, 0.25, 1.0);
+        assertPictureShowsTheScene();
+    }
+
+    @Test
+    void searchAndFilter_leaveWhatIsWanted() {
+        robot.clickOn("#mixer-search").write("spot");
+        assertThat(strips()).containsExactly("stage");
+        assertThat(text("mixer-count")).isEqualTo("1 of 3 strips");
+        robot.interact(() -> robot.lookup("#mixer-search").<TextField>query().clear());
+        click("mute-sun");
+        robot.interact(() -> robot.lookup("#mixer-filter").<ChoiceBox<StripFilter>>query().setValue(StripFilter.MUTED));
+        assertThat(strips()).containsExactly("sun");
+    }
+
+    @Test
+    void renamedLight_keepsItsPicture() {
+        robot.interact(() -> model().edit(scene -> lightning.editor.document.LightEdits.rename(scene, "stage", "key")));
+        assertThat(robot.lookup("#thumbnail-key").<ImageView>query().getImage()).isNotNull();
+    }
+}

@@ -1,0 +1,147 @@
+package lightning.editor.window.preview;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.Progress;
+import lightning.base.work.Wait;
+import lightning.editor.document.Desk;
+import lightning.editor.document.PreviewCamera;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.Options;
+import lightning.scene.Scene;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.effects.ViewEffects;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class PreviewLoopTest {
+    private static final int WIDTH = 60;
+    private static final int HEIGHT = 50;
+    private static final Scene SCENE = scene();
+
+    private final BlockingQueue<PreviewLoop.Picture> pictures = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Throwable> problems = new LinkedBlockingQueue<>();
+    private final PreviewLoop loop = new PreviewLoop(pictures::add, problems::add);
+
+    private static Scene scene() {
+        try {
+            return JenReader.read("""
+                    jen 1
+                    picture { size 40 30  depth 2 }
+                    camera { from 0 2 9  to 0 1 0  fov 40 }
+                    material mirror { diffuse 0.5 0.5 0.5  reflective 0.4 0.4 0.4 }
+                    plane ground { material mirror  scale 20 1 20 }
+                    sphere ball { at 0 1 0 }
+                    light key spot { intensity 1  at 3 5 2  direction -3 -4 -2  angle 25  dropoff 4 }
+                    """, "preview.jen", Path.of("")).scene();
+        } catch (JenException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @AfterEach
+    void close() {
+        loop.close();
+        assertThat(problems).isEmpty();
+    }
+
+    private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, boolean moving) {
+        return wish(scene, camera, ViewEffects.PREVIEW, moving);
+    }
+
+    private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, ViewEffects effects, boolean moving) {
+        return new PreviewLoop.Wish(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving, null);
+    }
+
+    private PreviewLoop.Picture next() throws InterruptedException {
+        PreviewLoop.Picture picture = pictures.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
+        assertThat(picture).as("a picture").isNotNull();
+        return picture;
+    }
+
+    /** What the preview must show. */
+    private static int[] expected(Scene scene, PreviewCamera camera) {
+        return expected(scene, camera, ViewEffects.PREVIEW);
+    }
+
+    private static int[] expected(Scene scene, PreviewCamera camera, ViewEffects effects) {
+        Scene seen = scene.withCamera(camera.camera()).withPicture(scene.picture().withSize(WIDTH, HEIGHT));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withView(effects).withThreads(1))) {
+            renderer.render(seen, Progress.NONE);
+            return ViewTransform.DEFAULT.toPixels(renderer.film());
+        }
+    }
+
+    @Test
+    void restingView_isSharp() throws InterruptedException {
+        PreviewCamera camera = PreviewCamera.of(SCENE);
+        loop.draw(wish(SCENE, camera, false));
+        PreviewLoop.Picture picture = next();
+        assertThat(picture.isSharp()).isTrue();
+        assertThat(picture.pixels()).isEqualTo(expected(SCENE, camera));
+    }
+
+    @Test
+    void editOfALight_isTheSamePictureAsANewOne() throws InterruptedException {
+        PreviewCamera camera = PreviewCamera.alongX(SCENE);
+        loop.draw(wish(SCENE, camera, false));
+        next();
+        Scene edited = Desk.dial("angle").set(SCENE, "key", 40).or(SCENE);
+        loop.draw(wish(edited, camera, false));
+        assertThat(next().pixels()).isEqualTo(expected(edited, camera));
+    }
+
+    /** A floor of one colour under a spot: lit, its pool is on it; glowing, it is the same everywhere. */
+    @Test
+    void texture_showsASpotsPoolUnlessItGlowsAsIn1998() throws InterruptedException {
+        var texture = new TextureMap("one.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0.5f, 0.5f}));
+        Scene floor = SCENE.withMaterials(SCENE.materials().stream().map(m -> m.withTexture(Optional.of(texture))).toList());
+        PreviewCamera camera = PreviewCamera.of(floor);
+        loop.draw(wish(floor, camera, false));
+        int[] lit = next().pixels();
+        assertThat(lit).isEqualTo(expected(floor, camera));
+        loop.draw(wish(floor, camera, ViewEffects.PREVIEW_1998, false));
+        int[] glowing = next().pixels();
+        assertThat(glowing).isEqualTo(expected(floor, camera, ViewEffects.PREVIEW_1998));
+        int bottom = (HEIGHT - 1) * WIDTH;
+        assertThat(Arrays.stream(glowing, bottom, bottom + WIDTH).distinct()).hasSize(1);
+        assertThat(lit).isNotEqualTo(glowing);
+    }
+
+    @Test
+    void movingCamera_isCoarseAndSharpAtRest() throws InterruptedException {
+        PreviewCamera camera = PreviewCamera.alongX(SCENE);
+        loop.draw(wish(SCENE, camera, true));
+        PreviewLoop.Picture moving = next();
+        assertThat(moving.isSharp()).isFalse();
+        assertThat(moving.pixels()).hasSize(moving.width() * moving.height());
+        loop.draw(wish(SCENE, camera, false));
+        assertThat(next().pixels()).isEqualTo(expected(SCENE, camera));
+    }
+
+    @Test
+    void manyWishes_endWithTheNewest() throws InterruptedException {
+        PreviewCamera camera = PreviewCamera.of(SCENE);
+        Scene last = SCENE;
+        for (int i = 0; i < 50; i++) {
+            last = Desk.dial("intensity").set(SCENE, "key", i / 10.0).or(SCENE);
+            loop.draw(wish(last, camera, false));
+        }
+        PreviewLoop.Picture picture = next();
+        while (picture.wish().scene() != last) {
+            picture = next();
+        }
+        assertThat(picture.pixels()).isEqualTo(expected(last, camera));
+        assertThat(pictures).isEmpty();
+    }
+}

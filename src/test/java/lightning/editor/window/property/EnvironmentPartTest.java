@@ -1,0 +1,106 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.text.Text;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorDesk;
+import lightning.scene.Panorama;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import org.junit.jupiter.api.Test;
+
+class EnvironmentPartTest extends EditorDesk {
+    private MenuButton choice() {
+        return robot.lookup("#environment").query();
+    }
+
+    private World world() {
+        return model().scene().world();
+    }
+
+    private String shown() {
+        return world().environment().map(Panorama::file).orElse("");
+    }
+
+    /** Two pixels of light: warm to the left, dim to the right. */
+    private void sky(String name) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        bytes.writeBytes("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".getBytes(StandardCharsets.ISO_8859_1));
+        bytes.writeBytes(new byte[] {(byte) 128, 96, 64, (byte) 129, 16, 16, 32, (byte) 128});
+        Files.write(Files.createDirectories(folder.resolve("textures")).resolve(name), bytes.toByteArray());
+    }
+
+    private void choose(String name) {
+        robot.interact(() -> choice().getOnShowing().handle(null));
+        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
+        MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
+        robot.interact(item::fire);
+    }
+
+    private void type(String dial, String number) {
+        TextField field = robot.from(robot.lookup("#" + dial).<Node>query()).lookup((Node n) -> n instanceof TextField).query();
+        robot.interact(() -> {
+            field.requestFocus();
+            field.setText(number);
+        });
+        robot.push(KeyCode.ENTER);
+    }
+
+    @Test
+    void skyBesideTheScene_lightsItAndIsTakenBackByUndo() throws IOException {
+        sky("red_dusk.hdr");
+        Scene before = model().scene();
+        choose("red_dusk.hdr");
+        waitFor("it is read", () -> shown().equals("red_dusk.hdr"));
+        assertThat(robot.from(choice()).lookup((Node n) -> n instanceof Text t && t.getText().equals("red_dusk.hdr")).tryQuery())
+                .as("underscore and all").isPresent();
+        assertThat(model().situationProperty().get().undo()).contains("environment none → red_dusk.hdr");
+        assertGoShowsTheScene();
+        click("undo");
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(choice().getText()).isEqualTo("none");
+    }
+
+    @Test
+    void numbers_areOfTheEnvironment_andWaitForOne() throws IOException {
+        Stream.of("intensity", "rotation", "lamps", "softness").map(n -> robot.lookup("#environment-" + n).<Node>query())
+                .forEach(dial -> assertThat(robot.from(dial).lookup((Node n) -> n instanceof TextField).<Node>query().isDisabled())
+                        .isTrue());
+        sky("dusk.hdr");
+        choose("dusk.hdr");
+        waitFor("it is read", () -> shown().equals("dusk.hdr"));
+        robot.interact(() -> model().selectLight(null));
+        type("environment-intensity", "2.5");
+        type("environment-rotation", "-30");
+        type("environment-softness", "0.5");
+        type("environment-lamps", "7");
+        assertThat(world().intensity()).isEqualTo(2.5);
+        assertThat(world().rotation()).isEqualTo(-30);
+        assertThat(world().lamps()).isEqualTo(7);
+        assertThat(world().softness()).isEqualTo(0.5);
+        assertThat(model().situationProperty().get().undo()).contains("environment lamps 16 → 7");
+        choose("None");
+        waitFor("it is gone", () -> shown().isEmpty());
+        assertThat(world().rotation()).as("is kept for the next").isEqualTo(-30);
+    }
+
+    @Test
+    void fileThatIsNoSky_isRefusedInASentence() throws IOException {
+        Files.writeString(Files.createDirectories(folder.resolve("textures")).resolve("fake.hdr"), "no picture");
+        choose("fake.hdr");
+        waitFor("it is refused", () -> model().messageProperty().get().contains("fake.hdr"));
+        assertThat(shown()).isEmpty();
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+}

@@ -1,0 +1,57 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import lightning.format.jen.FileKind;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class FileThumbnailTest {
+    @TempDir
+    private Path folder;
+
+    private Path picture(Path at, int width, int height) throws IOException {
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0x123456);
+        Files.createDirectories(at.getParent());
+        ImageIO.write(image, "png", at.toFile());
+        return at;
+    }
+
+    @Test
+    void pictureOfTheTextures_isMadeSmallInItsShape() throws IOException {
+        picture(folder.resolve("scene/textures/wide.png"), 800, 200);
+        FileThumbnail small = FileThumbnail.of(FileKind.TEXTURE, folder.resolve("scene"), "wide.png").orElseThrow();
+        assertThat(small.width()).isEqualTo(40);
+        assertThat(small.height()).isEqualTo(10);
+        assertThat(small.pixels()[0]).isEqualTo(0xFF123456);
+    }
+
+    @Test
+    void pictureOfTheTexturesAbove_isFoundAsTheSceneFindsIt() throws IOException {
+        picture(folder.resolve("textures/above.png"), 80, 80);
+        Path scene = Files.createDirectories(folder.resolve("scenes"));
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "above.png")).isPresent();
+    }
+
+    @Test
+    void pictureOutsideTheFolder_isNotRead() throws IOException {
+        Path secret = picture(folder.resolve("secret.png"), 8, 8);
+        Path scene = Files.createDirectories(folder.resolve("scene"));
+        Files.createSymbolicLink(scene.resolve("link.png"), secret);
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "link.png")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "../secret.png")).isEmpty();
+    }
+
+    @Test
+    void whatIsNoPicture_hasNone() throws IOException {
+        Files.writeString(folder.resolve("text.png"), "no picture");
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "text.png")).isEmpty();
+        assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "missing.png")).isEmpty();
+    }
+}

@@ -1,0 +1,264 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import javafx.css.PseudoClass;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.window.JavaFxNeeds;
+import lightning.editor.window.OnStage;
+import lightning.editor.window.OpenEditor;
+import lightning.editor.window.model.EditorModel;
+import lightning.scene.LightType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.Start;
+import org.testfx.framework.junit5.Stop;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class LightListPaneTest {
+    @TempDir
+    private Path folder;
+    private EditorModel model;
+
+    @Start
+    private void start(Stage stage) throws Exception {
+        model = OpenEditor.model(folder);
+        OpenEditor.show(stage, new LightListPane(model));
+    }
+
+    @Stop
+    private void stop() {
+        model.close();
+    }
+
+    @Test
+    void lights_areListedInTheirOrder(FxRobot robot) {
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        assertThat(selected(robot)).isEqualTo("key");
+    }
+
+    @Test
+    void click_selectsTheLight(FxRobot robot) {
+        robot.clickOn("sun");
+        assertThat(model.selectedLight().name()).isEqualTo("sun");
+    }
+
+    @Test
+    void arrowKeys_selectTheNextLight(FxRobot robot) {
+        robot.clickOn("key").push(KeyCode.DOWN);
+        assertThat(model.selectedLight().name()).isEqualTo("fill");
+    }
+
+    @Test
+    void lightSelectedElsewhere_isSelectedHere(FxRobot robot) {
+        robot.interact(() -> model.selectLight("fill"));
+        assertThat(selected(robot)).isEqualTo("fill");
+        robot.interact(() -> model.selectLight(null));
+        assertThat(list(robot).getSelectionModel().isEmpty()).isTrue();
+    }
+
+    @Test
+    void addLight_addsOneOfTheTypeAndSelectsIt(FxRobot robot) {
+        robot.clickOn("#add-light").clickOn("Spot");
+        assertThat(names(robot)).containsExactly("key", "fill", "sun", "spot");
+        assertThat(model.selectedLight().type()).isEqualTo(LightType.SPOT);
+        assertThat(selected(robot)).isEqualTo("spot");
+    }
+
+    @Test
+    void duplicate_putsACopyBehindAndSelectsIt(FxRobot robot) {
+        robot.clickOn("#duplicate-light");
+        assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
+        assertThat(model.selectedLight().name()).isEqualTo("key2");
+        assertThat(model.selectedLight().position()).isEqualTo(new Vec3(3.9, 5, 2));
+        assertThat(model.messageProperty().get()).isEqualTo("key2 stands 0.9 beside key, along x");
+    }
+
+    @Test
+    void deleteKey_deletesTheSelectedLight(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.DELETE);
+        assertThat(names(robot)).containsExactly("key", "sun");
+        assertThat(selected(robot)).isEqualTo("sun");
+        robot.push(KeyCode.DELETE);
+        assertThat(selected(robot)).isEqualTo("key");
+    }
+
+    @Test
+    void deletedLight_comesBackSelectedByUndo(FxRobot robot) {
+        robot.clickOn("fill").clickOn("#delete-light");
+        robot.interact(() -> model.commands().run(Command.UNDO));
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        assertThat(selected(robot)).isEqualTo("fill");
+    }
+
+    @Test
+    void bulb_switchesItsLightWithoutSelectingIt(FxRobot robot) {
+        robot.clickOn(toggle(robot, "sun on"));
+        assertThat(OpenEditor.light(model, "sun").on()).isFalse();
+        assertThat(model.selectedLight().name()).isEqualTo("key");
+        robot.clickOn(toggle(robot, "sun on"));
+        assertThat(OpenEditor.light(model, "sun").on()).isTrue();
+    }
+
+    @Test
+    void soloLight_darkensTheOthers(FxRobot robot) {
+        robot.clickOn(toggle(robot, "fill solo"));
+        assertThat(OpenEditor.light(model, "fill").solo()).isTrue();
+        assertThat(robot.lookup(".light-row").queryAllAs(Node.class).stream()
+                .filter(row -> row.getPseudoClassStates().contains(PseudoClass.getPseudoClass("dark")))).hasSize(2);
+    }
+
+    @Test
+    void spaceAndS_switchTheSelectedLight(FxRobot robot) {
+        robot.clickOn("sun").push(KeyCode.SPACE).push(KeyCode.S);
+        assertThat(OpenEditor.light(model, "sun").on()).isFalse();
+        assertThat(OpenEditor.light(model, "sun").solo()).isTrue();
+    }
+
+    @Test
+    void f2_renamesInPlace(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("rim").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "rim", "sun");
+        assertThat(model.selectedLight().name()).isEqualTo("rim");
+        assertThat(robot.lookup("rim").tryQuery()).isPresent();
+    }
+
+    @Test
+    void nameOfSpacesAndSigns_isTakenAndShownAsItIs(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("_7 \"a=b\" Ä").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "sun");
+        assertThat(robot.lookup("_7 \"a=b\" Ä").tryQuery()).isPresent();
+        robot.interact(() -> model.edit(scene -> LightEdits.duplicate(scene, "_7 \"a=b\" Ä")));
+        assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "_7 \"a=b\" Ä2", "sun");
+    }
+
+    @Test
+    void doubleClick_renamesInPlace(FxRobot robot) {
+        robot.doubleClickOn("fill").write("rim").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "rim", "sun");
+    }
+
+    @Test
+    void secondClick_doesNotRename(FxRobot robot) {
+        robot.clickOn("key").clickOn("#duplicate-light").clickOn("key2");
+        assertThat(robot.lookup(".light-row .text-field").tryQuery()).isEmpty();
+    }
+
+    @Test
+    void takenName_isMarkedAndChangesNothing(FxRobot robot) {
+        robot.clickOn("fill").push(KeyCode.F2).write("sun").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        TextField field = robot.lookup(".light-row .text-field").queryAs(TextField.class);
+        assertThat(field.getPseudoClassStates()).contains(PseudoClass.getPseudoClass("refused"));
+        assertThat(field.getAccessibleHelp()).contains("already taken");
+        robot.push(KeyCode.ESCAPE);
+        assertThat(robot.lookup(".light-row .text-field").tryQuery()).isEmpty();
+        robot.push(KeyCode.F2).write("rim").push(KeyCode.ENTER);
+        assertThat(names(robot)).containsExactly("key", "rim", "sun");
+    }
+
+    @Test
+    void bank_isListedWithItsLightsBehindThoseInNone(FxRobot robot) {
+        robot.clickOn("key");
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+        assertThat(selected(robot)).isEqualTo("key");
+        robot.interact(() -> model.commands().run(Command.DELETE_BANK));
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+        robot.interact(() -> model.commands().run(Command.UNDO));
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+    }
+
+    @Test
+    void foldedBank_hidesItsLights(FxRobot robot) {
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.clickOn(".bank-row .fold");
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank");
+        robot.clickOn(".bank-row .fold");
+        assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
+    }
+
+    @Test
+    void switchesOfABank_areThoseOfAllItsLights(FxRobot robot) {
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.clickOn(toggle(robot, "bank on"));
+        assertThat(model.scene().rig().bank("bank").orElseThrow().on()).isFalse();
+        assertThat(model.scene().shines(OpenEditor.light(model, "key"))).isFalse();
+        robot.clickOn(toggle(robot, "bank on")).clickOn(toggle(robot, "bank solo"));
+        assertThat(model.scene().shines(OpenEditor.light(model, "sun"))).isFalse();
+    }
+
+    @Test
+    void lightDroppedOnABank_joinsIt(FxRobot robot) {
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.interact(() -> BankDrop.drop("sun", "bank", model));
+        assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
+        robot.interact(() -> BankDrop.drop("key", "", model));
+        assertThat(names(robot)).containsExactly("key", "fill", "bank", "sun");
+    }
+
+    @Test
+    void keysOnABank_renameSwitchAndDeleteIt(FxRobot robot) {
+        robot.interact(() -> model.commands().run(Command.NEW_BANK));
+        robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
+        assertThat(OpenEditor.light(model, "key").bank()).isEqualTo("left");
+        robot.push(KeyCode.SPACE);
+        assertThat(model.scene().rig().bank("left").orElseThrow().on()).isFalse();
+        robot.push(KeyCode.DELETE);
+        assertThat(names(robot)).containsExactly("key", "fill", "sun");
+    }
+
+    @Test
+    void sceneWithoutLights_saysSo(FxRobot robot) {
+        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "key")));
+        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "fill")));
+        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "sun")));
+        assertThat(robot.lookup("No lights. Add one above.").tryQuery()).isPresent();
+        assertThat(robot.lookup("#delete-light").query().isDisabled()).isTrue();
+        assertThat(robot.lookup("#duplicate-light").query().isDisabled()).isTrue();
+    }
+
+    private static ListView<?> list(FxRobot robot) {
+        return robot.lookup("#light-list").queryAs(ListView.class);
+    }
+
+    /** What the cells show, from the top. */
+    private static List<String> names(FxRobot robot) {
+        return robot.lookup(".light-list .list-cell").<ListCell<?>>queryAllAs(cell()).stream().filter(c -> c.getGraphic() != null)
+                .sorted(Comparator.comparing(ListCell::getIndex)).map(LightListPaneTest::name).toList();
+    }
+
+    @SuppressWarnings("unchecked")
+    private static Class<ListCell<?>> cell() {
+        return (Class<ListCell<?>>) (Class<?>) ListCell.class;
+    }
+
+    /** While a light is renamed, a field stands for its label, and a screen reader still tells its name. */
+    private static String name(ListCell<?> cell) {
+        return cell.lookup(".light-row .label") instanceof Label label ? label.getText() : cell.getAccessibleText().split(",")[0];
+    }
+
+    private static String selected(FxRobot robot) {
+        return names(robot).get(list(robot).getSelectionModel().getSelectedIndex());
+    }
+
+    private static Node toggle(FxRobot robot, String name) {
+        return robot.lookup(".light-row .toggle-button").queryAllAs(ToggleButton.class).stream()
+                .filter(button -> name.equals(button.getAccessibleText())).findFirst().orElseThrow();
+    }
+}

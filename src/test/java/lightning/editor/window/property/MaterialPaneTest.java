@@ -1,0 +1,275 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
+import javafx.scene.image.ImageView;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javax.imageio.ImageIO;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.Typing;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class MaterialPaneTest extends EditorDesk {
+    private static final Vec3 BALL = new Vec3(0, 1, 0);
+
+    private Material material(String name) {
+        return model().scene().materialsByName().get(name);
+    }
+
+    private String edited() {
+        return robot.lookup("#material-name").<ComboBox<String>>query().getValue();
+    }
+
+    private String tab() {
+        return robot.lookup("#side").<TabPane>query().getSelectionModel().getSelectedItem().getId();
+    }
+
+    private void type(String field, String value) {
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        Typing.over(robot, robot.lookup("#" + field).queryAs(TextField.class), value).push(KeyCode.ENTER);
+    }
+
+    private void typeRed(String color, String value) {
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        TextField red = robot.lookup("#" + color + " .number-field").queryAll().stream()
+                .filter(n -> (color + " red").equals(n.getAccessibleText())).map(TextField.class::cast).findFirst().orElseThrow();
+        Typing.over(robot, red, value).push(KeyCode.ENTER);
+    }
+
+    private void chooseFromMenu() {
+        waitFor("the menu is open", () -> robot.lookup("Edit Material matt of ball").tryQuery().isPresent());
+        robot.clickOn("Edit Material matt of ball");
+        waitFor("the material is in front", () -> tab().equals("material-tab"));
+    }
+
+    private void picture(String name) throws IOException {
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0xff8000);
+        ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve(name).toFile());
+    }
+
+    /** What is farther down is scrolled to first. */
+    private void scrollTo(String widget) {
+        robot.interact(() -> {
+            Node node = robot.lookup(widget).query();
+            ScrollPane pane = (ScrollPane) Stream.iterate(node, Node::getParent).filter(ScrollPane.class::isInstance).findFirst()
+                    .orElseThrow();
+            pane.layout();
+            Bounds at = pane.getContent().sceneToLocal(node.localToScene(node.getBoundsInLocal()));
+            double room = pane.getViewportBounds().getHeight();
+            pane.setVvalue(Math.clamp((at.getCenterY() - room / 2) / (pane.getContent().getBoundsInLocal().getHeight() - room), 0, 1));
+            pane.layout();
+        });
+    }
+
+    private void chooseProperty(String widget, String item) {
+        scrollTo(widget);
+        robot.rightClickOn(widget + " .label");
+        waitFor("the menu is open", () -> robot.lookup(item).tryQuery().isPresent());
+        robot.clickOn(item);
+    }
+
+    @Test
+    void copiedProperty_isPastedToAnotherMaterialAndReset() {
+        robot.interact(() -> model().materials().choose("matt"));
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        chooseProperty("#shininess", "Copy Shininess");
+        robot.interact(() -> model().materials().choose("mirror"));
+        chooseProperty("#shininess", "Paste Shininess '20'");
+        assertThat(material("mirror").shininess()).isEqualTo(20);
+        assertThat(model().situationProperty().get().undo()).hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
+        chooseProperty("#shininess", "Reset Shininess");
+        assertThat(material("mirror").shininess()).isEqualTo(MaterialAttribute.SHININESS.initial());
+        assertGoShowsTheScene();
+    }
+
+    private Path elsewhere(int rgb) throws IOException {
+        var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, rgb);
+        Path file = Files.createDirectories(folder.resolve("elsewhere/deep")).resolve("tiles.png");
+        ImageIO.write(image, "png", file.toFile());
+        return file;
+    }
+
+    private void browse() {
+        robot.interact(() -> robot.lookup("#texture-found").<MenuButton>query().getItems().stream()
+                .filter(item -> "Browse…".equals(item.getText())).findFirst().orElseThrow().fire());
+    }
+
+    @Test
+    void browsedPicture_comesToTheTexturesAndOverAnotherOnlyWhenChosenTwice() throws IOException {
+        robot.interact(() -> model().materials().choose("matt"));
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        // Else those of a folder above would get it.
+        Files.createDirectories(folder.resolve("textures"));
+        answer = elsewhere(0xff8000);
+        browse();
+        waitFor("the picture is there", () -> material("matt").texture().isPresent());
+        assertThat(material("matt").texture().orElseThrow().file()).isEqualTo("tiles.png");
+        Path copy = folder.resolve("textures/tiles.png");
+        assertThat(copy).hasSameBinaryContentAs(answer);
+        byte[] first = Files.readAllBytes(copy);
+        elsewhere(0x0080ff);
+        browse();
+        waitFor("it asks", () -> text("texture-refusal").contains("choose it again to write over it"));
+        assertThat(copy).hasBinaryContent(first);
+        browse();
+        waitFor("it is written over", () -> text("texture-refusal").isEmpty());
+        assertThat(copy).hasSameBinaryContentAs(answer);
+        assertGoShowsTheScene();
+    }
+
+    @Test
+    void copiedPlaceOfAShape_isPastedToAnother() {
+        robot.interact(() -> model().selectNode("ball"));
+        chooseProperty("#shape-at", "Copy Position");
+        robot.interact(() -> model().selectNode("floor"));
+        chooseProperty("#shape-at", "Paste Position '0 1 0'");
+        assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(new Vec3(0, 1, 0));
+        chooseProperty("#shape-at", "Reset Position");
+        assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(Vec3.ZERO);
+    }
+
+    @Test
+    void rightClickOnAShapeOfThePicture_offersItsMaterial() {
+        assertThat(tab()).isEqualTo("light-tab");
+        robot.clickOn("#traced-picture", MouseButton.SECONDARY);
+        chooseFromMenu();
+        assertThat(edited()).isEqualTo("matt");
+        assertThat(text("material-users")).isEqualTo("On ball");
+    }
+
+    @Test
+    void rightClickOnAShapeOfThePreview_offersItsMaterial() {
+        robot.interact(() -> model().materials().choose("mirror"));
+        robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
+        chooseFromMenu();
+        assertThat(edited()).isEqualTo("matt");
+    }
+
+    @Test
+    void pickedShape_showsItsMaterialUntilALightIsSelected() {
+        robot.interact(() -> model().materials().choose("mirror"));
+        robot.interact(() -> model().commands().run(Command.PICK_MATERIAL));
+        assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
+        robot.clickOn("#traced-picture");
+        waitFor("the material is in front", () -> tab().equals("material-tab"));
+        assertThat(edited()).isEqualTo("matt");
+        robot.interact(() -> model().selectLight("sun"));
+        assertThat(tab()).isEqualTo("light-tab");
+    }
+
+    @Test
+    void diffuse_isRenderedByGoAndTakenBackByUndo() {
+        Scene before = model().scene();
+        robot.interact(() -> model().materials().choose("matt"));
+        long frames = model().previewFramesProperty().get();
+        typeRed("diffuse", "0.25");
+        assertThat(material("matt").diffuse()).isEqualTo(new Rgb(0.25, 0.7, 0.6));
+        waitFor("the preview shows it", () -> model().previewFramesProperty().get() > frames);
+        assertGoShowsTheScene();
+        click("undo");
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(isEnabled(Command.GO)).isTrue();
+    }
+
+    @Test
+    void eachNumber_isEdited() {
+        robot.interact(() -> model().materials().choose("matt"));
+        typeRed("specular", "0.5");
+        typeRed("reflective", "0.75");
+        typeRed("ambient", "2000");
+        type("shininess .number-field", "40");
+        Material matt = material("matt");
+        assertThat(matt.specular().r()).isEqualTo(0.5);
+        assertThat(matt.reflective().r()).isEqualTo(0.75);
+        assertThat(matt.ambient().r()).isEqualTo(2000);
+        assertThat(matt.shininess()).isEqualTo(40);
+    }
+
+    @Test
+    void valueOutOfRange_isRefusedAsTheFileReaderDoes() {
+        Scene before = model().scene();
+        typeRed("diffuse", "2");
+        assertThat(robot.lookup("diffuse red must be from 0 to 1, was 2").tryQuery()).isPresent();
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void texture_isReadBesideTheSceneRepeatedAndTakenAway() throws IOException {
+        picture("dots.png");
+        robot.interact(() -> {
+            model().materials().choose("matt");
+            model().materials().inFrontProperty().set(true);
+        });
+        assertThat(robot.lookup("#repeat-u .number-field").query().isDisabled()).isTrue();
+        type("texture", "dots.png");
+        waitFor("it is read", () -> material("matt").texture().isPresent());
+        type("repeat-u .number-field", "3");
+        assertThat(material("matt").texture().orElseThrow().repeatU()).isEqualTo(3);
+        click("go");
+        waitForPicture();
+        type("texture", " ");
+        assertThat(material("matt").texture()).isEmpty();
+    }
+
+    @Test
+    void bump_isReadBesideTheSceneMadeHigherAndTakenAway() throws IOException {
+        picture("dots.png");
+        robot.interact(() -> {
+            model().materials().choose("matt");
+            model().materials().inFrontProperty().set(true);
+        });
+        assertThat(robot.lookup("#bump-repeat-u .number-field").query().isDisabled()).isTrue();
+        type("bump", "dots.png");
+        waitFor("it is read", () -> material("matt").relief().bump().isPresent());
+        type("height .number-field", "0.2");
+        assertThat(material("matt").relief().height()).isEqualTo(0.2);
+        assertThat(material("matt").texture()).isEmpty();
+        click("go");
+        waitForPicture();
+        type("bump", " ");
+        assertThat(material("matt").relief().bump()).isEmpty();
+    }
+
+    @Test
+    void textureThatIsNotThere_isRefusedInASentence() {
+        type("texture", "missing.png");
+        waitFor("it is refused",
+                () -> text("texture-refusal").startsWith("material 'matt': there is no texture 'missing.png' in the folder"));
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void texturesBesideTheScene_areOffered() throws IOException {
+        picture("dots.png");
+        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        MenuButton found = robot.lookup("#texture-found").query();
+        robot.interact(() -> found.getOnShowing().handle(null));
+        waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
+        MenuItem dots = found.getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
+        assertThat(dots.getGraphic()).isInstanceOf(ImageView.class);
+        robot.interact(dots::fire);
+        waitFor("it is read", () -> material(edited()).texture().isPresent());
+    }
+}

@@ -1,0 +1,230 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TabPane;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.base.math.Vec3;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.Typing;
+import lightning.scene.Group;
+import lightning.scene.Node;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import org.junit.jupiter.api.Test;
+
+class OutlinePaneTest extends EditorDesk {
+    private static final Vec3 BALL = new Vec3(0, 1, 0);
+
+    private Node node(String name) {
+        return model().scene().stage().node(name).orElseThrow();
+    }
+
+    private String tab(String pane) {
+        return robot.lookup("#" + pane).<TabPane>query().getSelectionModel().getSelectedItem().getId();
+    }
+
+    private ListView<OutlineRow> list() {
+        return robot.lookup("#shape-list").query();
+    }
+
+    private List<String> listed() {
+        return list().getItems().stream().map(row -> row.node(model().scene().stage()).name()).toList();
+    }
+
+    private String marked() {
+        OutlineRow row = list().getSelectionModel().getSelectedItem();
+        return row == null ? "" : row.node(model().scene().stage()).name();
+    }
+
+    private void select(String name) {
+        robot.interact(() -> model().selectNode(name));
+        // Its line is there only when the list was laid out.
+        waitFor("its line is there", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
+                .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(marked())));
+    }
+
+    private void press(KeyCode... keys) {
+        robot.interact(() -> list().requestFocus());
+        waitFor("the list has the keyboard", () -> list().isFocused());
+        robot.push(keys);
+    }
+
+    private void group() {
+        robot.interact(() -> model().edit(scene -> new lightning.editor.document.Change.To(scene.replacing("ball",
+                List.of(new Group("toys", Placement.IDENTITY, List.of(node("ball"),
+                        new Shape(new Solid.Sphere(), "marble", "matt", new Placement(new Vec3(1, 0.3, 1), Vec3.ZERO,
+                                new Vec3(0.3, 0.3, 0.3))))))))));
+    }
+
+    @Test
+    void shapePickedInThePreview_isSelectedInTheList() {
+        assertThat(tab("lists")).isEqualTo("lights-tab");
+        waitFor("the preview is drawn", () -> model().previewFramesProperty().get() > 0);
+        robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
+        waitFor("the menu is open", () -> robot.lookup("Select ball").tryQuery().isPresent());
+        robot.clickOn("Select ball");
+        waitFor("it is selected", () -> tab("lists").equals("shapes-tab"));
+        assertThat(marked()).isEqualTo("ball");
+        assertThat(tab("side")).isEqualTo("shape-tab");
+        assertThat(text("shape-about")).isEqualTo("Sphere of material matt");
+        assertThat(model().selectedLight()).isNull();
+    }
+
+    @Test
+    void lightSelectedAgain_bringsItsListBack() {
+        select("ball");
+        robot.interact(() -> model().selectLight("lamp"));
+        assertThat(tab("lists")).isEqualTo("lights-tab");
+        assertThat(tab("side")).isEqualTo("light-tab");
+        assertThat(model().selectedNode()).isEmpty();
+    }
+
+    @Test
+    void eye_hidesTheShapeAndUndoBringsItBack() {
+        Scene before = model().scene();
+        select("ball");
+        ToggleButton eye = robot.lookup("#shape-list .eye").queryAllAs(ToggleButton.class).stream()
+                .filter(b -> "ball visible".equals(b.getAccessibleText())).findFirst().orElseThrow();
+        robot.interact(eye::fire);
+        assertThat(node("ball").visible()).isFalse();
+        assertGoShowsTheScene();
+        assertThat(model().situationProperty().get().undo()).contains("ball: visible yes → no");
+        click("undo");
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void keyH_hidesAndShows() {
+        select("ball");
+        press(KeyCode.H);
+        assertThat(node("ball").visible()).isFalse();
+        robot.interact(() -> preview().requestFocus());
+        waitFor("the preview has the keyboard", () -> preview().isFocused());
+        robot.push(KeyCode.H);
+        assertThat(node("ball").visible()).isTrue();
+    }
+
+    @Test
+    void delete_takesTheShapeAwayAndItsLightsStay() {
+        select("ball");
+        press(KeyCode.DELETE);
+        assertThat(model().scene().stage().node("ball")).isEmpty();
+        assertThat(listed()).containsExactly("floor");
+        assertThat(model().lights()).hasSize(3);
+        assertThat(model().situationProperty().get().undo()).contains("delete ball");
+        assertGoShowsTheScene();
+    }
+
+    @Test
+    void duplicate_standsBesideItsOriginalAndIsSelected() {
+        select("ball");
+        press(KeyCode.CONTROL, KeyCode.D);
+        assertThat(listed()).containsExactly("floor", "ball", "ball2");
+        assertThat(marked()).isEqualTo("ball2");
+        assertThat(node("ball2").placement().at()).isEqualTo(new Vec3(0.9, 1, 0));
+        assertThat(model().lights()).as("no light was duplicated").hasSize(3);
+        assertThat(model().situationProperty().get().undo()).contains("add ball2");
+        assertGoShowsTheScene();
+    }
+
+    @Test
+    void duplicateOfAGroup_hasFreeNamesThroughout() {
+        group();
+        select("toys");
+        press(KeyCode.CONTROL, KeyCode.D);
+        assertThat(((Group) node("toys2")).children()).extracting(Node::name).containsExactly("ball2", "marble2");
+    }
+
+    @Test
+    void renamed_staysSelected() {
+        select("ball");
+        press(KeyCode.F2);
+        Typing.over(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "globe").push(KeyCode.ENTER);
+        assertThat(marked()).isEqualTo("globe");
+        assertThat(model().situationProperty().get().undo()).contains("ball: name ball → globe");
+    }
+
+    @Test
+    void nameThatIsTaken_isRefused() {
+        select("ball");
+        press(KeyCode.F2);
+        Typing.over(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "floor").push(KeyCode.ENTER);
+        assertThat(model().messageProperty().get()).contains("'floor'", "already taken");
+        assertThat(model().scene().stage().node("ball")).isPresent();
+    }
+
+    @Test
+    void group_isFoldedUntilAShapeInItIsSelected() {
+        group();
+        select("floor");
+        assertThat(listed()).containsExactly("floor", "toys");
+        select("marble");
+        assertThat(listed()).containsExactly("floor", "toys", "ball", "marble");
+        assertThat(marked()).isEqualTo("marble");
+        select("toys");
+        press(KeyCode.LEFT);
+        assertThat(listed()).containsExactly("floor", "toys");
+    }
+
+    @Test
+    void hiddenGroup_takesAllThatIsInItAway() {
+        group();
+        select("toys");
+        press(KeyCode.H);
+        assertThat(model().scene().stage().shapes()).extracting(Shape::name).containsExactly("floor");
+        assertGoShowsTheScene();
+    }
+
+    @Test
+    void typedPlace_movesTheShapeInOneStep() {
+        Scene before = model().scene();
+        select("ball");
+        Typing.over(robot, robot.lookup("#shape-at .number-field").queryAs(TextField.class), "1.5").push(KeyCode.ENTER);
+        assertThat(node("ball").placement().at()).isEqualTo(new Vec3(1.5, 1, 0));
+        assertThat(model().situationProperty().get().undo()).contains("ball: at 0 1 0 → 1.5 1 0");
+        assertGoShowsTheScene();
+        click("undo");
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void typedTurnAndScale_arePlacement() {
+        select("ball");
+        Typing.over(robot, robot.lookup("#rotate-y .number-field").queryAs(TextField.class), "30").push(KeyCode.ENTER);
+        Typing.over(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "2").push(KeyCode.ENTER);
+        assertThat(node("ball").placement()).isEqualTo(new Placement(BALL, new Vec3(0, 30, 0), new Vec3(2, 1, 1)));
+        assertGoShowsTheScene();
+    }
+
+    @Test
+    void scaleOfNothing_isRefusedAsTheFileReaderDoes() {
+        select("ball");
+        Typing.over(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "0").push(KeyCode.ENTER);
+        assertThat(robot.lookup(".refusal").queryAll()).anyMatch(n -> n instanceof javafx.scene.control.Label l
+                && l.getText().startsWith("scale must be at least"));
+        assertThat(node("ball").placement().scale()).isEqualTo(Vec3.ONE);
+    }
+
+    @Test
+    void savedAndOpenedAgain_isTheSameScene() throws Exception {
+        group();
+        select("toys");
+        press(KeyCode.CONTROL, KeyCode.D);
+        press(KeyCode.H);
+        select("floor");
+        press(KeyCode.DELETE);
+        click("save-scene");
+        waitFor("it is saved", () -> !model().document().isDirty());
+        Scene read = lightning.editor.document.OpenDocument.open(folder.resolve("desk.jen")).scene();
+        assertThat(read).isEqualTo(model().scene());
+    }
+}

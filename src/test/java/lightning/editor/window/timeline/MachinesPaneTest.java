@@ -1,0 +1,91 @@
+package lightning.editor.window.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.scene.Scene;
+import javafx.scene.control.TextField;
+import javafx.stage.Stage;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.widget.Looks;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class MachinesPaneTest extends EditorDesk {
+    private Stage window;
+    private Path answered;
+
+    @BeforeEach
+    void openPane() throws Exception {
+        var file = folder.resolve("desk.jen");
+        Files.writeString(file, Files.readString(file) + "shot { frames 1 2 }");
+        OpenDocument opened = OpenDocument.open(file);
+        robot.interact(() -> {
+            model().open(opened);
+            window = new Stage();
+            window.setScene(new Scene(new MachinesPane(model(), new Answers()), 480, 250));
+            Looks.dress(window.getScene());
+            window.show();
+        });
+    }
+
+    @AfterEach
+    void closePane() {
+        robot.interact(window::close);
+    }
+
+    private final class Answers implements PathAsk {
+        @Override
+        public Optional<Path> fileToOpen(String title, String extension) {
+            assertThat(extension).isEqualTo("p12");
+            return Optional.ofNullable(answered);
+        }
+
+        @Override
+        public Optional<Path> fileToSave(String title, String name, String extension) {
+            return Optional.empty();
+        }
+
+        @Override
+        public Optional<Path> folder(String title) {
+            return Optional.empty();
+        }
+    }
+
+    private TextField field(String id) {
+        return robot.lookup("#" + id).query();
+    }
+
+    @Test
+    void browse_namesTheFile_andNothingWhereItIsCancelled() {
+        answered = folder.resolve("shared.p12");
+        click("machines-browse");
+        assertThat(field("machines-certificate").getText()).isEqualTo(answered.toString());
+        answered = null;
+        click("machines-browse");
+        assertThat(field("machines-certificate").getText()).isEqualTo(folder.resolve("shared.p12").toString());
+    }
+
+    @Test
+    void missingCertificate_isToldAndAskedFor() {
+        robot.interact(() -> field("machines-hosts").setText("render7"));
+        click("machines-begin");
+        assertThat(text("machines-status")).startsWith("Name the certificate");
+        assertThat(field("machines-certificate").isFocused()).isTrue();
+    }
+
+    @Test
+    void machineThatNobodyKnows_isTold() {
+        robot.interact(() -> {
+            field("machines-hosts").setText("no-such-machine.invalid");
+            field("machines-certificate").setText("c.p12");
+        });
+        click("machines-begin");
+        waitFor("it is told", () -> text("machines-status").startsWith("there is no machine 'no-such-machine.invalid'"));
+    }
+}

@@ -1,0 +1,233 @@
+package lightning.editor.window.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javafx.scene.control.TextField;
+import lightning.base.text.Release;
+import lightning.base.work.Wait;
+import lightning.editor.document.Command;
+import lightning.editor.document.Dial;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.model.MachineChoice;
+import lightning.editor.window.model.Preferences;
+import lightning.render.image.Downscale;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.LightAttribute;
+import lightning.scene.Scene;
+import lightning.shot.FrameState;
+import lightning.shot.LocalKeeper;
+import lightning.shot.cluster.FrameNode;
+import lightning.shot.cluster.FreePort;
+import lightning.shot.cluster.Place;
+import lightning.shot.cluster.SelfSigned;
+import lightning.shot.cluster.TlsNetwork;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
+class StripElsewhereTest extends EditorDesk {
+    private static final String SHOT =
+            "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
+
+    private final InetAddress loopback = InetAddress.getLoopbackAddress();
+    private final List<FrameNode> nodes = new ArrayList<>();
+    private Path certificate;
+
+    @BeforeEach
+    void openStrip() throws Exception {
+        certificate = folder.resolve("shared.p12");
+        SelfSigned.write(certificate);
+        var file = folder.resolve("desk.jen");
+        Files.writeString(file, Files.readString(file) + SHOT);
+        OpenDocument opened = OpenDocument.open(file);
+        robot.interact(() -> model().open(opened));
+        waitForPicture();
+        robot.interact(() -> model().commands().run(Command.FILM_STRIP));
+    }
+
+    /** What a node still does after it is closed ends before its folder goes. */
+    @AfterEach
+    void endNodes() throws Exception {
+        nodes.forEach(FrameNode::close);
+        Wait.untilEnded("lightning-node");
+    }
+
+    private FrameNode node(int port, int join) throws Exception {
+        var place = new Place(loopback, port, 1, List.of(new InetSocketAddress(loopback, join)), certificate, Place.Timing.DEFAULT);
+        Path own = folder.resolve("node-" + port);
+        var node = new FrameNode(new TlsNetwork(place), new FrameNode.Settings(Release.ofMachine(), 1, 1 << 30, own,
+                () -> new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28), _ -> {}));
+        nodes.add(node);
+        node.start();
+        return node;
+    }
+
+    private void type(String field, String text) {
+        robot.interact(() -> robot.lookup("#" + field).<TextField>query().clear());
+        robot.clickOn("#" + field).write(text);
+    }
+
+    private void ask(String hosts, Path file) {
+        click("strip-elsewhere");
+        type("machines-hosts", hosts);
+        type("machines-certificate", file.toString());
+        click("machines-begin");
+    }
+
+    private void waitToBeTold(String what) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Wait.MOST_SECONDS);
+        while (!told().equals(what)) {
+            assertThat(System.nanoTime()).as("waited until the strip says %s; it says %s", what, told()).isLessThan(end);
+            WaitForAsyncUtils.sleep(20, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    private String told() {
+        return WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> text("strip-progress")));
+    }
+
+    private FilmStrip strip() {
+        return robot.lookup("#strip").<StripPane>query().strip().orElseThrow();
+    }
+
+    /** The films that the nodes hold, in every bit, and the small pictures that are seen of them. */
+    private void assertAllExact() throws Exception {
+        for (int frame = 1; frame <= 4; frame++) {
+            Scene scene = model().document().content().at(frame);
+            Film exact = new ReferenceTracer(scene).trace();
+            assertThat(film(frame).sameBits(exact)).as("every bit of frame " + frame).isTrue();
+            int number = frame;
+            waitFor("the small picture is there", () -> strip().showsNewest(number));
+            Film small = strip().picture(frame).orElseThrow().film();
+            assertThat(small.sameBits(Downscale.into(exact.width(), exact.height(), small.width(), small.height()).of(exact))).isTrue();
+        }
+    }
+
+    /** Where the machine that has it is lost in that moment, another traces it. */
+    private Film film(int frame) throws Exception {
+        var film = new CompletableFuture<Film>();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Wait.MOST_SECONDS);
+        while (!film.isDone()) {
+            assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
+            if (strip().state(frame) == FrameState.CURRENT) {
+                // One after the other is brought: what was asked for again in vain must not hold up the next frame.
+                strip().fetch(frame, () -> !film.isDone(), film::complete);
+            }
+            WaitForAsyncUtils.sleep(200, TimeUnit.MILLISECONDS);
+        }
+        return film.get();
+    }
+
+    @Test
+    void frames_areHeldByTheMachinesThatAreNamed_andExactAfterAnEdit() throws Exception {
+        int port = FreePort.next();
+        int other = FreePort.next();
+        node(port, port);
+        node(other, port);
+        ask("127.0.0.1:" + port + ", 127.0.0.1:" + other, certificate);
+        waitToBeTold("2 machines, 4 of 4 frames");
+        assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
+        assertAllExact();
+        robot.interact(() -> {
+            model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            assertThat(strip().showsNewest(4)).isFalse();
+        });
+        waitToBeTold("2 machines, 4 of 4 frames");
+        assertAllExact();
+    }
+
+    @Test
+    void machineThatGoes_isTold_andItsFramesAreTracedByAnother() throws Exception {
+        int port = FreePort.next();
+        int other = FreePort.next();
+        node(port, port);
+        FrameNode going = node(other, port);
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("2 machines, 4 of 4 frames");
+        going.close();
+        waitToBeTold("1 machine, 4 of 4 frames");
+        assertAllExact();
+        nodes.removeFirst().close();
+        waitToBeTold("all machines are gone; one that comes goes on, 0 of 4 frames");
+    }
+
+    @Test
+    void keepHereAgain_letsGoOfTheMachines() throws Exception {
+        int port = FreePort.next();
+        node(port, port);
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("1 machine, 4 of 4 frames");
+        click("strip-here");
+        waitToBeTold("");
+        assertThat(strip().machines()).isEmpty();
+        assertThat(isShown("strip-here")).isFalse();
+    }
+
+    @Test
+    void noMachine_isTold_andOneThatComesGetsTheFrames() throws Exception {
+        int port = FreePort.next();
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("no machine answers at 127.0.0.1:" + port + ": none is there yet, or it has another certificate, 0 of 4 frames");
+        node(port, port);
+        waitToBeTold("1 machine, 4 of 4 frames");
+        assertAllExact();
+    }
+
+    @Test
+    void frameThatAMachineHas_isBroughtWhileItIsTracedHere() throws Exception {
+        int port = FreePort.next();
+        node(port, port);
+        ask("127.0.0.1:" + port, certificate);
+        waitToBeTold("1 machine, 4 of 4 frames");
+        var film = new CompletableFuture<Film>();
+        Scene fourth = model().document().content().at(4);
+        robot.interact(() -> {
+            model().showFrame(4);
+            Scene scene = model().scene();
+            var ahead = new FilmAhead(model(), (brought, of) -> {
+                assertThat(of).isSameAs(scene);
+                film.complete(brought);
+            });
+            // However soon it is traced here.
+            ahead.follow(model().situationProperty().get().withInWork(Optional.of(scene)), strip());
+        });
+        assertThat(film.get(Wait.MOST_SECONDS, TimeUnit.SECONDS).sameBits(new ReferenceTracer(fourth).trace())).isTrue();
+        waitForPicture();
+        assertCanvasShows(new ReferenceTracer(fourth).trace());
+    }
+
+    @Test
+    void fileThatIsNoCertificate_isToldInASentence_andWhatWasTypedIsKept() throws Exception {
+        Path none = Files.writeString(folder.resolve("none.p12"), "words");
+        ask("127.0.0.1:1", none);
+        waitFor("it is told", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
+        assertThat(text("machines-status")).doesNotContain("Exception");
+        type("machines-certificate", folder.resolve("gone.p12").toString());
+        click("machines-begin");
+        waitFor("it is told", () -> text("machines-status").contains("gone.p12"));
+        assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
+        type("machines-hosts", "a b");
+        click("machines-begin");
+        assertThat(text("machines-status")).contains("expected a machine and a port");
+        var preferences = new Preferences(folder.resolve("p"), Runnable::run);
+        var next = new MachineChoice();
+        robot.interact(() -> model().machineChoice().remember(preferences));
+        next.restore(preferences);
+        assertThat(next.hostsProperty().get()).isEqualTo("127.0.0.1:1");
+        assertThat(next.certificateProperty().get()).endsWith("gone.p12");
+    }
+}

@@ -1,0 +1,245 @@
+package lightning.editor.window.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import javafx.event.EventType;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.PickResult;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Command;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.ScenePicker;
+import lightning.editor.document.Viewport;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.PictureView;
+import lightning.render.shading.LightReport;
+import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+/** What a light does in the traced picture is dragged there. */
+class LightPlacerTest extends EditorDesk {
+    private static final double BALL_X = 30;
+    private static final double BALL_Y = 22;
+
+    private Bounds place() {
+        PictureView view = robot.lookup("#traced-picture").query();
+        return view.placeProperty().getValue();
+    }
+
+    private Point2D onScreen(double x, double y) {
+        PictureView view = robot.lookup("#traced-picture").query();
+        return view.localToScreen(place().getMinX() + x, place().getMinY() + y);
+    }
+
+    /** Where the middle of a pixel of the 64 × 48 is. */
+    private Point2D pixel(double x, double y) {
+        return onScreen((x + 0.5) * place().getWidth() / 64, (y + 0.5) * place().getHeight() / 48);
+    }
+
+    private Point2D pixel(Vec3 point) {
+        var at = new Viewport(place().getWidth(), place().getHeight()).pixel(PreviewCamera.of(model().scene()), point);
+        return onScreen(at.x(), at.y());
+    }
+
+    private Vec3 surface(int x, int y) {
+        return new ScenePicker(model().scene()).atPixel(x, y).orElseThrow().point();
+    }
+
+    private LightReport report(int light, int x, int y) {
+        return new PixelExplainer(model().scene()).pixel(x, y).lights().get(light);
+    }
+
+    private void take(String light, Command tool) {
+        robot.interact(() -> {
+            model().selectLight(light);
+            model().commands().run(tool);
+        });
+    }
+
+    private void undoesTo(Scene before) {
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
+    }
+
+    /** The robot's mouse does not know which keys are down. */
+    private void dragWithShift(MouseButton button, Point2D from, Point2D to) {
+        robot.interact(() -> {
+            mouse(MouseEvent.MOUSE_PRESSED, button, from, true);
+            mouse(MouseEvent.MOUSE_DRAGGED, button, to, false);
+            mouse(MouseEvent.MOUSE_RELEASED, button, to, false);
+        });
+    }
+
+    private void mouse(EventType<MouseEvent> type, MouseButton button, Point2D at, boolean still) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        Point2D place = picture.localToScene(picture.screenToLocal(at));
+        picture.fireEvent(new MouseEvent(type, place.getX(), place.getY(), at.getX(), at.getY(), button, 1, true, false, false, false,
+                button == MouseButton.PRIMARY, false, button == MouseButton.SECONDARY, false, false, still, new PickResult(picture,
+                        place.getX(), place.getY())));
+    }
+
+    @Test
+    void draggedHighlight_followsThePointerAtTheDistanceOfThePressAndIsOneStep() {
+        Scene before = model().scene();
+        take("lamp", Command.PLACE_HIGHLIGHT);
+        robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY);
+        double distance = light("lamp").position().minus(surface(30, 22)).length();
+        assertThat(report(0, 30, 22).specular()).isGreaterThan(0.99f);
+        robot.moveTo(pixel(34, 21));
+        assertThat(report(0, 34, 21).specular()).isGreaterThan(0.99f);
+        robot.moveTo(pixel(29, 20)).release(MouseButton.PRIMARY);
+        assertThat(report(0, 29, 20).specular()).isGreaterThan(0.99f);
+        assertThat(light("lamp").position().minus(surface(29, 20)).length()).isCloseTo(distance, within(1e-9));
+        assertThat(isShown("prompt")).isFalse();
+        assertGoShowsTheScene();
+        undoesTo(before);
+    }
+
+    @Test
+    void whileItIsDragged_thePictureIsTheFullTraceOfWhatIsThere() {
+        robot.interact(() -> model().liveProperty().set(true));
+        take("lamp", Command.PLACE_HIGHLIGHT);
+        robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
+        waitForPicture();
+        robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
+                && model().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        robot.release(MouseButton.PRIMARY);
+    }
+
+    @Test
+    void escapeInADrag_givesItUpWithoutAStep() {
+        Scene before = model().scene();
+        take("lamp", Command.PLACE_HIGHLIGHT);
+        robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
+        assertThat(model().scene()).isNotEqualTo(before);
+        robot.push(KeyCode.ESCAPE);
+        assertThat(model().scene()).isEqualTo(before);
+        robot.moveTo(pixel(28, 22)).release(MouseButton.PRIMARY);
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
+        assertThat(isShown("prompt")).isFalse();
+    }
+
+    @Test
+    void escapeInADragOfTheWireframe_givesItUpWithoutAStep() {
+        Scene before = model().scene();
+        robot.interact(() -> model().selectLight("lamp"));
+        robot.moveTo(pixel(light("lamp").position())).press(MouseButton.SECONDARY).moveBy(30, 10);
+        assertThat(model().scene()).isNotEqualTo(before);
+        robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.SECONDARY);
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
+    }
+
+    @Test
+    void draggedThrower_letsItsShadowFallUnderThePointer() {
+        Scene before = model().scene();
+        take("lamp", Command.PLACE_SHADOW);
+        Vec3 thrower = surface(32, 22);
+        robot.moveTo(pixel(32, 22)).press(MouseButton.PRIMARY).moveTo(pixel(46, 36)).release(MouseButton.PRIMARY);
+        Vec3 fallen = surface(46, 36);
+        Vec3 toThrower = thrower.minus(fallen).normalized();
+        Vec3 toLight = light("lamp").position().minus(fallen).normalized();
+        assertThat(toThrower.dot(toLight)).isGreaterThan(0.999);
+        assertThat(report(0, 46, 36).state()).isEqualTo(LightReport.State.SHADOWED);
+        undoesTo(before);
+    }
+
+    @Test
+    void draggedShadow_isThatOfWhatThrewIt() {
+        take("lamp", Command.PLACE_SHADOW);
+        robot.moveTo(pixel(32, 22)).press(MouseButton.PRIMARY).moveTo(pixel(46, 36)).release(MouseButton.PRIMARY);
+        assertThat(report(0, 46, 36).state()).isEqualTo(LightReport.State.SHADOWED);
+        take("lamp", Command.PLACE_SHADOW);
+        robot.moveTo(pixel(46, 36)).press(MouseButton.PRIMARY).moveTo(pixel(20, 36)).release(MouseButton.PRIMARY);
+        assertThat(report(0, 20, 36).state()).isEqualTo(LightReport.State.SHADOWED);
+        assertThat(light("lamp").position().x()).as("the light is on the other side now").isGreaterThan(0);
+    }
+
+    @Test
+    void draggedPool_letsTheSpotAimAtThePointer() {
+        Scene before = model().scene();
+        take("stage", Command.AIM);
+        robot.moveTo(pixel(32, 24)).press(MouseButton.PRIMARY).moveTo(pixel(24, 38)).release(MouseButton.PRIMARY);
+        Vec3 way = surface(24, 38).minus(light("stage").position()).normalized();
+        assertThat(light("stage").direction().normalized().dot(way)).isGreaterThan(0.999);
+        assertThat(light("stage").position()).isEqualTo(before.light("stage").orElseThrow().position());
+        undoesTo(before);
+    }
+
+    @Test
+    void placedDiffuse_facesTheLight() {
+        take("lamp", Command.PLACE_DIFFUSE);
+        robot.clickOn(pixel(34, 20));
+        assertThat(report(0, 34, 20).cosine()).isGreaterThan(0.999f);
+    }
+
+    @Test
+    void placedRim_standsBehindAndGrazes() {
+        take("lamp", Command.PLACE_RIM);
+        robot.clickOn(pixel(32, 17));
+        assertThat(Math.abs(report(0, 32, 17).cosine())).isLessThan(0.05f);
+        assertThat(light("lamp").position().z()).isLessThan(surface(32, 17).z());
+    }
+
+    @Test
+    void ringAboutAPlacedLight_takesItFartherInOneStep() {
+        take("lamp", Command.PLACE_DIFFUSE);
+        robot.clickOn(pixel(34, 20));
+        Scene placed = model().scene();
+        Vec3 point = surface(34, 20);
+        Vec3 way = light("lamp").position().minus(point);
+        Point2D middle = pixel(34, 20);
+        robot.moveTo(middle.add(LightPlacer.RING, 0)).press(MouseButton.PRIMARY).moveTo(middle.add(1.5 * LightPlacer.RING, 0))
+                .release(MouseButton.PRIMARY);
+        Vec3 now = light("lamp").position().minus(point);
+        assertThat(now.length() / way.length()).isCloseTo(1.5, within(0.05));
+        assertThat(now.normalized().dot(way.normalized())).isGreaterThan(0.999);
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().scene()).isEqualTo(placed);
+    }
+
+    @Test
+    void shiftInADragOfTheWireframe_movesOnTheGridAndSaysSo() {
+        robot.interact(() -> model().selectLight("lamp"));
+        Point2D from = pixel(light("lamp").position());
+        dragWithShift(MouseButton.SECONDARY, from, from.add(33, 11));
+        assertThat(model().messageProperty().get()).startsWith("Snapped: at ");
+        String told = model().messageProperty().get();
+        double step = Double.parseDouble(told.substring(told.lastIndexOf(' ') + 1));
+        Vec3 at = light("lamp").position();
+        for (double v : new double[] {at.x(), at.y(), at.z()}) {
+            assertThat(v / step).isCloseTo(Math.rint(v / step), within(1e-9));
+        }
+    }
+
+    @Test
+    void shiftInADragOfThePool_turnsInWholeSteps() {
+        take("stage", Command.AIM);
+        dragWithShift(MouseButton.PRIMARY, pixel(32, 24), pixel(24, 38));
+        assertThat(model().messageProperty().get()).matches("Snapped: azimuth -?\\d+°, elevation -?\\d+°");
+        Vec3 way = light("stage").direction().normalized();
+        double elevation = Math.toDegrees(Math.asin(way.y())) / 15;
+        assertThat(elevation).isCloseTo(Math.rint(elevation), within(1e-9));
+    }
+
+    @Test
+    void pressBesideAllShapes_keepsTheTool() {
+        Scene before = model().scene();
+        take("lamp", Command.PLACE_HIGHLIGHT);
+        robot.clickOn(pixel(2, 1));
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().messageProperty().get()).isEqualTo("There is nothing there; click a shape");
+        assertThat(isShown("prompt")).isTrue();
+    }
+}

@@ -1,0 +1,59 @@
+package lightning.editor.window.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import lightning.base.math.Vec3;
+import lightning.render.shading.LightReport;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import org.junit.jupiter.api.Test;
+
+/** What the card of a pixel says. */
+class PixelReportTest {
+    private static LightReport light(String name, LightReport.State state, float diffuse) {
+        return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 0, 1, 0, 0, 1,
+                new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1});
+    }
+
+    private static PixelReport report(List<LightReport> lights, List<LightReport> sky) {
+        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), null, lights, sky);
+    }
+
+    @Test
+    void lampsOfTheEnvironment_areOneLine() {
+        List<LightReport> sky = new ArrayList<>();
+        IntStream.range(0, 48).forEach(i -> sky.add(light("environment " + i, i < 12 ? LightReport.State.LIT : LightReport.State.SHADOWED,
+                i < 12 ? 0.0625f : 0)));
+        var report = report(List.of(light("key", LightReport.State.LIT, 2.25f), light("rim", LightReport.State.AWAY, 0)), sky);
+        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  facing away", "environment  25 %, 12 of 48 lamps");
+    }
+
+    @Test
+    void withoutAnEnvironment_nothingIsSaidOfIt() {
+        assertThat(report(List.of(light("key", LightReport.State.LIT, 1)), List.of()).lightLines()).containsExactly("key  100 %");
+    }
+
+    @Test
+    void normalThatAMapMade_isToldWithTheSurfacesOwn() {
+        assertThat(report(List.of(), List.of()).headline("1 2 3").lines()).containsExactly("3, 4  ball  normal 0.00 1.00 0.00", "1 2 3");
+        var bumpy = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of());
+        assertThat(bumpy.headline("").lines())
+                .containsExactly("3, 4  ball  normal 0.60 0.80 0.00, the surface's own 0.00 1.00 0.00", " ");
+    }
+
+    @Test
+    void lightBelowTheSurface_isToldToBeThere() {
+        var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
+                new float[3], new float[3], new float[] {1, 1, 1});
+        assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the surface");
+    }
+
+    @Test
+    void strongestLight_isOneThatCanBeSelected() {
+        var report = report(List.of(light("key", LightReport.State.LIT, 0.1f)), List.of(light("environment 1", LightReport.State.LIT, 9)));
+        assertThat(report.strongest()).contains("key");
+    }
+}

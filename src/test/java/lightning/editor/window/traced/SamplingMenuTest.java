@@ -1,0 +1,76 @@
+package lightning.editor.window.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorDesk;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Antialias;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class SamplingMenuTest extends EditorDesk {
+
+    private MenuButton sizes() {
+        return robot.lookup("#traced-sizes").query();
+    }
+
+    private MenuItem item(String id) {
+        Menu menu = (Menu) sizes().getItems().getLast();
+        return menu.getItems().stream().filter(i -> id.equals(i.getId())).findFirst().orElseThrow();
+    }
+
+    private void choose(String id) {
+        robot.interact(item(id)::fire);
+    }
+
+    private Sampling sampling() {
+        return model().scene().picture().sampling();
+    }
+
+    @Test
+    void edges_areAnEditThatGoRendersAsTheReferenceDoes() {
+        Scene before = model().scene();
+        choose("antialias-edges");
+        assertThat(sampling()).isEqualTo(new Sampling(Antialias.EDGES, 4));
+        assertCanvasShows(new ReferenceTracer(before).trace());
+        click("go");
+        waitForPicture();
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertThat(model().frame().film().sameBits(new ReferenceTracer(before).trace())).isFalse();
+        assertThat(telemetry()).startsWith("samples");
+    }
+
+    @Test
+    void fewerSamplesOfEveryPixel_giveThePictureOfTheReference() {
+        choose("antialias-every");
+        choose("antialias-2");
+        click("go");
+        waitForPicture();
+        assertThat(model().frame().scene().picture().sampling()).isEqualTo(new Sampling(Antialias.EVERY, 2));
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void choice_isNamedShownAndUndone() {
+        assertThat(sizes().getText()).isEqualTo("64 × 48");
+        choose("antialias-edges");
+        assertThat(sizes().getText()).isEqualTo("64 × 48, edges 4 × 4");
+        assertThat(model().situationProperty().get().undo()).contains("anti-aliasing off 4 × 4 → edges 4 × 4");
+        click("undo");
+        assertThat(sampling()).isEqualTo(Sampling.DEFAULT);
+        assertThat(isEnabled(Command.GO)).isFalse();
+    }
+
+    @Test
+    void samplesOfAPixel_canBeChosenWhereAPixelHasSeveral() {
+        assertThat(item("antialias-8").isDisable()).isTrue();
+        choose("antialias-edges");
+        assertThat(item("antialias-8").isDisable()).isFalse();
+    }
+}

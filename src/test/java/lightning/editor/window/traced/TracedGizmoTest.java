@@ -1,0 +1,97 @@
+package lightning.editor.window.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.canvas.Canvas;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Command;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.Viewport;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.PictureView;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+/** The selected light and shape are taken by hand in the traced picture too. */
+class TracedGizmoTest extends EditorDesk {
+    private Point2D inPicture(Vec3 point) {
+        PictureView view = robot.lookup("#traced-picture").query();
+        Bounds place = view.placeProperty().getValue();
+        var pixel = new Viewport(place.getWidth(), place.getHeight()).pixel(PreviewCamera.of(model().scene()), point);
+        return view.localToScreen(place.getMinX() + pixel.x(), place.getMinY() + pixel.y());
+    }
+
+    private void drag(Vec3 from, MouseButton button, double right, double down) {
+        robot.moveTo(inPicture(from)).press(button).moveBy(right, down).release(button);
+    }
+
+    @Test
+    void rightDragOfTheSelectedLight_movesItWithTheMouseAndIsOneStep() {
+        Scene before = model().scene();
+        Light lamp = light("lamp");
+        drag(lamp.position(), MouseButton.SECONDARY, 30, 0);
+        Vec3 way = light("lamp").position().minus(lamp.position());
+        assertThat(way.x()).isGreaterThan(0.2);
+        Point2D now = inPicture(light("lamp").position());
+        assertThat(now.getX() - inPicture(lamp.position()).getX()).isBetween(28.0, 32.0);
+        click("go");
+        waitForPicture();
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void leftDragOfTheSelectedSpot_turnsIt() {
+        robot.interact(() -> model().selectLight("stage"));
+        Light stage = light("stage");
+        drag(stage.position(), MouseButton.PRIMARY, 20, 0);
+        assertThat(light("stage").position()).isEqualTo(stage.position());
+        assertThat(light("stage").direction()).isNotEqualTo(stage.direction());
+    }
+
+    /** A canvas that is drawn has all that lies under it drawn again too. */
+    @Test
+    void mouseElsewhere_leavesNothingOverThePicture() {
+        Canvas canvas = robot.lookup("#traced-gizmo > *").queryAs(Canvas.class);
+        robot.moveTo(inPicture(new Vec3(0, 1, 0)));
+        assertThat(canvas.isVisible()).isTrue();
+        robot.moveTo("#go");
+        assertThat(canvas.isVisible()).isFalse();
+        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
+        assertThat(canvas.isVisible()).isFalse();
+    }
+
+    @Test
+    void whereGizmosAreHidden_aDragTakesNothing() {
+        robot.interact(() -> model().commands().run(Command.HIDE_GIZMOS));
+        Scene before = model().scene();
+        drag(light("lamp").position(), MouseButton.SECONDARY, 30, 0);
+        assertThat(model().scene()).isEqualTo(before);
+    }
+
+    @Test
+    void dragOfAShapesHandle_movesIt() {
+        robot.interact(() -> model().selectNode("ball"));
+        drag(new Vec3(0, 1, 0), MouseButton.PRIMARY, 30, 0);
+        assertThat(model().scene().stage().node("ball").orElseThrow().placement().at().x()).isGreaterThan(0.2);
+    }
+
+    @Test
+    void escapeInADragOfAShape_givesItUpWithoutAStep() {
+        robot.interact(() -> model().selectNode("ball"));
+        Scene before = model().scene();
+        robot.moveTo(inPicture(new Vec3(0, 1, 0))).press(MouseButton.PRIMARY).moveBy(30, 0);
+        assertThat(model().scene()).isNotEqualTo(before);
+        robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.PRIMARY);
+        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
+    }
+}

@@ -1,0 +1,376 @@
+package lightning.editor.window.traced;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.Locale;
+import java.util.Optional;
+import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.Slider;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import lightning.base.math.Vec3;
+import lightning.editor.document.Command;
+import lightning.editor.document.Desk;
+import lightning.editor.document.Dial;
+import lightning.editor.document.LightEdits;
+import lightning.editor.window.EditorDesk;
+import lightning.editor.window.widget.PictureView;
+import lightning.editor.window.widget.Typing;
+import lightning.format.picture.CubeReader;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.DisplayCurve;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.LightShare;
+import lightning.render.shading.LightReport;
+import lightning.render.shading.PixelExplainer;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.effects.Effect;
+import lightning.scene.effects.ViewEffects;
+import org.junit.jupiter.api.Test;
+
+class TracedPaneTest extends EditorDesk {
+
+    /** Where a pixel of the traced picture is on the screen. */
+    private Point2D pixel(double x, double y) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
+                picture.getChildrenUnmodifiable().getFirst().getBoundsInLocal());
+        return new Point2D(all.getMinX() + (x + 0.5) * all.getWidth() / 64, all.getMinY() + (y + 0.5) * all.getHeight() / 48);
+    }
+
+    @Test
+    void hover_tellsTheShapeAndEachLightsShare() {
+        robot.moveTo(pixel(32, 24));
+        waitFor("it tells", () -> text("pixel").contains("ball"));
+        Film film = model().frame().film();
+        int shown = ViewTransform.DEFAULT.pack(film.red(32, 24), film.green(32, 24), film.blue(32, 24));
+        double luminance = 0.2126 * film.red(32, 24) + 0.7152 * film.green(32, 24) + 0.0722 * film.blue(32, 24);
+        assertThat(text("pixel")).startsWith("32, 24").contains("normal").contains(String.format(Locale.ROOT,
+                "%.3f %.3f %.3f → %d %d %d  %+.1f stops", film.red(32, 24), film.green(32, 24), film.blue(32, 24), shown >> 16 & 0xFF,
+                shown >> 8 & 0xFF, shown & 0xFF, Math.log(luminance / 0.18) / Math.log(2)));
+        assertThat(text("pixel-lights")).contains("lamp  ").contains("sun  ").contains("stage  ").contains(" %");
+    }
+
+    @Test
+    void hoverOverNothing_tellsThatItIsTheBackground() {
+        robot.moveTo(pixel(2, 1));
+        waitFor("it tells", () -> text("pixel").contains("background"));
+    }
+
+    @Test
+    void click_selectsTheLightThatMattersMostThere() {
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "stage", 50)));
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().selectLight("sun"));
+        robot.clickOn(pixel(36, 22));
+        waitFor("it is selected", () -> model().selectedLight().name().equals("stage"));
+    }
+
+    @Test
+    void picture_staysWhereItIsUnderThePointer() {
+        Point2D before = pixel(32, 24);
+        robot.moveTo(before);
+        waitFor("it tells", () -> text("pixel").contains("ball"));
+        assertThat(pixel(32, 24)).isEqualTo(before);
+        robot.moveTo(pixel(0, 0));
+        waitFor("it tells", () -> !text("pixel").contains("ball"));
+        assertThat(pixel(32, 24)).isEqualTo(before);
+    }
+
+    @Test
+    void aim_turnsTheSelectedLightToThePickedPoint() {
+        robot.interact(() -> {
+            model().selectLight("stage");
+            model().commands().run(Command.AIM);
+        });
+        robot.clickOn(pixel(32, 24));
+        waitFor("it is aimed", () -> model().commands().isEnabled(Command.UNDO));
+        Vec3 way = light("stage").direction().normalized();
+        Vec3 toBall = new Vec3(0, 1, 0).minus(light("stage").position()).normalized();
+        assertThat(way.dot(toBall)).isGreaterThan(0.85);
+    }
+
+    @Test
+    void placedHighlight_shinesThereMost() {
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            model().commands().run(Command.PLACE_HIGHLIGHT);
+        });
+        assertThat(text("prompt")).startsWith("Click where the highlight should be");
+        robot.clickOn(pixel(28, 22));
+        waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
+        var placed = new PixelExplainer(model().scene()).pixel(28, 22).lights().getFirst();
+        assertThat(placed.light().name()).isEqualTo("lamp");
+        assertThat(placed.specular()).isGreaterThan(0.99f);
+    }
+
+    @Test
+    void placedShadow_fallsThere() {
+        robot.interact(() -> {
+            model().selectLight("lamp");
+            model().commands().run(Command.PLACE_SHADOW);
+        });
+        robot.clickOn(pixel(32, 22));
+        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
+        robot.clickOn(pixel(46, 36));
+        waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
+        var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
+        assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
+    }
+
+    @Test
+    void snapshot_isComparedByAWipe() {
+        click("snapshot");
+        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        click("go");
+        waitForPicture();
+        click("compare");
+        robot.drag(pixel(32, 24), MouseButton.PRIMARY);
+        robot.dropTo(pixel(47.5, 24));
+        PictureView picture = robot.lookup("#traced-picture").query();
+        assertThat(picture.wipe().share()).isCloseTo(0.75, within(0.01));
+        assertThat(picture.wipe().isVisible()).isTrue();
+    }
+
+    @Test
+    void rightClick_endsPicking() {
+        Vec3 before = light("stage").direction();
+        robot.interact(() -> {
+            model().selectLight("stage");
+            model().commands().run(Command.AIM);
+        });
+        robot.clickOn(pixel(32, 24), MouseButton.SECONDARY);
+        assertThat(isShown("prompt")).isFalse();
+        robot.clickOn(pixel(32, 24));
+        assertThat(light("stage").direction()).isEqualTo(before);
+    }
+
+    @Test
+    void whatIsAskedFor_standsOverThePictureUntilEscape() {
+        robot.interact(() -> model().commands().run(Command.PLACE_HIGHLIGHT));
+        Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
+        Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
+        assertThat(canvas.contains(asked)).isTrue();
+        robot.push(KeyCode.ESCAPE);
+        assertThat(isShown("prompt")).isFalse();
+        click("region");
+        assertThat(text("prompt")).startsWith("Drag a frame");
+        robot.push(KeyCode.ESCAPE);
+        assertThat(robot.lookup("#region").<ToggleButton>query().isSelected()).isFalse();
+    }
+
+    private TracedPane traced() {
+        return robot.lookup("#traced").query();
+    }
+
+    @Test
+    void exposureIsTyped_toAnyNumber() {
+        Typing.over(robot, robot.lookup("#exposure-stops").query(), "-1.37").push(KeyCode.ENTER);
+        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isEqualTo(-1.37);
+        Typing.over(robot, robot.lookup("#exposure-stops").query(), "9").push(KeyCode.ENTER);
+        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
+    }
+
+    /** A hand that drags by a pixel changes the picture by no more than a quarter of a stop. */
+    @Test
+    void exposureSlider_isWideEnoughForAHand() {
+        Slider slider = robot.lookup("#exposure").query();
+        assertThat((slider.getMax() - slider.getMin()) / slider.getWidth()).isLessThan(0.12);
+        robot.drag(slider, MouseButton.PRIMARY).dropBy(4, 0);
+        assertThat(model().viewProperty().get().exposure()).isBetween(0.1, 0.8);
+    }
+
+    @Test
+    void exposure_changesThePixelsAndNotTheScene() {
+        int[] before = model().raster().pixels().pixels().clone();
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        assertThat(model().raster().pixels().pixels()).isNotEqualTo(before)
+                .isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+        assertThat(model().document().isDirty()).isFalse();
+    }
+
+    private void choose(String id) {
+        MenuButton menu = robot.lookup("#view-options").query();
+        robot.interact(() -> {
+            MenuItem item = menu.getItems().stream().filter(i -> id.equals(i.getId())).findFirst().orElseThrow();
+            if (item instanceof CheckMenuItem check) {
+                check.setSelected(!check.isSelected());
+            }
+            item.fire();
+        });
+    }
+
+    @Test
+    void view1998_showsTheLinearValues() {
+        choose("view-1998");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(
+                ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR).toPixels(model().frame().film()));
+        robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
+        assertThat(model().viewProperty().get()).isEqualTo(new ViewTransform(1, DisplayCurve.LINEAR));
+        choose("view-srgb");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+    }
+
+    @Test
+    void falseColor_showsStopsWithTheirLegend() {
+        assertThat(isShown("stop-legend")).isFalse();
+        choose("view-false");
+        assertThat(model().raster().pixels().pixels())
+                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.FALSE).toPixels(model().frame().film()));
+        assertThat(isShown("stop-legend")).isTrue();
+        choose("view-aces");
+        assertThat(model().raster().pixels().pixels())
+                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.ACES).toPixels(model().frame().film()));
+        assertThat(isShown("stop-legend")).isFalse();
+    }
+
+    @Test
+    void colorTable_isShownThroughKeptAndTakenAway() throws IOException {
+        answer = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
+        int[] before = model().raster().pixels().pixels().clone();
+        choose("view-color-table");
+        waitFor("the table is read", () -> model().viewProperty().get().cube().isPresent());
+        ViewTransform inverse = ViewTransform.DEFAULT.withCube(Optional.of(CubeReader.read(answer)));
+        assertThat(model().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().frame().film())).isNotEqualTo(before);
+        assertThat(model().messageProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
+        waitFor("it is kept", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
+        choose("view-color-table");
+        assertThat(model().raster().pixels().pixels()).isEqualTo(before);
+    }
+
+    @Test
+    void marks_areOnWhatIsCutOffWithTheirLegend() {
+        robot.interact(() -> model().viewProperty().set(new ViewTransform(3)));
+        assertThat(isShown("clipping-legend")).isFalse();
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
+        assertThat(isShown("clipping-legend")).isTrue();
+        Film film = model().frame().film();
+        int marked = 0;
+        int[] shown = model().raster().pixels().pixels();
+        for (int i = 0; i < shown.length; i++) {
+            int x = i % film.width();
+            int y = i / film.width();
+            boolean over = 8 * Math.max(Math.max(film.red(x, y), film.green(x, y)), film.blue(x, y)) > 1;
+            assertThat(shown[i] == (0xFF000000 | ViewTransform.OVER_WHITE)).as("pixel %s %s", x, y).isEqualTo(over);
+            marked += over ? 1 : 0;
+        }
+        assertThat(marked).isPositive();
+        robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
+        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(3).toPixels(film));
+        assertThat(isShown("clipping-legend")).isFalse();
+    }
+
+    @Test
+    void onlySelected_showsThatLightsShareWhicheverIsSelected() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: Only stage");
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "stage")).trace());
+        robot.interact(() -> model().selectLight("sun"));
+        waitFor("the other is shown", () -> text("look").equals("View: Only sun"));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "sun")).trace());
+        click("only-selected");
+        waitFor("all is shown", () -> !isShown("look"));
+        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+    }
+
+    @Test
+    void onlySelected_isNoEditAndNothingThatIsSavedOrVerified() throws IOException {
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(model().document().isDirty()).isFalse();
+        assertThat(isEnabled(Command.GO)).isFalse();
+        answer = folder.resolve("whole.pfm");
+        click("save-image");
+        waitFor("it is written", () -> text("message").equals("Saved whole.pfm"));
+        assertThat(PictureFile.read(answer).sameBits(new ReferenceTracer(model().scene()).trace())).isTrue();
+        click("verify");
+        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
+    }
+
+    @Test
+    void renamedLight_isStillTheOneThatIsShown() {
+        robot.interact(() -> model().selectLight("stage"));
+        click("only-selected");
+        waitFor("it is shown", () -> isShown("look"));
+        robot.interact(() -> model().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().frame().scene(), "stage")).trace());
+    }
+
+    @Test
+    void hiddenEffect_isLabelledAndGoneFromTheCanvasAlone() {
+        choose("view-reflections");
+        waitFor("it is shown", () -> isShown("look"));
+        assertThat(text("look")).isEqualTo("View: No reflections");
+        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().scene())).trace());
+        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(robot.lookup("#region").query().isDisabled()).isTrue();
+    }
+
+    @Test
+    void framedRegion_showsTheEditsThereAlone() {
+        int[] before = model().raster().pixels().pixels().clone();
+        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        click("region");
+        robot.drag(pixel(28, 20), MouseButton.PRIMARY);
+        robot.dropTo(pixel(36, 28));
+        waitFor("it is traced", () -> model().raster().isPatched());
+        int[] after = model().raster().pixels().pixels();
+        assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
+        assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
+        assertThat(isEnabled(Command.GO)).isTrue();
+        waitFor("it is told", () -> text("pending").equals("A region shows edits that the rest does not"));
+        click("undo");
+        assertThat(text("pending")).isEqualTo("A region shows other edits than the rest");
+        click("redo");
+        click("go");
+        waitForPicture();
+        assertThat(model().raster().pixels().pixels()).isEqualTo(model().raster().view().toPixels(model().frame().film()));
+    }
+
+    @Test
+    void regionOfWhatTheRestShowsToo_isNotRemarked() {
+        click("region");
+        robot.drag(pixel(28, 20), MouseButton.PRIMARY);
+        robot.dropTo(pixel(36, 28));
+        waitFor("it is traced", () -> model().raster().isPatched());
+        robot.interact(model()::repaint);
+        assertThat(isShown("pending")).isFalse();
+    }
+
+    /** While an animation plays each picture is on its way: nothing waits for Go. */
+    @Test
+    void playedEdits_areNotPending() {
+        robot.interact(() -> {
+            model().beginAnimation();
+            model().animate(model().scene().withLight(light("lamp").withIntensity(3)));
+            assertThat(isShown("pending")).isFalse();
+        });
+        waitForPicture();
+        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
+        waitFor("it is told", () -> isShown("pending"));
+    }
+
+    @Test
+    void oneToOne_showsEachPixelOnce() {
+        click("traced-one-to-one");
+        PictureView picture = robot.lookup("#traced-picture").query();
+        assertThat(picture.magnification()).isEqualTo(1);
+        click("traced-fit");
+        assertThat(picture.magnification()).isGreaterThan(2);
+    }
+}

@@ -1,0 +1,190 @@
+package lightning.editor.window.widget;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.control.Slider;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.stage.Stage;
+import lightning.base.math.Rgb;
+import lightning.editor.document.Hsv;
+import lightning.editor.document.Kelvin;
+import lightning.editor.document.Steps;
+import lightning.editor.window.JavaFxNeeds;
+import lightning.editor.window.OnStage;
+import lightning.scene.Limits;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.Start;
+
+@ExtendWith({JavaFxNeeds.class, OnStage.class})
+class ColorSlidersTest {
+    private final List<Object> gestures = new ArrayList<>();
+    private Rgb color = new Rgb(0.5, 0.25, 0.1);
+    private ColorSliders sliders;
+
+    @Start
+    private void start(Stage stage) {
+        sliders = new ColorSliders(new ColorSliders.Target() {
+            @Override
+            public Gauge red() {
+                return channel("red", v -> new Rgb(v, color.g(), color.b()));
+            }
+
+            @Override
+            public Gauge green() {
+                return channel("green", v -> new Rgb(color.r(), v, color.b()));
+            }
+
+            @Override
+            public Gauge blue() {
+                return channel("blue", v -> new Rgb(color.r(), color.g(), v));
+            }
+
+            @Override
+            public Optional<String> hsv(Hsv hsv, Object gesture) {
+                return edit(hsv.rgb(), gesture);
+            }
+
+            @Override
+            public Optional<String> temperature(double kelvin, Object gesture) {
+                return edit(Kelvin.rgb(kelvin), gesture);
+            }
+        });
+        sliders.show(color);
+        stage.setScene(new Scene(sliders, 320, 320));
+        stage.show();
+    }
+
+    private interface Channel {
+        Rgb with(double value);
+    }
+
+    private Gauge channel(String title, Channel channel) {
+        return Gauge.of(title, new Steps(0.1, 0, 1000),
+                (v, gesture) -> v < 0 ? Optional.of(title + " must be ≥ 0") : edit(channel.with(v), gesture));
+    }
+
+    private Optional<String> edit(Rgb edited, Object gesture) {
+        gestures.add(gesture);
+        color = edited;
+        sliders.show(edited);
+        return Optional.empty();
+    }
+
+    @Test
+    void eachChannel_standsInItsSliderAndField(FxRobot robot) {
+        assertThat(sliders(robot)).extracting(Slider::getValue).containsExactly(0.5, 0.25, 0.1);
+        assertThat(fields(robot)).extracting(TextField::getText).containsExactly("0.5", "0.25", "0.1");
+    }
+
+    @Test
+    void draggingASlider_isOneGesture(FxRobot robot) {
+        robot.drag(sliders(robot).get(2).lookup(".thumb")).moveBy(30, 0).moveBy(30, 0).release(MouseButton.PRIMARY);
+        assertThat(color.b()).isBetween(0.3, 0.7);
+        assertThat(color.r()).isEqualTo(0.5);
+        assertThat(gestures).hasSizeGreaterThan(1).doesNotContainNull();
+        assertThat(gestures.stream().distinct()).hasSize(1);
+        assertThat(fields(robot).get(2).getText()).isEqualTo(Limits.text(color.b()));
+    }
+
+    @Test
+    void typedChannelAboveOne_isTakenAndTheSliderStandsAtItsEnd(FxRobot robot) {
+        type(robot, 0, "2.5");
+        assertThat(color).isEqualTo(new Rgb(2.5, 0.25, 0.1));
+        assertThat(sliders(robot).get(0).getValue()).isEqualTo(1);
+    }
+
+    @Test
+    void typedNegativeChannel_isMarkedAndChangesNothing(FxRobot robot) {
+        type(robot, 1, "-1");
+        assertThat(gestures).isEmpty();
+        assertThat(Refusals.shown(robot)).containsExactly("green must be ≥ 0");
+    }
+
+    @Test
+    void hsvTab_showsAndSetsHueSaturationAndValue(FxRobot robot) {
+        robot.interact(() -> sliders.show(new Rgb(0, 1, 0)));
+        robot.clickOn("HSV");
+        assertThat(fields(robot)).extracting(TextField::getText).containsExactly("120", "1", "1");
+        type(robot, 0, "240");
+        assertThat(color).isEqualTo(new Rgb(0, 0, 1));
+    }
+
+    @Test
+    void hueBeyondTheCircle_isRefused(FxRobot robot) {
+        robot.clickOn("HSV");
+        type(robot, 0, "400");
+        assertThat(gestures).isEmpty();
+        assertThat(Refusals.shown(robot)).containsExactly("hue must be from 0 to 360, was 400");
+    }
+
+    @Test
+    void colourThatWasMadeGrey_keepsItsHue(FxRobot robot) {
+        robot.interact(() -> edit(new Rgb(0, 0, 1), null));
+        robot.clickOn("HSV");
+        type(robot, 1, "0");
+        assertThat(color).isEqualTo(Rgb.WHITE);
+        type(robot, 1, "1");
+        assertThat(color).isEqualTo(new Rgb(0, 0, 1));
+    }
+
+    @Test
+    void draggingInTheSquare_setsSaturationAndValue(FxRobot robot) {
+        robot.interact(() -> edit(new Rgb(0.2, 0.1, 0.1), null));
+        robot.clickOn("HSV");
+        gestures.clear();
+        double quarter = robot.lookup(".color-square").query().getLayoutBounds().getWidth() / 4;
+        robot.drag(".color-square").moveBy(quarter, -40).release(MouseButton.PRIMARY);
+        assertThat(Hsv.of(color).saturation()).isCloseTo(0.75, within(0.01));
+        assertThat(color.r()).isGreaterThan(0.6);
+        assertThat(color.g()).isEqualTo(color.b());
+        assertThat(gestures.stream().distinct()).hasSize(1);
+    }
+
+    @Test
+    void kelvinTab_setsTheColourOfAGlowingBody(FxRobot robot) {
+        robot.clickOn("Kelvin");
+        type(robot, 0, "3200");
+        assertThat(color).isEqualTo(Kelvin.rgb(3200));
+        robot.clickOn("Daylight");
+        assertThat(color).isEqualTo(Kelvin.rgb(5600));
+        assertThat(Double.parseDouble(fields(robot).get(0).getText())).isCloseTo(5600, within(1.0));
+    }
+
+    @Test
+    void obstacle_disablesEveryTab(FxRobot robot) {
+        robot.interact(() -> sliders.setObstacle(Optional.of("no light is selected")));
+        assertThat(fields(robot)).allMatch(Node::isDisabled);
+        robot.clickOn("Kelvin");
+        assertThat(fields(robot)).hasSize(3);
+    }
+
+    @Test
+    void well_opensThePicker(FxRobot robot) {
+        robot.clickOn(".color-well");
+        assertThat(robot.lookup(".color-square").query().isFocused()).isTrue();
+        robot.push(KeyCode.RIGHT);
+        assertThat(Hsv.of(color).saturation()).isCloseTo(0.81, within(1e-9));
+    }
+
+    private static void type(FxRobot robot, int field, String text) {
+        Typing.over(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
+    }
+
+    private static List<TextField> fields(FxRobot robot) {
+        return robot.lookup(".number-field").queryAllAs(TextField.class).stream().toList();
+    }
+
+    private static List<Slider> sliders(FxRobot robot) {
+        return robot.lookup(".color-slider").queryAllAs(Slider.class).stream().toList();
+    }
+}

@@ -1,0 +1,119 @@
+package lightning.editor.window.widget;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.layout.BackgroundFill;
+import javafx.scene.layout.Region;
+import javafx.scene.paint.Color;
+import javafx.scene.paint.LinearGradient;
+import javafx.scene.paint.Paint;
+import javafx.scene.paint.Stop;
+import javafx.scene.text.Text;
+import org.kordamp.ikonli.javafx.FontIcon;
+
+/** How well what is written in a window can be told from what lies behind it: the contrast ratio of WCAG 2.2, success criteria 1.4.3 and 1.4.11. */
+public final class Contrast {
+    /** Of text. */
+    public static final double OF_TEXT = 4.5;
+    /** Of icons and focus marks. */
+    public static final double OF_ICONS = 3;
+    /** What a dark or light window begins with, behind all. */
+    private static final Color BEHIND = Color.GRAY;
+
+    private Contrast() {}
+
+    /** (L1 + 0.05) / (L2 + 0.05), 1…21, of relative luminances L1 ≥ L2 (WCAG 2.2, "contrast ratio"). */
+    public static double ratio(Color a, Color b) {
+        double la = luminance(a);
+        double lb = luminance(b);
+        return (Math.max(la, lb) + 0.05) / (Math.min(la, lb) + 0.05);
+    }
+
+    /** WCAG 2.2, "relative luminance". */
+    private static double luminance(Color c) {
+        return 0.2126 * linear(c.getRed()) + 0.7152 * linear(c.getGreen()) + 0.0722 * linear(c.getBlue());
+    }
+
+    private static double linear(double v) {
+        return v <= 0.04045 ? v / 12.92 : Math.pow((v + 0.055) / 1.055, 2.4);
+    }
+
+    /** All texts and icons below a node that are seen, enabled, and too faint, each as a line. */
+    public static List<String> tooFaint(Node root) {
+        List<String> found = new ArrayList<>();
+        look(root, found);
+        return found.stream().distinct().toList();
+    }
+
+    private static void look(Node node, List<String> found) {
+        // What is disabled need not be read (WCAG 2.2, 1.4.3, "incidental").
+        if (!node.isVisible() || node.isDisabled()) {
+            return;
+        }
+        if (node instanceof Text text && !text.getText().isBlank() && text.getFill() instanceof Color fill) {
+            double wanted = text instanceof FontIcon ? OF_ICONS : OF_TEXT;
+            double opacity = opacity(text);
+            behind(text.getParent()).stream().min(Comparator.comparingDouble(b -> ratio(over(fill, opacity, b), b))).ifPresent(b -> {
+                double ratio = ratio(over(fill, opacity, b), b);
+                if (ratio < wanted) {
+                    found.add(String.format(Locale.ROOT, "%.2f: %s on %s, %s in %s", ratio, over(fill, opacity, b), b,
+                            text instanceof FontIcon icon ? String.valueOf(icon.getIconCode()) : "\"" + text.getText() + "\"",
+                            named(text)));
+                }
+            });
+        }
+        if (node instanceof Parent parent) {
+            parent.getChildrenUnmodifiable().forEach(child -> look(child, found));
+        }
+    }
+
+    private static String named(Node node) {
+        StringBuilder path = new StringBuilder();
+        for (Node n = node.getParent(); n != null && path.length() < 160; n = n.getParent()) {
+            path.append(" < ").append(n.getId() == null ? n.getStyleClass() : "#" + n.getId());
+        }
+        return path.toString();
+    }
+
+    private static double opacity(Node node) {
+        double opacity = 1;
+        for (Node n = node; n != null; n = n.getParent()) {
+            opacity *= n.getOpacity();
+        }
+        return opacity;
+    }
+
+    /** What a node lies on: of a gradient each of its stops. */
+    private static List<Color> behind(Node node) {
+        if (node == null) {
+            return List.of(BEHIND);
+        }
+        List<Color> below = behind(node.getParent());
+        if (node instanceof Region region && region.getBackground() != null) {
+            for (BackgroundFill fill : region.getBackground().getFills()) {
+                List<Color> under = below;
+                below = colors(fill.getFill()).flatMap(c -> under.stream().map(b -> over(c, 1, b))).distinct().toList();
+            }
+        }
+        return below;
+    }
+
+    private static Stream<Color> colors(Paint paint) {
+        return switch (paint) {
+            case Color c -> Stream.of(c);
+            case LinearGradient g -> g.getStops().stream().map(Stop::getColor);
+            default -> Stream.of(Color.TRANSPARENT);
+        };
+    }
+
+    private static Color over(Color top, double opacity, Color below) {
+        double a = top.getOpacity() * opacity;
+        return Color.color(a * top.getRed() + (1 - a) * below.getRed(), a * top.getGreen() + (1 - a) * below.getGreen(),
+                a * top.getBlue() + (1 - a) * below.getBlue());
+    }
+}

@@ -1,0 +1,101 @@
+package lightning.format.jen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import lightning.base.text.Decimal;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightType;
+import lightning.scene.Limits;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The format's page says what the reader does: its examples are read, its tables are the reader's. */
+class FormatDocumentTest {
+    private static final Pattern EXAMPLE = Pattern.compile("```jen\n(.*?)```", Pattern.DOTALL);
+
+    @TempDir
+    Path folder;
+
+    static Stream<String> examples() throws IOException {
+        return EXAMPLE.matcher(page()).results().map(r -> r.group(1));
+    }
+
+    static Stream<BlockType<?>> blocks() {
+        return BlocksTest.types();
+    }
+
+    @ParameterizedTest
+    @MethodSource("examples")
+    void everyExample_isReadAndWrittenBack(String example) throws Exception {
+        ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("wood.png").toFile());
+        Files.writeString(folder.resolve("statue.ply"), MeshTextTest.TRIANGLE);
+        String text = example.startsWith("jen") ? example : "jen 1\n" + example;
+        JenDocument document = JenReader.read(text, "docs/jen-format.md", folder);
+        assertThat(document.text()).isEqualTo(text);
+        assertThat(JenReader.read(JenWriter.write(document.scene()), "written", folder).scene()).isEqualTo(document.scene());
+    }
+
+    @ParameterizedTest
+    @MethodSource("blocks")
+    void everyBlock_hasAnExample(BlockType<?> type) throws IOException {
+        assertThat(examples()).anyMatch(e -> Pattern.compile("\\b" + type.keyword() + "\\b[^\n]*\\{").matcher(e).find());
+    }
+
+    @ParameterizedTest
+    @MethodSource("blocks")
+    void everyProperty_isInATableWithDefaultRangeAndUnit(BlockType<?> type) throws IOException {
+        assertThat(page().lines()).containsAll(type.properties().stream().map(FormatDocumentTest::row).toList());
+    }
+
+    @Test
+    void everyLightType_isInATableWithWhatItActsBy() throws IOException {
+        for (LightType type : LightType.values()) {
+            List<String> acting = LightAttribute.ALL.stream().filter(a -> a.term(type).isPresent()).map(a -> "`" + a.name() + "`").toList();
+            boolean all = LightAttribute.ALL.stream().allMatch(a -> a.acts(type));
+            assertThat(page()).contains(
+                    "| `" + LightAttribute.TYPE.kind().text(type) + "` | " + (all ? "all of them" : String.join(", ", acting)) + " |");
+        }
+    }
+
+    @Test
+    void everyLimit_isStated() throws IOException {
+        for (int limit : List.of(JenLimits.MESHES, JenLimits.TRIANGLES, JenLimits.TOKENS, JenLimits.TOKEN_LENGTH, JenLimits.PROBLEMS,
+                JenLimits.TEXTURES,
+                JenLimits.TEXTURE_SIDE, Limits.MAX_LIGHTS, Limits.MAX_SHAPES, Limits.MAX_MATERIALS, Limits.MAX_NESTING)) {
+            assertThat(page()).contains("| " + limit + " |");
+        }
+        assertThat(page()).contains("| " + (JenLimits.FILE_BYTES >> 20) + " MiB |",
+                "| " + (JenLimits.TEXTURE_BYTES >> 20) + " MiB |", "| " + (JenLimits.TEXTURE_PIXELS >> 20) + " Mi |",
+                "| " + (JenLimits.ALL_TEXTURE_PIXELS >> 20) + " Mi |");
+    }
+
+    /** The line of a property in the page's tables. */
+    static String row(Property<?> p) {
+        String initial = p.initial() instanceof Value.Absent ? "none" : "`" + p.initial().text() + "`";
+        String value = switch (p.form()) {
+            case NUMBERS -> (p.count() == 1 ? "" : p.count() + " ") + (p.whole() ? "whole " : "") + (p.count() == 1 ? "number" : "numbers:"
+                    + String.join(",", p.labels()));
+            case LINKS -> "`all`, `none`, or `only` or `except` and names in quotes";
+            case WORD -> "`" + String.join("`, `", p.choices()) + "`";
+            case NAME -> "name";
+            case QUOTED -> "file name in quotes";
+        };
+        String range = p.form() == Property.Form.NUMBERS
+                ? Decimal.text(p.min()) + " … " + Decimal.text(p.max()) : "";
+        return ("| `" + p.name() + "` | " + value + " | " + initial + " | " + range + " | " + p.unit() + " |").replaceAll(" +", " ");
+    }
+
+    private static String page() throws IOException {
+        return Files.readString(Path.of("docs/jen-format.md"));
+    }
+}

@@ -1,0 +1,44 @@
+package lightning.format.jen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.AbstractList;
+import java.util.List;
+import java.util.stream.IntStream;
+import lightning.format.mesh.NamedMesh;
+import lightning.scene.Mesh;
+import org.junit.jupiter.api.Test;
+
+/** Parts of mesh files are found by their names. */
+class MeshPartsTest {
+    private static final int PARTS = 1000;
+
+    private final List<NamedMesh> meshes = IntStream.range(0, PARTS)
+            .mapToObj(i -> new NamedMesh("part " + i, triangle(i)))
+            .toList();
+    private int steps;
+
+    private static Mesh triangle(int x) {
+        return new Mesh(new float[] {x, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}, null, null, null);
+    }
+
+    @Test
+    void partsOfAFile_areFoundWithoutLookingAtTheOthers() throws UnusableFileException {
+        var parts = new MeshParts(new AbstractList<>() {
+            @Override
+            public NamedMesh get(int index) {
+                steps++;
+                return meshes.get(index);
+            }
+
+            @Override
+            public int size() {
+                return PARTS;
+            }
+        });
+        for (NamedMesh mesh : meshes) {
+            assertThat(parts.named(mesh.name(), "a.glb")).isSameAs(mesh.mesh());
+        }
+        assertThat(steps).isLessThanOrEqualTo(PARTS);
+    }
+}

@@ -1,0 +1,247 @@
+package lightning.format.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Random;
+import javax.imageio.ImageIO;
+import lightning.base.math.SrgbCurve;
+import lightning.render.image.Film;
+import lightning.render.image.Films;
+import lightning.render.image.ViewTransform;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PictureFileTest {
+
+    @TempDir
+    Path folder;
+
+    @Property(tries = 100)
+    void pfm_keepsEveryBitOfEveryFloat(@ForAll("films") Film film) throws IOException {
+        assertThat(writtenAndRead("a.pfm", film).sameBits(film)).isTrue();
+    }
+
+    @Property(tries = 50)
+    void png_keepsEveryDisplayedPixel(@ForAll("films") Film film) throws IOException {
+        assertThat(shown(writtenAndRead("a.png", film))).containsExactly(shown(film));
+    }
+
+    @Property(tries = 50)
+    void xpm_keepsEveryDisplayedPixel(@ForAll("films") Film film) throws IOException {
+        assertThat(shown(writtenAndRead("a.xpm", film))).containsExactly(shown(film));
+    }
+
+    @Property(tries = 50)
+    void exrOfFloats_keepsEveryBit(@ForAll("films") Film film) throws IOException {
+        Path file = Files.createTempFile("a", ".exr");
+        PictureFile.write(file, film, ViewTransform.DEFAULT, 32);
+        assertThat(PictureFile.read(file).sameBits(film)).isTrue();
+    }
+
+    @Test
+    void exr_hasHalvesUnlessFloatsAreAskedFor() throws IOException {
+        Film film = Film.ofScanlines(1, 1, new float[] {0.1f, 1, 70_000});
+        assertThat(writtenAndRead("a.exr", film).toScanlines()).containsExactly(0.099975586f, 1, 65504);
+    }
+
+    /** Of 16 bits each code is that of the formula, and is read as the value that it stands for. */
+    @Test
+    void pngOf16Bits_isWithinHalfACodeOfTheCurve() throws IOException {
+        float[] values = new float[3 * 5000];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = i / 14_000f;
+        }
+        Film film = Film.ofScanlines(100, 50, values);
+        Path file = folder.resolve("deep.png");
+        PictureFile.write(file, film, ViewTransform.DEFAULT, 16);
+        int[] codes = ImageIO.read(file.toFile()).getRaster().getPixels(0, 0, 100, 50, (int[]) null);
+        float[] read = PictureFile.read(file).toScanlines();
+        for (int i = 0; i < values.length; i++) {
+            double value = Math.min(values[i], 1);
+            assertThat(value).isBetween(SrgbCurve.linear((codes[i] - 0.5) / 65535) - 1e-12,
+                    SrgbCurve.linear((codes[i] + 0.5) / 65535) + 1e-12);
+            assertThat(read[i]).isEqualTo((float) SrgbCurve.linear(codes[i] / 65535.0));
+        }
+    }
+
+    @Test
+    void bitsThatAFormatDoesNotHave_areRefused() {
+        assertThatIOException().isThrownBy(() -> PictureFile.requireBits(Path.of("a.xpm"), 16))
+                .withMessage("a.xpm: such a picture has 8 bits, not 16");
+    }
+
+    @Test
+    void xpm_keepsTensOfThousandsOfColours() throws IOException {
+        Film film = Films.anyCodes(300, 250, 7);
+
+        assertThat(Arrays.stream(shown(film)).distinct().count()).isGreaterThan(70_000);
+        assertThat(shown(writtenAndRead("many.xpm", film))).containsExactly(shown(film));
+    }
+
+    @Test
+    void xpm_ofTwoPixels_isThisText() throws IOException {
+        Film film = Film.ofScanlines(2, 1, new float[] {1, 1, 1, 0, 0, 1});
+        Path file = folder.resolve("two.xpm");
+        PictureFile.write(file, film, ViewTransform.DEFAULT);
+
+        assertThat(file).hasContent("""
+                /* XPM */
+                static char *picture[] = {
+                "2 1 2 1",
+                "A c #0000ff",
+                "B c #ffffff",
+                "BA"
+                };
+                """);
+    }
+
+    @Test
+    void pfm_isLittleEndianWithTheBottomRowFirst() throws IOException {
+        Film film = Film.ofScanlines(1, 2, new float[] {1, 2, 3, 4, 5, 6});
+        Path file = folder.resolve("two.pfm");
+        PictureFile.write(file, film, ViewTransform.DEFAULT);
+        byte[] bytes = Files.readAllBytes(file);
+
+        assertThat(new String(bytes, 0, 12, StandardCharsets.US_ASCII)).isEqualTo("PF\n1 2\n-1.0\n");
+        assertThat(bytes).hasSize(12 + 24);
+        // 4.0f is 0x40800000.
+        assertThat(new byte[] {bytes[12], bytes[13], bytes[14], bytes[15]}).containsExactly(0, 0, 0x80, 0x40);
+    }
+
+    @Test
+    void bigEndianPfm_isReadToo() throws IOException {
+        Path file = folder.resolve("big.pfm");
+        byte[] header = "PF\n1 1\n1.0\n".getBytes(StandardCharsets.US_ASCII);
+        byte[] bytes = Arrays.copyOf(header, header.length + 12);
+        bytes[header.length] = 0x40;
+        Files.write(file, bytes);
+
+        assertThat(PictureFile.read(file).red(0, 0)).isEqualTo(2);
+    }
+
+    @Test
+    void png_isAnOrdinaryOneForOtherReaders() throws IOException {
+        Path file = folder.resolve("other.png");
+        PictureFile.write(file, Films.grey(3, 2, 0.25f), new ViewTransform(1));
+        BufferedImage image = ImageIO.read(file.toFile());
+
+        assertThat(image.getWidth()).isEqualTo(3);
+        assertThat(image.getHeight()).isEqualTo(2);
+        assertThat(image.getRGB(2, 1)).isEqualTo(0xFFBCBCBC);
+    }
+
+    @Test
+    void exposure_doesNotTouchAPfm() throws IOException {
+        Film film = Films.anyBits(5, 5, 3);
+        Path file = folder.resolve("dark.pfm");
+        PictureFile.write(file, film, new ViewTransform(-3));
+
+        assertThat(PictureFile.read(file).sameBits(film)).isTrue();
+    }
+
+    @Test
+    void unknownExtension_namesTheKnownOnesAndWritesNothing() {
+        Path file = folder.resolve("picture.jpg");
+
+        assertThatIOException().isThrownBy(() -> PictureFile.write(file, Film.black(1, 1), ViewTransform.DEFAULT))
+                .withMessage(file + ": a picture's name must end in .png, .xpm, .pfm, .exr or .hdr");
+        assertThatIOException().isThrownBy(() -> PictureFile.requireKnownExtension(Path.of("/")));
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void missingFile_isSaid() {
+        Path file = folder.resolve("none.png");
+
+        assertThatIOException().isThrownBy(() -> PictureFile.read(file)).withMessage(file + ": no such file");
+    }
+
+    @Test
+    void hugeSizes_areRefusedFromTheHeader() throws IOException {
+        Path pfm = Files.writeString(folder.resolve("huge.pfm"), "PF\n16385 1\n-1\n");
+        Path xpm = Files.writeString(folder.resolve("huge.xpm"),
+                "/* XPM */\nstatic char *p[] = {\n/* size */\n\"16384 16384 1 1\",\n\"a c #000000\"\n};\n");
+        Path png = folder.resolve("huge.png");
+        PictureFile.write(png, Film.black(1, 1), ViewTransform.DEFAULT);
+        byte[] bytes = Files.readAllBytes(png);
+        bytes[18] = 0x7F;
+        fixHeaderChecksum(bytes);
+        Files.write(png, bytes);
+
+        for (Path file : new Path[] {pfm, xpm, png}) {
+            assertThatIOException().isThrownBy(() -> PictureFile.read(file))
+                    .withMessageContaining(file + ": has ")
+                    .withMessageContaining("expected 1 to 16384 in each direction");
+        }
+    }
+
+    @Test
+    void headersThatPromiseMoreThanTheFileHolds_areRefused() throws IOException {
+        Path pfm = Files.writeString(folder.resolve("cut.pfm"), "PF\n4000 4000\n-1\nabc");
+        Path xpm = Files.writeString(folder.resolve("cut.xpm"),
+                "/* XPM */\nstatic char *p[] = {\n\"4000 4000 1 1\",\n\"a c #000000\"\n};\n");
+
+        assertThatIOException().isThrownBy(() -> PictureFile.read(pfm)).withMessageContaining("cut short");
+        assertThatIOException().isThrownBy(() -> PictureFile.read(xpm)).withMessageContaining("cut short");
+    }
+
+    @Property(tries = 600)
+    void damagedFiles_endInASentenceThatNamesThem(@ForAll long seed) throws IOException {
+        Random random = new Random(seed);
+        String extension = new String[] {".png", ".xpm", ".pfm"}[random.nextInt(3)];
+        Path file = Files.createTempFile("damaged", extension);
+        try {
+            PictureFile.write(file, Films.anyCodes(9, 7, 1), ViewTransform.DEFAULT);
+            byte[] bytes = Files.readAllBytes(file);
+            for (int i = random.nextInt(6); i >= 0; i--) {
+                bytes[random.nextInt(Math.min(bytes.length, 200))] = (byte) random.nextInt();
+            }
+            Files.write(file, Arrays.copyOf(bytes, bytes.length - random.nextInt(40)));
+            Film film = PictureFile.read(file);
+            assertThat(film.width()).isPositive();
+        } catch (IOException e) {
+            assertThat(e).hasMessageStartingWith(file + ": ");
+        } finally {
+            Files.delete(file);
+        }
+    }
+
+    private static Film writtenAndRead(String name, Film film) throws IOException {
+        Path folder = Files.createTempDirectory("picture");
+        Path file = folder.resolve(name);
+        try {
+            PictureFile.write(file, film, ViewTransform.DEFAULT);
+            return PictureFile.read(file);
+        } finally {
+            Files.deleteIfExists(file);
+            Files.delete(folder);
+        }
+    }
+
+    private static int[] shown(Film film) {
+        return ViewTransform.DEFAULT.toPixels(film);
+    }
+
+    /** Bytes 12 to 28 are the header chunk's name and content; its checksum follows. */
+    private static void fixHeaderChecksum(byte[] png) {
+        var crc = new java.util.zip.CRC32();
+        crc.update(png, 12, 17);
+        java.nio.ByteBuffer.wrap(png).putInt(29, (int) crc.getValue());
+    }
+
+    @Provide
+    Arbitrary<Film> films() {
+        return Films.anyBits();
+    }
+}

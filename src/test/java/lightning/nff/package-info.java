@@ -1,2 +1,0 @@
-/** NFF files, and the standard databases that they were made for. */
-package lightning.nff;

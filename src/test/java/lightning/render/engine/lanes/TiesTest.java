@@ -1,0 +1,105 @@
+package lightning.render.engine.lanes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import java.util.stream.Stream;
+import lightning.base.math.Ray;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.TraceScenes;
+import lightning.render.trace.solid.Form;
+import lightning.scene.Scene;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Where several shapes are met at one distance, the first of them is: by one ray alone, in a packet, with the tree
+ * of boxes and without it. And a way is blocked by a shape nearer than its end, never by one exactly there.
+ */
+class TiesTest {
+    private static final int PACKETS = 100;
+
+    static Stream<Arguments> scenes() {
+        return Stream.of(
+                Arguments.of("equal balls in one spot", TraceScenes.heap(1000)),
+                Arguments.of("a thousand shapes in one spot", TraceScenes.mixedHeap(1000)),
+                Arguments.of("shapes within shapes", TraceScenes.nested()),
+                Arguments.of("flat shapes", TraceScenes.flat()),
+                Arguments.of("shapes of all scales, many of them twice", TraceScenes.wild(60, 8)));
+    }
+
+    private final RayPacket p = new RayPacket();
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("scenes")
+    void shapeThatIsMetFirst_isTheLowestAmongEqualsInEveryForm(String name, Scene scene) {
+        Geometry geometry = new Geometry(scene);
+        PacketTracer byTree = new PacketTracer(geometry.bvh(), 1);
+        PacketTracer inTurn = new PacketTracer(geometry.bvh(), Integer.MAX_VALUE);
+        TraceRays rays = new TraceRays(geometry, 1);
+        int[] first = new int[RayPacket.WIDTH];
+        double[] least = new double[RayPacket.WIDTH];
+        int ties = 0;
+        for (int n = 0; n < PACKETS; n++) {
+            rays.fill(p);
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = TraceRays.ray(p, i);
+                ties += lowest(geometry, ray, i, first, least) > 1 ? 1 : 0;
+                assertThat(geometry.nearestOfAll(ray)).as("%s", ray).isEqualTo(first[i]);
+                assertThat(geometry.nearest(ray)).as("%s", ray).isEqualTo(first[i]);
+            }
+            for (PacketTracer tracer : new PacketTracer[] {byTree, inTurn}) {
+                tracer.nearest(p, RayPacket.WIDTH);
+                assertThat(p.primitive).isEqualTo(first);
+                assertThat(p.t).isEqualTo(least);
+            }
+        }
+        assertThat(ties).as("rays that meet several shapes first").isGreaterThan(100);
+    }
+
+    /** From the last shape to the first, unlike any tracer; returns how many shapes are met at the least distance. */
+    private static int lowest(Geometry geometry, Ray ray, int lane, int[] first, double[] least) {
+        first[lane] = -1;
+        least[lane] = Form.MISS;
+        int equals = 0;
+        for (int s = geometry.primitiveCount() - 1; s >= 0; s--) {
+            double t = geometry.distance(s, ray);
+            if (t < Form.MISS && t <= least[lane]) {
+                equals = t < least[lane] ? 1 : equals + 1;
+                least[lane] = t;
+                first[lane] = s;
+            }
+        }
+        return equals;
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("scenes")
+    void wayUpToTheFirstShape_isFreeInEveryFormAndBlockedBehindIt(String name, Scene scene) {
+        Geometry geometry = new Geometry(scene);
+        PacketTracer byTree = new PacketTracer(geometry.bvh(), 1);
+        PacketTracer inTurn = new PacketTracer(geometry.bvh(), Integer.MAX_VALUE);
+        TraceRays rays = new TraceRays(geometry, 2);
+        Random random = new Random(2);
+        int[] blocked = new int[2];
+        for (int n = 0; n < PACKETS; n++) {
+            rays.fill(p);
+            int expected = 0;
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = TraceRays.ray(p, i);
+                int first = geometry.nearestOfAll(ray);
+                double t = first < 0 ? Form.MISS : geometry.distance(first, ray);
+                boolean behind = t < Form.MISS && random.nextBoolean();
+                p.limit[i] = behind ? Math.nextUp(t) : t;
+                assertThat(geometry.blockedByAny(ray, p.limit[i])).as("%s", ray).isEqualTo(behind);
+                assertThat(geometry.blocked(ray, p.limit[i])).as("%s", ray).isEqualTo(behind);
+                expected |= behind ? 1 << i : 0;
+                blocked[behind ? 1 : 0]++;
+            }
+            assertThat(byTree.blocked(p, RayPacket.WIDTH)).isEqualTo(expected);
+            assertThat(inTurn.blocked(p, RayPacket.WIDTH)).isEqualTo(expected);
+        }
+        assertThat(Math.min(blocked[0], blocked[1])).as("rays of either answer").isGreaterThan(100);
+    }
+}

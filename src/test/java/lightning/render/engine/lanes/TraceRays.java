@@ -1,0 +1,121 @@
+package lightning.render.engine.lanes;
+
+import java.util.Arrays;
+import java.util.Random;
+import lightning.base.math.Ray;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.render.trace.CameraRays;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.primitive.Surface;
+
+/** Rays that make trouble: grazing, tangent, axis-parallel, along generators, from surfaces and from inside. */
+public final class TraceRays {
+    private final Geometry geometry;
+    private final Random random;
+    private final double reach;
+
+    public TraceRays(Geometry geometry, long seed) {
+        this.geometry = geometry;
+        random = new Random(seed);
+        reach = geometry.primitives().reach / 4;
+    }
+
+    /** Fills all lanes; neighbours often resemble each other. */
+    public void fill(RayPacket p) {
+        Vec3 from = origin();
+        boolean together = random.nextBoolean();
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            Vec3 o = together ? from : origin();
+            Vec3 d = direction(o);
+            p.ox[i] = o.x();
+            p.oy[i] = o.y();
+            p.oz[i] = o.z();
+            p.dx[i] = d.x();
+            p.dy[i] = d.y();
+            p.dz[i] = d.z();
+            p.limit[i] = switch (random.nextInt(4)) {
+                case 0 -> Double.POSITIVE_INFINITY;
+                case 1 -> random.nextDouble();
+                case 2 -> 1;
+                default -> limitAtHit(o, d);
+            };
+        }
+    }
+
+    /** Exactly at a hit or just behind it. */
+    private double limitAtHit(Vec3 o, Vec3 d) {
+        double t = geometry.distance(random.nextInt(geometry.primitiveCount()), new Ray(o, d));
+        return random.nextBoolean() ? t : Math.nextUp(t);
+    }
+
+    public Vec3 origin() {
+        Vec3 o = switch (random.nextInt(5)) {
+            case 0 -> new Vec3(random(), random(), random()).times(reach);
+            case 1 -> somewhere();
+            case 2 -> off(somewhere());
+            default -> Vec3.ZERO;
+        };
+        return o.maxAbs() <= reach ? o : Vec3.ZERO;
+    }
+
+    public Vec3 direction(Vec3 from) {
+        Vec3 d = switch (random.nextInt(6)) {
+            case 0 -> new Vec3(random(), random(), random());
+            case 1 -> axis();
+            case 2 -> somewhere().minus(somewhere());
+            default -> somewhere().minus(from);
+        };
+        if (!(d.maxAbs() > 1e-20)) {
+            return new Vec3(0, -1, -0.0);
+        }
+        return random.nextBoolean() ? d.normalized() : d;
+    }
+
+    private Vec3 axis() {
+        double[] v = {0, random.nextBoolean() ? -0.0 : 1e-30, random.nextInt(3) == 0 ? random() : 0.0};
+        int at = random.nextInt(3);
+        v[at] = random.nextBoolean() ? 1 : -1;
+        return new Vec3(v[0], v[1], v[2]);
+    }
+
+    /** A point in, on, or at the edge of a shape. */
+    private Vec3 somewhere() {
+        int s = random.nextInt(geometry.primitiveCount());
+        Transform toWorld = geometry.primitives().stage.placedShapes().get(s).toWorld();
+        double angle = random.nextInt(4) == 0 ? Math.PI / 2 * random.nextInt(5) : random.nextDouble() * 2 * Math.PI;
+        double c = Math.cos(angle);
+        double z = Math.sin(angle);
+        double h = random.nextInt(3) == 0 ? random.nextInt(2) : random.nextDouble();
+        Vec3 own = switch (random.nextInt(5)) {
+            case 0 -> new Vec3(random(), random(), random());
+            case 1 -> new Vec3(c, h, z);
+            case 2 -> new Vec3(c * (1 - h), h, z * (1 - h));
+            case 3 -> new Vec3(random.nextInt(3) * 0.5 - 0.5, 0, random.nextInt(3) * 0.5 - 0.5);
+            default -> new Vec3(random(), random(), random()).plus(new Vec3(0, 0, 1e-3)).normalized();
+        };
+        return geometry.toRenderSpace(toWorld.point(own));
+    }
+
+    /** About as far off as {@link Surface} puts the points from which secondary rays leave. */
+    private Vec3 off(Vec3 p) {
+        double by = 0x1p-22 * (Math.abs(p.x()) + Math.abs(p.y()) + Math.abs(p.z()));
+        return new Vec3((float) (p.x() + by * random()), (float) (p.y() + by * random()), (float) (p.z() + by * random()));
+    }
+
+    private double random() {
+        return 2 * random.nextDouble() - 1;
+    }
+
+    public static Ray ray(RayPacket p, int i) {
+        return new Ray(new Vec3(p.ox[i], p.oy[i], p.oz[i]), new Vec3(p.dx[i], p.dy[i], p.dz[i]));
+    }
+
+    /** Puts the eye's rays through a pixel and those to the right of it into a packet. */
+    public static void eye(CameraRays camera, int x, int y, RayPacket p) {
+        Arrays.fill(p.ox, 0);
+        Arrays.fill(p.oy, 0);
+        Arrays.fill(p.oz, 0);
+        EyeLanes.through(camera, x, y, p.dx, p.dy, p.dz, 0);
+    }
+}

@@ -1,0 +1,67 @@
+package lightning.render.image;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.format.picture.PictureFile;
+
+/** Picture assertions that leave pictures of what went wrong. */
+public final class FilmAssert {
+
+    private static final Path FAILURES = Path.of("target", "failures");
+
+    private FilmAssert() {}
+
+    /**
+     * Asserts that two films have the same size and the same bits in every visible pixel. Otherwise actual.png,
+     * expected.png and difference.png (see {@link DifferencePicture}) are left in {@code target/failures/NAME/}, and the
+     * error says where they are, how much differs and what stands in the worst pixel.
+     *
+     * @param name what is tested; characters other than letters, digits, - and _ become _ in the folder's name
+     */
+    public static void assertSameBits(Film actual, Film expected, String name) {
+        assertSameBits(actual, expected, name, FAILURES);
+    }
+
+    static void assertSameBits(Film actual, Film expected, String name, Path failures) {
+        if (actual.width() != expected.width() || actual.height() != expected.height()) {
+            throw new AssertionError(name + ": expected " + size(expected) + ", but was " + size(actual));
+        }
+        if (actual.sameBits(expected)) {
+            return;
+        }
+        Path folder = failures.resolve(name.replaceAll("[^\\p{L}\\p{N}_-]", "_"));
+        Difference difference = Difference.of(actual, expected);
+        write(folder, actual, expected);
+        throw new AssertionError(name + ": " + difference.pixels() + " of " + (long) actual.width() * actual.height()
+                + " pixels (" + difference.values() + " values) differ in bits, by at most " + difference.maxUlp()
+                + " ulp; at (" + difference.x() + ", " + difference.y() + ") expected "
+                + pixel(expected, difference.x(), difference.y()) + ", but was "
+                + pixel(actual, difference.x(), difference.y()) + "; pictures are in " + folder);
+    }
+
+    private static void write(Path folder, Film actual, Film expected) {
+        try {
+            Files.createDirectories(folder);
+            PictureFile.write(folder.resolve("actual.png"), actual, ViewTransform.DEFAULT);
+            PictureFile.write(folder.resolve("expected.png"), expected, ViewTransform.DEFAULT);
+            PictureFile.write(folder.resolve("difference.png"), DifferencePicture.of(actual, expected),
+                    ViewTransform.DEFAULT);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the pictures of a failed test could not be written", e);
+        }
+    }
+
+    private static String size(Film film) {
+        return film.width() + " × " + film.height() + " pixels";
+    }
+
+    private static String pixel(Film film, int x, int y) {
+        return value(film.red(x, y)) + " " + value(film.green(x, y)) + " " + value(film.blue(x, y));
+    }
+
+    private static String value(float value) {
+        return value + "=0x" + Integer.toHexString(Float.floatToRawIntBits(value));
+    }
+}

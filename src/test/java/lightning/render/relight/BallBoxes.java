@@ -1,0 +1,41 @@
+package lightning.render.relight;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.trace.Eye;
+import lightning.scene.Scene;
+
+/** The boxes around balls of radius 1, of which only the middles are told, and the rays that meet them. */
+final class BallBoxes {
+    private BallBoxes() {}
+
+    /** The rays through a scene's pixels that meet the box around any of some balls. */
+    static long eyeRays(Scene scene, Vec3... balls) {
+        Eye eye = new Eye(scene);
+        int width = scene.picture().width();
+        return IntStream.range(0, width * scene.picture().height())
+                .filter(i -> meets(scene, eye.through(i % width, i / width), balls)).count();
+    }
+
+    /** Whether a ray, which is told from the eye as all are, meets any of the boxes. */
+    static boolean meets(Scene scene, Ray ray, Vec3... balls) {
+        return Arrays.stream(balls).anyMatch(ball -> meets(ray, ball.minus(scene.camera().origin())));
+    }
+
+    private static boolean meets(Ray ray, Vec3 ball) {
+        Vec3 way = ball.minus(ray.origin());
+        double[] middle = {way.x(), way.y(), way.z()};
+        double[] direction = {ray.direction().x(), ray.direction().y(), ray.direction().z()};
+        double in = 0;
+        double out = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            double near = (middle[axis] - 1) / direction[axis];
+            double far = (middle[axis] + 1) / direction[axis];
+            in = Math.max(in, Math.min(near, far));
+            out = Math.min(out, Math.max(near, far));
+        }
+        return in <= out;
+    }
+}

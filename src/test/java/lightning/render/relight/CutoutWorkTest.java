@@ -1,0 +1,116 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.shading.ReferenceTracer;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.Camera;
+import lightning.scene.Cutout;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Each edit of a cut-out traces again only where rays can meet its shapes: rays counted. The picture is two tiles side by side; a ball with
+ * holes stands in the left one, a whole one in the right.
+ */
+class CutoutWorkTest {
+    private static final Vec3 LEFT = new Vec3(-3.5, 0, 0);
+    private static final Vec3 RIGHT = new Vec3(3.5, 0, 0);
+    private static final TextureMap THERE = new TextureMap("there.png", 2, 3,
+            new Texture(2, 2, new float[] {0, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f, 0.2f, 0.2f, 0.2f}));
+
+    private static Scene scene() {
+        Cutout cutout = Cutout.NONE.withCutout(Optional.of(THERE));
+        return new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 0, 20), Vec3.ZERO, Vec3.Y, 20), World.DEFAULT,
+                List.of(Material.of("cut").withDiffuse(Rgb.grey(0.7)).withCutout(cutout),
+                        Material.of("whole").withDiffuse(Rgb.grey(0.7))),
+                List.of(ball("left", "cut", LEFT), ball("right", "whole", RIGHT)),
+                List.of(Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, -1, -0.5))));
+    }
+
+    private static Shape ball(String name, String material, Vec3 at) {
+        return new Shape(Solid.SPHERE, name, material, new Placement(at, Vec3.ZERO, Vec3.ONE));
+    }
+
+    private static Studio studio() {
+        return new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS, scene());
+    }
+
+    private static Update edit(Studio studio, String material, Cutout cutout) {
+        Update update = studio.render(studio.scene().withMaterial(studio.scene().material(material).orElseThrow().withCutout(cutout)));
+        FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "cutout-work");
+        return update;
+    }
+
+    private static Cutout cutout(Studio studio) {
+        return studio.scene().material("cut").orElseThrow().cutout();
+    }
+
+    @Test
+    void otherCutoff_tracesTheRaysThatMayMeetItAndNoOther() {
+        try (Studio studio = studio()) {
+            assertThat(edit(studio, "cut", cutout(studio).withCutoff(0.9)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
+        }
+    }
+
+    @Test
+    void cutoutThatGoes_tracesTheRaysThatMetIt() {
+        try (Studio studio = studio()) {
+            assertThat(edit(studio, "cut", Cutout.NONE).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
+        }
+    }
+
+    @Test
+    void cutoutThatComes_tracesTheRaysThatMayMeetIt() {
+        try (Studio studio = studio()) {
+            assertThat(edit(studio, "whole", cutout(studio)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), RIGHT));
+        }
+    }
+
+    /** The sun stands behind the eye: neither ball can shade the other. */
+    @Test
+    void cutout_asksNoWayToALightThatCannotMeetItsShapes() {
+        try (Studio studio = studio()) {
+            Update update = edit(studio, "cut", Cutout.NONE);
+            Predicate<SurfacePoint> facing = studio.seen().facing(studio.scene().lights().getFirst());
+            assertThat(update.rays().shadow()).isEqualTo(studio.seen().count(0, facing.and(row -> row.px() < 0)));
+        }
+    }
+
+    @Test
+    void pictureThatCutsTheSame_tracesNothing() {
+        try (Studio studio = studio()) {
+            Cutout renamed = cutout(studio).withCutout(Optional.of(new TextureMap("copy.png", 2, 3, THERE.image())));
+            Update update = edit(studio, "cut", renamed);
+            assertThat(update.rays().eye() + update.rays().shadow()).as(update.plan().text()).isZero();
+        }
+    }
+
+    @Test
+    void cutoffWithoutAPicture_isNoWorkAtAll() {
+        try (Studio studio = studio()) {
+            Update update = edit(studio, "whole", Cutout.NONE.withCutoff(0.2));
+            assertThat(update.rowsTouched() + update.rowsComposed()).as(update.plan().text()).isZero();
+            assertThat(update.plan()).isNotInstanceOf(UpdatePlan.FirstPass.class);
+        }
+    }
+}

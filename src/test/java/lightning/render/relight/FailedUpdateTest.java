@@ -1,0 +1,97 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.stream.Stream;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.DisplayCurve;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.ClearScenes;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** An update that fails leaves what is known as it was, finer samples still to be made included. */
+class FailedUpdateTest {
+    private static final String TEXT = """
+            jen 1
+            picture { size 60 40  antialias edges  samples 2 }
+            camera { from 0 1 6  to 0 0 0 }
+            sphere left { at -1 0 0 }
+            sphere middle {}
+            sphere right { at 1 0 0 }
+            light lamp point { at 2 3 2 }
+            """;
+    private static final Scene ALL = ClearScenes.scene(TEXT);
+    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
+
+    private final Renderer renderer = new Renderer(OPTIONS);
+
+    @AfterEach
+    void close() {
+        renderer.close();
+    }
+
+    private static Scene with(String... shapes) {
+        return ALL.withNodes(ALL.nodes().stream().filter(n -> List.of(shapes).contains(n.name())).toList());
+    }
+
+    /** At accuracy ratio an update is followed by a refresh of its contributions, where an error would show. */
+    @Test
+    void updateThatFailsAtAnyPoint_leavesThePictureBefore() {
+        Scene dim = ALL.withLight(ALL.lights().getFirst().withIntensity(0.3));
+        renderer.change(OPTIONS.withAccuracy(Accuracy.RATIO));
+        renderer.setView(160, DisplayCurve.SRGB);
+        renderer.render(ALL, Progress.NONE);
+        PixelCache known = renderer.cache();
+        Update done = null;
+        int questions = 0;
+        while (done == null) {
+            try {
+                done = renderer.render(dim, new FailAfter(questions, OutOfMemoryError::new));
+            } catch (OutOfMemoryError e) {
+                assertThat(renderer.cache()).as("after %s questions", questions).isSameAs(known);
+                questions++;
+            }
+        }
+        assertThat(questions).isGreaterThan(2);
+        assertThat(done.refreshed()).isTrue();
+    }
+
+    /**
+     * The centers know a shape of the wanted scene, the picture before them, from which samples follow, knows none: it takes a first pass.
+     */
+    @Test
+    void refusedFirstPass_leavesCentersAndWhatTheyLack() {
+        Scene centers = with("left", "right");
+        Scene wanted = with("right");
+        renderer.render(with("left"), Progress.NONE);
+        renderer.renderCenters(renderer.plan(centers), Progress.NONE);
+        PixelCache known = renderer.cache();
+        PixelCache finished = renderer.finishedCache();
+        Film film = renderer.film().copy();
+        assertThat(renderer.isFinished()).isFalse();
+        assertThat(renderer.plan(wanted).update()).isInstanceOf(UpdatePlan.FirstPass.class);
+        renderer.change(OPTIONS.withMemory(1));
+        Stream.<Runnable>of(() -> renderer.render(wanted, Progress.NONE),
+                () -> renderer.renderCenters(renderer.plan(wanted), Progress.NONE)).forEach(refused -> {
+                    assertThatThrownBy(refused::run).isInstanceOf(PictureTooLarge.class);
+                    assertThat(renderer.cache()).isSameAs(known);
+                    assertThat(renderer.finishedCache()).isSameAs(finished);
+                    assertThat(renderer.isFinished()).isFalse();
+                    assertThat(renderer.film().sameBits(film)).isTrue();
+                });
+        renderer.finish(Progress.NONE);
+        assertThat(renderer.film().sameBits(new ReferenceTracer(centers).trace())).isTrue();
+        renderer.change(OPTIONS);
+        renderer.render(wanted, Progress.NONE);
+        assertThat(renderer.film().sameBits(new ReferenceTracer(wanted).trace())).isTrue();
+    }
+}

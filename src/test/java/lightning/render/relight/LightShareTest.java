@@ -1,0 +1,89 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Session;
+import lightning.sample.StudioScene;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** One light's share of a picture, from what is known of it. */
+class LightShareTest {
+
+    @Provide
+    Arbitrary<Session> sessions() {
+        return Session.sessions();
+    }
+
+    /** Each case traces the reference for each light of each scene: as many as take no longer than another property's. */
+    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    void share_isTheReferenceOfThatLightAlone(@ForAll("sessions") Session session, @ForAll Reflections reflections,
+            @ForAll @IntRange(min = 1, max = 2) int threads) {
+        try (Renderer renderer = new Renderer(new Options(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads))) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                renderer.render(scene, Progress.NONE);
+                Film picture = renderer.film().copy();
+                for (Light light : scene.lights()) {
+                    Film expected = new ReferenceTracer(LightShare.scene(scene, light.name()),
+                            LightShare.scene(renderer.cache().mirroredScene(), light.name()))
+                            .trace(Oracle.reference(renderer.cache().scenes()));
+                    SessionAssert.assertSameBits(renderer.share(light.name(), Progress.NONE), expected, "share", session, step,
+                            light.name());
+                }
+                assertThat(renderer.film().sameBits(picture)).as("the picture stays").isTrue();
+            }
+        }
+    }
+
+    @Test
+    void switchedOffLight_givesNothing() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Scene dark = scene.withLight(scene.light(StudioScene.KEY).orElseThrow().withOn(false));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1))) {
+            renderer.render(dark, Progress.NONE);
+            Film share = renderer.share(StudioScene.KEY, Progress.NONE);
+            assertThat(share.sameBits(Film.black(share.width(), share.height()))).isTrue();
+        }
+    }
+
+    @Test
+    void lightThatAnothersSoloDarkens_givesNothing() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        Scene solo = scene.withLights(List.of(key, key.withName("other").withSolo(true)));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1))) {
+            renderer.render(solo, Progress.NONE);
+            Film share = renderer.share(StudioScene.KEY, Progress.NONE);
+            assertThat(share.sameBits(Film.black(share.width(), share.height()))).isTrue();
+        }
+    }
+
+    @Test
+    void mirrorsKeptAsHitShapes_haveNoShare() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Scene mirroring = scene.withPicture(scene.picture().withDepth(2));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withStorage(MirrorStorage.HIT_SHAPES))) {
+            renderer.render(mirroring, Progress.NONE);
+            assertThatThrownBy(() -> renderer.share(StudioScene.KEY, Progress.NONE)).isInstanceOf(IllegalStateException.class)
+                    .hasMessage("mirror levels are kept as hit shapes");
+        }
+    }
+}

@@ -1,0 +1,294 @@
+package lightning.render.relight;
+
+import static lightning.render.relight.Studio.assertWork;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.render.image.DisplayCurve;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.SeenRows;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.SurfacePoint;
+import lightning.sample.StudioScene;
+import lightning.scene.Antialias;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Each edit of a material does the least work: no visibility pass, and rays only from rows that begin to mirror. */
+class MaterialWorkTest {
+    private static final String MATT = "matt";
+    private static final String GLASS = "glass";
+    private static final Optional<TextureMap> CHECKS = Optional.of(new TextureMap("c.png", 3, 2,
+            new Texture(2, 2, new float[] {1, 0.5f, 0, 0, 0.25f, 1, 0.1f, 0.2f, 0.3f, 1, 1, 1})));
+
+    private static Studio studio(Reflections reflections, MirrorStorage storage) {
+        return new Studio(reflections, storage, StudioScene.of(LightType.SPOT));
+    }
+
+    private static Scene edited(Scene scene, String name, UnaryOperator<Material> edit) {
+        return scene.withMaterial(edit.apply(scene.material(name).orElseThrow()));
+    }
+
+    private static Update edit(Studio studio, String name, UnaryOperator<Material> edit) {
+        return studio.render(edited(studio.scene(), name, edit));
+    }
+
+    private static Predicate<SurfacePoint> of(Studio studio, String material) {
+        Geometry geometry = new Geometry(studio.scene());
+        return p -> geometry.materials().material(p.material()).name().equals(material);
+    }
+
+    private static long litRows(Studio studio, String material) {
+        SeenRows seen = studio.seen();
+        long rows = seen.count(0, seen.lit(studio.key()).and(of(studio, material)));
+        assertThat(rows).isPositive();
+        return rows;
+    }
+
+    private static long rows(Studio studio) {
+        return studio.seen().level(0).size();
+    }
+
+    /** Rays from all reflective rows that are followed. */
+    private static long mirrored(SeenRows seen) {
+        long rays = 0;
+        for (int k = 0; k < 2; k++) {
+            rays += seen.count(k, seen::mirrors);
+        }
+        return rays;
+    }
+
+    private static long reached(SeenRows seen, Studio studio) {
+        return seen.count(1, seen.reached(studio.key())) + seen.count(2, seen.reached(studio.key()));
+    }
+
+    private static void assertExact(Studio studio, String name) {
+        FilmAssert.assertSameBits(studio.renderer().film(),
+                new ReferenceTracer(studio.scene(), studio.renderer().cache().mirroredScene()).trace(), name);
+    }
+
+    @ParameterizedTest
+    @EnumSource(MirrorStorage.class)
+    void colours_onlyCompose(MirrorStorage storage) {
+        try (Studio studio = studio(Reflections.STALE, storage)) {
+            for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withAmbient(Rgb.WHITE),
+                    m -> m.withDiffuse(new Rgb(1, 0, 0.3)), m -> m.withSpecular(Rgb.grey(0.9)), m -> m.withReflective(Rgb.grey(0.1)))) {
+                Update update = edit(studio, GLASS, edit);
+                assertThat(update.plan().steps()).containsExactly("glass: colours");
+                assertWork(update, 0, rows(studio), 0, 0);
+                assertExact(studio, "colours");
+            }
+        }
+    }
+
+    @Test
+    void colours_composeAllLevelsWhereReflectionsAreCurrent() {
+        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
+            assertWork(edit(studio, GLASS, m -> m.withReflective(Rgb.grey(0.1))), 0, studio.seen().rowsFrom(0), 0, 0);
+            assertExact(studio, "colours");
+        }
+    }
+
+    @Test
+    void shininess_rewritesOneTermOfLitRows() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            Update update = edit(studio, MATT, m -> m.withShininess(30.5));
+            assertThat(update.plan().steps()).containsExactly("matt: specular term");
+            assertWork(update, litRows(studio, MATT), rows(studio), 0, 0);
+            assertExact(studio, "shininess");
+        }
+    }
+
+    @Test
+    void highlights_comeAndGoWithTheirColumn() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            long before = studio.renderer().cache().bytes();
+            assertWork(edit(studio, MATT, m -> m.withSpecular(Rgb.BLACK)), 0, rows(studio), 0, 0);
+            assertWork(edit(studio, GLASS, m -> m.withSpecular(Rgb.BLACK)), 0, rows(studio), 0, 0);
+            assertThat(before - studio.renderer().cache().bytes()).as("bytes of the first level's column")
+                    .isEqualTo(4 * (rows(studio) + 15 & ~15));
+            Update update = edit(studio, GLASS, m -> m.withSpecular(new Rgb(0, 0, 0.5)));
+            assertWork(update, litRows(studio, GLASS), rows(studio), 0, 0);
+            assertThat(studio.renderer().cache().bytes()).isEqualTo(before);
+            assertExact(studio, "highlights");
+        }
+    }
+
+    @Test
+    void shininessWithoutHighlights_doesNothing() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            edit(studio, MATT, m -> m.withSpecular(Rgb.BLACK));
+            assertWork(edit(studio, MATT, m -> m.withShininess(50)), 0, 0, 0, 0);
+            edit(studio, MATT, m -> m.withSpecular(Rgb.WHITE));
+            assertExact(studio, "shininess-meanwhile");
+        }
+    }
+
+    @Test
+    void shininessWhileTheLightIsOff_castsNoRayOnceItIsOn() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            studio.edit(l -> l.withOn(false));
+            edit(studio, MATT, m -> m.withShininess(2));
+            assertWork(studio.edit(l -> l.withOn(true)), 0, rows(studio), 0, 0);
+            assertExact(studio, "shininess-in-the-dark");
+        }
+    }
+
+    @Test
+    void texture_looksItsRowsUp() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            long before = studio.renderer().cache().bytes();
+            for (Optional<TextureMap> texture : List.of(CHECKS, CHECKS.map(t -> new TextureMap("d.png", -1, 7, t.image())))) {
+                Update update = edit(studio, MATT, m -> m.withTexture(texture));
+                assertThat(update.plan().steps()).containsExactly("matt: texture");
+                assertWork(update, studio.seen().count(0, of(studio, MATT)), rows(studio), 0, 0);
+                assertExact(studio, "texture");
+            }
+            assertThat(studio.renderer().cache().bytes()).isGreaterThan(before);
+            assertWork(edit(studio, MATT, m -> m.withTexture(Optional.empty())), 0, rows(studio), 0, 0);
+            assertThat(studio.renderer().cache().bytes()).isEqualTo(before);
+            assertExact(studio, "no-texture");
+        }
+    }
+
+    @Test
+    void anotherNameOfTheSameTexture_doesNothing() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            edit(studio, MATT, m -> m.withTexture(CHECKS));
+            Texture copy = new Texture(2, 2, new float[] {1, 0.5f, 0, 0, 0.25f, 1, 0.1f, 0.2f, 0.3f, 1, 1, 1});
+            assertWork(edit(studio, MATT, m -> m.withTexture(Optional.of(new TextureMap("other.png", 3, 2, copy)))), 0, 0, 0, 0);
+        }
+    }
+
+    @Test
+    void materialThatBeginsToMirror_castsTheNewMirroredRaysAlone() {
+        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
+            SeenRows before = studio.seen();
+            Update update = edit(studio, MATT, m -> m.withReflective(new Rgb(0, 0.3, 0)));
+            SeenRows seen = studio.seen();
+            assertThat(update.plan().steps()).containsExactly("matt: begins to mirror", "reflections");
+            long newRows = seen.rowsFrom(1) - before.rowsFrom(1);
+            assertThat(newRows).isPositive();
+            assertWork(update, newRows, seen.rowsFrom(0), mirrored(seen) - mirrored(before),
+                    reached(seen, studio) - reached(before, studio));
+            assertExact(studio, "begins-to-mirror");
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Reflections.class)
+    void materialThatCeasesToMirror_castsNothingAndFreesItsLevels(Reflections reflections) {
+        try (Studio studio = studio(reflections, MirrorStorage.FULL_ROWS)) {
+            Update update = edit(studio, GLASS, m -> m.withReflective(Rgb.BLACK));
+            assertThat(update.plan().steps().getFirst()).isEqualTo("glass: ceases to mirror");
+            assertWork(update, 0, rows(studio), 0, 0);
+            assertThat(studio.renderer().cache().rowCount()).isEqualTo(rows(studio));
+            assertExact(studio, "ceases-to-mirror");
+        }
+    }
+
+    /** The rays from there on are those of the older scene: what the ball shows in its mirror does not mirror itself. */
+    @ParameterizedTest
+    @EnumSource(MirrorStorage.class)
+    void staleReflections_showTheOlderSceneInANewMirror(MirrorStorage storage) {
+        try (Studio studio = studio(Reflections.STALE, storage)) {
+            Scene mirrored = studio.scene();
+            edit(studio, GLASS, m -> m.withDiffuse(new Rgb(1, 0, 0)));
+            studio.edit(l -> l.withColor(new Rgb(0, 1, 0)));
+            Update update = edit(studio, MATT, m -> m.withReflective(Rgb.grey(0.9)));
+            assertThat(update.rays().eye()).isZero();
+            assertThat(update.rays().mirrored()).isPositive();
+            FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene(), mirrored).trace(), "stale-mirror");
+            studio.renderer().updateReflections(Progress.NONE);
+            FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "updated-mirror");
+        }
+    }
+
+    @Test
+    void mirrorsKeptAsHitShapes_areTracedAnewWhereAMaterialBeginsToMirror() {
+        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.HIT_SHAPES)) {
+            Update update = edit(studio, MATT, m -> m.withReflective(Rgb.grey(0.3)));
+            SeenRows seen = studio.seen();
+            assertWork(update, seen.rowsFrom(1), seen.rowsFrom(0), mirrored(seen), reached(seen, studio));
+            assertExact(studio, "begins-to-mirror");
+        }
+    }
+
+    /** At accuracy ratio samples stay until contributions are refreshed; by then mirrors are others than when they were chosen. */
+    @ParameterizedTest
+    @EnumSource(MirrorStorage.class)
+    void mirrorsThatCameAndWentWhileSamplesStayed_areSampledAtTheRefresh(MirrorStorage storage) {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        scene = scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EDGES, 2)));
+        try (Renderer renderer = new Renderer(new Options(Accuracy.RATIO, Reflections.STALE, storage, 1))) {
+            renderer.render(scene, Progress.NONE);
+            scene = edited(edited(scene, MATT, m -> m.withReflective(Rgb.grey(0.9)).withTexture(CHECKS)), GLASS,
+                    m -> m.withReflective(Rgb.BLACK));
+            renderer.render(scene, Progress.NONE);
+            renderer.setView(160, DisplayCurve.SRGB);
+            Update update = renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(0.7)), Progress.NONE);
+            assertThat(update.refreshed()).isTrue();
+            FilmAssert.assertSameBits(renderer.film(), Oracle.of(renderer.cache()), "refreshed-mirrors");
+        }
+    }
+
+    @Test
+    void tilesWithoutTheMaterial_areNotTouched() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Shape ball = new Shape(Solid.SPHERE, "left", MATT, new Placement(new Vec3(-3, 0, 0), Vec3.ZERO, Vec3.ONE));
+        Scene wide = new Scene(new Picture(64, 24, 0), scene.camera(), scene.world(), scene.materials(),
+                List.of(scene.nodes().getFirst(), ball), scene.lights());
+        try (Studio studio = new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, wide)) {
+            Update update = edit(studio, MATT, m -> m.withDiffuse(Rgb.WHITE));
+            assertWork(update, 0, studio.seen().count(0, p -> p.vx() < 0), 0, 0);
+            assertExact(studio, "one-tile");
+        }
+    }
+
+    @Test
+    void materialsThatNoShapeHas_areNoEdit() {
+        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
+            List<Material> more =
+                    List.of(studio.scene().materials().getLast(), Material.of("spare").withAmbient(Rgb.WHITE).withDiffuse(Rgb.WHITE)
+                            .withSpecular(Rgb.WHITE).withShininess(1).withReflective(Rgb.WHITE), studio.scene().materials().getFirst());
+            assertWork(studio.render(studio.scene().withMaterials(more)), 0, 0, 0, 0);
+            assertWork(studio.render(studio.scene().withMaterials(more.reversed())), 0, 0, 0, 0);
+        }
+    }
+
+    @Test
+    void materialsAndLightsAtOnce_costWhatEachOfThemCosts() {
+        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+            Scene scene =
+                    edited(edited(studio.scene(), MATT, m -> m.withShininess(3).withTexture(CHECKS)), GLASS, m -> m.withDiffuse(Rgb.WHITE));
+            long matt = studio.seen().count(0, of(studio, MATT));
+            long lit = litRows(studio, MATT);
+            Update update = studio.render(scene.withLight(studio.key().withIntensity(2)));
+            assertThat(update.plan().steps()).containsExactly("key: weight", "glass: colours", "matt: texture + specular term");
+            assertWork(update, matt + lit, rows(studio), 0, 0);
+            assertExact(studio, "composite");
+        }
+    }
+}

@@ -1,0 +1,88 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.shading.LightRows;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.StudioScene;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import lightning.scene.SurfaceModel;
+import org.junit.jupiter.api.Test;
+
+/** Each edit of a metallic material does the least work, and none casts a ray. */
+class MetallicWorkTest {
+    private static final String MATT = "matt";
+
+    private static Studio studio() {
+        Scene plain = StudioScene.of(LightType.SPOT);
+        return new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS,
+                plain.withMaterial(metal(plain.material(MATT).orElseThrow())));
+    }
+
+    private static Material metal(Material material) {
+        return material.withModel(SurfaceModel.METALLIC).withMetalness(0.5).withRoughness(0.3);
+    }
+
+    private static Update edit(Studio studio, UnaryOperator<Material> edit) {
+        Update update = studio.render(studio.scene().withMaterial(edit.apply(studio.scene().material(MATT).orElseThrow())));
+        FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "metal");
+        assertThat(update.rays().shadow()).isZero();
+        assertThat(update.rays().eye()).isZero();
+        return update;
+    }
+
+    private static long bytes(Studio studio, LightRows.Column column) {
+        return studio.renderer().cache().all().stream().flatMap(tile -> List.of(tile.levels).stream())
+                .flatMap(level -> List.of(level.layers()).stream()).mapToLong(layer -> ((LightRows) layer).bytes(column)).sum();
+    }
+
+    @Test
+    void baseMetalnessAndF0_onlyCompose() {
+        try (Studio studio = studio()) {
+            for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withBase(new Rgb(1, 0, 0.3)),
+                    m -> m.withMetalness(1), m -> m.withF0(0.2))) {
+                Update update = edit(studio, edit);
+                assertThat(update.plan().steps()).contains("matt: colours");
+                assertThat(update.rowsTouched()).isZero();
+            }
+        }
+    }
+
+    @Test
+    void roughness_computesTheSpecularTermsAnew() {
+        try (Studio studio = studio()) {
+            Update update = edit(studio, m -> m.withRoughness(0.6));
+            assertThat(update.plan().steps()).contains("matt: specular term");
+            assertThat(update.rowsTouched()).isPositive();
+        }
+    }
+
+    /** Its rows are put into another order before their terms are looked at. */
+    @Test
+    void mirrorThatBecomesPhongsAndCeasesToMirror_hasPhongsDiffuseTerm() {
+        try (Studio studio = studio()) {
+            studio.render(studio.scene().withMaterial(studio.scene().material(MATT).orElseThrow().withReflective(Rgb.grey(0.4))));
+            edit(studio, m -> m.withModel(SurfaceModel.PHONG).withReflective(Rgb.BLACK));
+            assertThat(bytes(studio, LightRows.Column.GRAZING)).isZero();
+        }
+    }
+
+    @Test
+    void grazingColumn_comesAndGoesWithTheMetallicMaterial() {
+        try (Studio studio = studio()) {
+            assertThat(bytes(studio, LightRows.Column.GRAZING)).isPositive().isLessThanOrEqualTo(bytes(studio, LightRows.Column.SPECULAR));
+            edit(studio, m -> m.withModel(SurfaceModel.PHONG));
+            assertThat(bytes(studio, LightRows.Column.GRAZING)).isZero();
+            edit(studio, MetallicWorkTest::metal);
+            assertThat(bytes(studio, LightRows.Column.GRAZING)).isPositive();
+        }
+    }
+}

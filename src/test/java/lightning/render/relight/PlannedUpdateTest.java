@@ -1,0 +1,56 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.base.work.Progress;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.StudioScene;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class PlannedUpdateTest {
+    private final Scene before = StudioScene.withFourLights(40, 30);
+    private final Light light = before.lights().getFirst();
+    private final Scene narrower = before.withLight(light.withAngle(light.angle() / 2));
+    private final Scene moved =
+            before.withLight(light.withPosition(light.position().times(0.5)).withDirection(light.direction().negated()));
+
+    private Renderer renderer() {
+        Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1));
+        renderer.render(before, Progress.NONE);
+        return renderer;
+    }
+
+    @Test
+    void plannedUpdate_isCarriedOutAsItWasTold() {
+        try (Renderer renderer = renderer()) {
+            PlannedUpdate planned = renderer.plan(narrower);
+            assertThat(renderer.render(planned, Progress.NONE).plan()).isSameAs(planned.update());
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(narrower).trace(), "as planned");
+        }
+    }
+
+    @Test
+    void whatWasPlannedForAnotherPicture_isPlannedAnew() {
+        try (Renderer renderer = renderer()) {
+            PlannedUpdate planned = renderer.plan(narrower);
+            renderer.render(moved, Progress.NONE);
+            renderer.render(planned, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(narrower).trace(), "planned anew");
+        }
+    }
+
+    @Test
+    void whatWasPlannedBeforeAllWasForgotten_isAFirstPass() {
+        try (Renderer renderer = renderer()) {
+            PlannedUpdate planned = renderer.plan(narrower);
+            renderer.forget();
+            assertThat(renderer.render(planned, Progress.NONE).plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(narrower).trace(), "first pass");
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RepeatedEdit;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.StudioScene;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+/** Going back to what was kept of an earlier picture. */
+class RestoreTest {
+    private final Scene before = StudioScene.withFourLights(40, 30);
+    private final Scene after = before.withLight(before.lights().getFirst().withAngle(10).withIntensity(0.2));
+
+    @Test
+    void restoredRenderer_makesTheSameEditAgain() {
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1).withReflections(Reflections.CURRENT))) {
+            renderer.render(before, Progress.NONE);
+            PixelCache kept = renderer.cache();
+            Update first = renderer.render(after, Progress.NONE);
+            renderer.restore(kept);
+            assertThat(renderer.scene()).isEqualTo(before);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(before).trace(), "restored");
+            Update second = renderer.render(after, Progress.NONE);
+            assertThat(second.plan()).isEqualTo(first.plan());
+            assertThat(second.rowsTouched()).isEqualTo(first.rowsTouched());
+            assertThat(second.bytesMoved()).isEqualTo(first.bytesMoved());
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(after).trace(), "edited again");
+        }
+    }
+
+    @Test
+    void keptRows_serveARendererWithCurrentReflections() {
+        try (Renderer stale = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1));
+                Renderer current = new Renderer(Options.DEFAULT.withThreads(1).withReflections(Reflections.CURRENT))) {
+            stale.render(before, Progress.NONE);
+            current.restore(stale.cache());
+            assertThat(current.render(after, Progress.NONE).plan()).isInstanceOf(UpdatePlan.Relight.class);
+            FilmAssert.assertSameBits(current.film(), new ReferenceTracer(after).trace(), "taken over");
+        }
+    }
+
+    /** A drag keeps sums over the other lights from its second edit on; a restored renderer has seen no first. */
+    @Test
+    void restoredRenderer_isNotInTheMiddleOfADrag() {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < RepeatedEdit.LEAST_LIGHTS; i++) {
+            lights.add(StudioScene.key(LightType.POINT).withName("light" + i));
+        }
+        Scene many = before.withLights(lights);
+        Scene edited = many.withLight(lights.getFirst().withIntensity(0.5));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
+            renderer.render(many, Progress.NONE);
+            PixelCache kept = renderer.cache();
+            renderer.render(edited, Progress.NONE);
+            renderer.restore(kept);
+            renderer.render(edited, Progress.NONE);
+            for (int tile = 0; tile < renderer.cache().tileCount(); tile++) {
+                assertThat(renderer.cache().tile(tile).levels[0].branches()).as("tile " + tile).isNull();
+            }
+        }
+    }
+}

@@ -1,0 +1,140 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.LightRows;
+import lightning.render.trace.Bounce;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.sample.Session;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+
+/** Whatever edits led to it, a cache has the rows and columns that a first pass gives: nothing piles up. */
+class RowOrderTest {
+
+    @Provide
+    Arbitrary<Session> sessions() {
+        return Session.sessions();
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void editedCaches_haveTheRowsOfAFirstPass(@ForAll("sessions") Session session) {
+        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1);
+        try (Renderer edited = new Renderer(options); Renderer fresh = new Renderer(options)) {
+            for (Scene scene : session.scenes()) {
+                edited.render(scene, Progress.NONE);
+            }
+            fresh.render(session.scenes().getLast(), Progress.NONE);
+            PixelCache actual = edited.cache();
+            PixelCache expected = fresh.cache();
+            assertThat(actual.all()).hasSameSizeAs(expected.all());
+            for (int t = 0; t < expected.all().size(); t++) {
+                TileLevel[] levels = expected.all().get(t).levels;
+                TileLevel[] known = actual.all().get(t).levels;
+                assertThat(known).hasSameSizeAs(levels);
+                int end = assertSame(known, actual.geometry().materials(), levels, expected.geometry().materials(), 0, null,
+                        expected.scene().picture().depth());
+                assertThat(end).isEqualTo(levels.length);
+            }
+        }
+    }
+
+    /**
+     * Holds a level and all that is seen from it to what is expected.
+     *
+     * @param above of each expected row of the level above its place among the actual ones; null for the first level
+     * @param depth how many more rays are followed
+     * @return the level behind
+     */
+    private static int assertSame(TileLevel[] actual, MaterialTable actualMaterials, TileLevel[] expected, MaterialTable materials, int k,
+            int[] above, int depth) {
+        int[] places = assertSame(actual[k].rows(), actualMaterials, expected[k].rows(), materials, above);
+        assertSameColumns(actual[k], expected[k]);
+        int next = k + 1;
+        for (Bounce bounce : Bounce.values()) {
+            if (depth > 0 && bounce.rows(expected[k].rows()) > 0) {
+                next = assertSame(actual, actualMaterials, expected, materials, next, places, depth - 1);
+            }
+        }
+        return next;
+    }
+
+    /**
+     * Rows of the same materials, those that mirror in front. After an edit of shapes materials may have other indices than a first
+     * pass gives them, and their rows stand in another order then.
+     *
+     * @param above of each expected row of the level above its place among the actual ones; null for the first level
+     * @return the same of this level
+     */
+    private static int[] assertSame(HitRows actual, MaterialTable actualMaterials, HitRows expected, MaterialTable materials, int[] above) {
+        assertThat(actual.count).isEqualTo(expected.count);
+        assertThat(actual.reflective).isEqualTo(expected.reflective);
+        assertThat(actual.clear).isEqualTo(expected.clear);
+        assertThat(actual.behindX == null).isEqualTo(expected.behindX == null);
+        assertThat(actual.runs).isEqualTo(expected.runs);
+        assertThat(actual.texelRed == null).isEqualTo(expected.texelRed == null);
+        Map<Integer, Integer> byParent = new HashMap<>();
+        for (int i = 0; i < actual.count; i++) {
+            byParent.put((int) actual.parent[i], i);
+        }
+        Material[] of = materials(actual, actualMaterials);
+        int[] places = new int[expected.count];
+        for (int r = 0; r < expected.runs; r++) {
+            Material material = materials.material(expected.runMaterial[r]);
+            for (int i = expected.runStart(r); i < expected.runEnd[r]; i++) {
+                int parent = expected.parent[i];
+                int a = byParent.getOrDefault(above == null ? parent : above[parent], -1);
+                assertThat(a).as("the row that is seen from row " + parent).isNotNegative();
+                places[i] = a;
+                assertThat(of[a]).isEqualTo(material);
+                assertThat(actual.code == null ? 0 : actual.code[a]).isEqualTo(expected.code == null ? 0 : expected.code[i]);
+                assertThat(new float[] {actual.px[a], actual.py[a], actual.pz[a], actual.nx[a], actual.ny[a], actual.nz[a],
+                    actual.vx[a], actual.vy[a], actual.vz[a]}).containsExactly(expected.px[i], expected.py[i], expected.pz[i],
+                            expected.nx[i], expected.ny[i], expected.nz[i], expected.vx[i], expected.vy[i], expected.vz[i]);
+                if (materials.isClear(expected.runMaterial[r])) {
+                    assertThat(new float[] {actual.behindX[a], actual.behindY[a], actual.behindZ[a], actual.inside[a]})
+                            .containsExactly(expected.behindX[i], expected.behindY[i], expected.behindZ[i], expected.inside[i]);
+                }
+                if (materials.isTextured(expected.runMaterial[r])) {
+                    assertThat(new float[] {actual.texelRed[a], actual.texelGreen[a], actual.texelBlue[a]})
+                            .containsExactly(expected.texelRed[i], expected.texelGreen[i], expected.texelBlue[i]);
+                }
+            }
+        }
+        return places;
+    }
+
+    private static Material[] materials(HitRows rows, MaterialTable materials) {
+        Material[] of = new Material[rows.count];
+        for (int r = 0; r < rows.runs; r++) {
+            Arrays.fill(of, rows.runStart(r), rows.runEnd[r], materials.material(rows.runMaterial[r]));
+        }
+        return of;
+    }
+
+    /** Of lights that shine; the layers of others wait. */
+    private static void assertSameColumns(TileLevel actual, TileLevel expected) {
+        for (int l = 0; l < expected.layers().length; l++) {
+            if (expected.layers()[l] instanceof LightRows e && actual.layers()[l] instanceof LightRows a) {
+                assertThat(a.lit).isEqualTo(e.lit);
+                assertThat(a.specular == null).as("specular column").isEqualTo(e.specular == null);
+            }
+        }
+    }
+}

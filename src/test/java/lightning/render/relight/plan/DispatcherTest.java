@@ -1,0 +1,172 @@
+package lightning.render.relight.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ConeChange;
+import lightning.sample.StudioScene;
+import lightning.scene.Antialias;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Node;
+import lightning.scene.Sampling;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import org.junit.jupiter.api.Test;
+
+/** Which layer goes on from which, and the least update of each, for lists of lights and at accuracy ratio. */
+class DispatcherTest {
+    private static final LightUpdate KEEP = new LightUpdate.Keep();
+    private static final LightUpdate REWEIGHT = new LightUpdate.Reweight();
+    private static final LightUpdate ADDED = new LightUpdate.FullRecompute(true);
+    private static final LightUpdate MOVED = new LightUpdate.FullRecompute(false);
+    private static final LightUpdate REFRESH = new LightUpdate.Refresh();
+
+    private static Light light(String name, double x) {
+        return StudioScene.key(LightType.SPOT).withName(name).withPosition(new Vec3(x, 4, 2));
+    }
+
+    private static final Light A = light("a", 0);
+    private static final Light B = light("b", 1);
+    private static final Scene STUDIO = StudioScene.of(LightType.SPOT).withLights(List.of(A, B));
+
+    private static Renderer rendered(Accuracy accuracy, Reflections reflections, Scene scene) {
+        Renderer renderer = new Renderer(new Options(accuracy, reflections, MirrorStorage.FULL_ROWS, 1));
+        renderer.render(scene, Progress.NONE);
+        return renderer;
+    }
+
+    @Test
+    void planOfASceneWhereNothingMirrors_doesNotSpeakOfReflections() {
+        Scene mirroring = STUDIO.withPicture(STUDIO.picture().withDepth(2));
+        Scene brighter = mirroring.withLights(List.of(A.withIntensity(2), B));
+        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.CURRENT, mirroring)) {
+            assertThat(renderer.plan(brighter).update().text()).isEqualTo("a: weight, reflections");
+        }
+        UnaryOperator<Scene> matt = scene -> scene.withMaterials(scene.materials().stream().map(m -> m.withReflective(Rgb.BLACK)).toList());
+        for (Scene[] edit : new Scene[][] {{matt.apply(mirroring), matt.apply(brighter)},
+            {mirroring.withPicture(mirroring.picture().withDepth(0)), brighter.withPicture(brighter.picture().withDepth(0))}}) {
+            try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.CURRENT, edit[0])) {
+                assertThat(renderer.plan(edit[1]).update().text()).isEqualTo("a: weight");
+            }
+        }
+    }
+
+    /** The old layer and the update of each wanted light, after a picture with the lights A and B. */
+    private static void assertOrigins(List<Light> wanted, List<Integer> from, List<LightUpdate> updates) {
+        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
+            List<LayerPlan> layers = ((UpdatePlan.Relight) renderer.plan(STUDIO.withLights(wanted)).update()).top().layers();
+            assertThat(layers).extracting(layer -> layer.from() == null ? -1 : layer.from().place()).isEqualTo(from);
+            assertThat(layers).extracting(LayerPlan::update).isEqualTo(updates);
+        }
+    }
+
+    @Test
+    void lightsInAnotherOrder_keepTheirLayersByName() {
+        assertOrigins(List.of(B, A), List.of(1, 0), List.of(KEEP, KEEP));
+    }
+
+    @Test
+    void renamedLight_keepsTheLayerOfTheLightLikeIt_whereverThatStands() {
+        assertOrigins(List.of(B.withName("x"), A), List.of(1, 0), List.of(KEEP, KEEP));
+        assertOrigins(List.of(B.withName("x")), List.of(1), List.of(KEEP));
+        assertOrigins(List.of(B.withName("x"), A.withName("y")), List.of(1, 0), List.of(KEEP, KEEP));
+    }
+
+    @Test
+    void twoNewLightsLikeOneThatIsGone_shareItsLayerNot() {
+        assertOrigins(List.of(A, B.withName("x"), B.withName("y")), List.of(0, 1, -1), List.of(KEEP, KEEP, ADDED));
+    }
+
+    /** Renamed and dimmed at once: its place tells, if the list is as long as before and the place is free. */
+    @Test
+    void lightRenamedAndEdited_goesOnFromTheOneInItsPlace() {
+        Light edited = B.withName("x").withIntensity(0.5);
+        assertOrigins(List.of(A, edited), List.of(0, 1), List.of(KEEP, REWEIGHT));
+        assertOrigins(List.of(A.withName("y").withIntensity(2), edited), List.of(0, 1), List.of(REWEIGHT, REWEIGHT));
+        assertOrigins(List.of(A, edited, B), List.of(0, -1, 1), List.of(KEEP, ADDED, KEEP));
+        assertOrigins(List.of(B, edited), List.of(1, -1), List.of(KEEP, ADDED));
+        assertOrigins(List.of(edited), List.of(-1), List.of(ADDED));
+    }
+
+    @Test
+    void otherSizeCameraOrNoShapeOfBefore_areAFirstPass() {
+        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
+            Camera c = STUDIO.camera();
+            assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24))).update())
+                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+            assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(30, 25))).update())
+                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+            assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41))).update())
+                    .isEqualTo(new UpdatePlan.FirstPass("another camera"));
+            Scene others = STUDIO.withNodes(STUDIO.nodes().stream().<Node>map(n -> ((Shape) n).withName(n.name() + "2")).toList());
+            assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
+            Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EVERY, 2)));
+            assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("other samples"));
+            renderer.forget();
+            assertThat(renderer.plan(STUDIO).update()).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
+        }
+    }
+
+    private static LightUpdate atLevelRatio(Light before, UnaryOperator<Light> edit) {
+        Scene scene = STUDIO.withLights(List.of(before, B));
+        try (Renderer renderer = rendered(Accuracy.RATIO, Reflections.STALE, scene)) {
+            List<LayerPlan> layers =
+                    ((UpdatePlan.Relight) renderer.plan(scene.withLights(List.of(edit.apply(before), B.withIntensity(3)))).update()).top()
+                            .layers();
+            assertThat(layers.get(1).update()).isEqualTo(REWEIGHT);
+            return layers.getFirst().update();
+        }
+    }
+
+    /** The paper's choices: a turned light and one whose weight was 0 are computed in full, and so is one that was almost 0. */
+    @Test
+    void levelRatio_scalesWhereThereIsARatioAndRecomputesElsewhere() {
+        assertThat(atLevelRatio(A, l -> l)).isEqualTo(KEEP);
+        assertThat(atLevelRatio(A, l -> l.withIntensity(0.2))).isEqualTo(REWEIGHT);
+        assertThat(atLevelRatio(A, l -> l.withIntensity(0))).isEqualTo(REWEIGHT);
+        assertThat(atLevelRatio(A, l -> l.withDropoff(7))).isEqualTo(new LightUpdate.Partial(ConeChange.NONE, true, false));
+        assertThat(atLevelRatio(A, l -> l.withAngle(7).withIntensity(3)))
+                .isEqualTo(new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, true));
+        assertThat(atLevelRatio(A, l -> l.withDirection(new Vec3(0, -1, 0)))).isEqualTo(MOVED);
+        assertThat(atLevelRatio(A, l -> l.withType(LightType.POINT))).isEqualTo(MOVED);
+        assertThat(atLevelRatio(A.withColor(new Rgb(1, 0, 1)), l -> l.withColor(Rgb.WHITE))).isEqualTo(MOVED);
+        assertThat(atLevelRatio(A.withIntensity(1e-40), l -> l.withDropoff(7))).isEqualTo(MOVED);
+        assertThat(atLevelRatio(A.withIntensity(1e-40), l -> l)).as("nothing to scale").isEqualTo(KEEP);
+    }
+
+    private static List<LightUpdate> updates(LevelPlan plan) {
+        return plan.layers().stream().map(LayerPlan::update).toList();
+    }
+
+    /** Only what was scaled and shines: A was not edited, C was and is off now, D never shone. */
+    @Test
+    void refresh_computesScaledContributionsOfShiningLightsAnew() {
+        Light c = light("c", 2);
+        Light d = light("d", -1).withOn(false);
+        Scene first = STUDIO.withLights(List.of(A, B, c, d));
+        Scene second = STUDIO.withLights(List.of(A, B.withIntensity(2), c.withIntensity(2), d));
+        Scene third = STUDIO.withLights(List.of(A, B.withIntensity(2), c.withIntensity(2).withOn(false), d));
+        for (Reflections reflections : Reflections.values()) {
+            try (Renderer renderer = rendered(Accuracy.RATIO, reflections, first)) {
+                renderer.render(second, Progress.NONE);
+                renderer.render(third, Progress.NONE);
+                UpdatePlan.Relight refresh = Dispatcher.refresh(renderer.cache());
+                assertThat(updates(refresh.top())).containsExactly(KEEP, REFRESH, KEEP, KEEP);
+                if (reflections == Reflections.STALE) {
+                    assertThat(refresh.mirrors()).as("mirrors show another scene").isNull();
+                } else {
+                    assertThat(updates(refresh.mirrors())).containsExactly(KEEP, REFRESH, KEEP, KEEP);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,235 @@
+package lightning.render.relight.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.math.Rgb;
+import lightning.base.work.Progress;
+import lightning.render.cache.LayerStamp;
+import lightning.render.image.DisplayCurve;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.FilmErrors;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.Update;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.Options;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.StudioScene;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The bound's parts worked out on paper, in units u = 2⁻²⁴ and η = 2⁻¹⁵⁰, and when they are needed. */
+class RatioBoundTest {
+    private static final double U = 0x1p-24;
+    private static final double ETA = 0x1p-150;
+
+    private static Light light(double r, double g, double b) {
+        return Light.of("l", LightType.SPOT).withColor(new Rgb(r, g, b)).withIntensity(2);
+    }
+
+    private static final Light ONE = light(0.5, 0.5, 0.5);
+
+    @Test
+    void layerThatWasNotScaled_losesNothing() {
+        LayerStamp before = new LayerStamp(ONE, 4, 1e-40, 1e-41);
+        assertThat(RatioBound.scaled(before, ONE, false, false, 1)).isEqualTo(before);
+    }
+
+    /**
+     * Weight 1 to 8, 4 and 2: 4η·(1 + 8 + 4)/2 as a share of the least channel's weight, and before it 2η·(1 + 1) of the
+     * weight 1 by which the contributions were made.
+     */
+    @Test
+    void scaledWeight_costsTwoRoundingsAndAShareOfTheWeight() {
+        Light wanted = light(4, 2, 1);
+        LayerStamp after = RatioBound.scaled(LayerStamp.fresh(ONE), wanted, true, false, 1);
+        assertThat(after).isEqualTo(new LayerStamp(wanted, 2, 0, 4 * ETA + 4 * ETA * 13 / 2));
+        assertThat(RatioBound.scaled(after, wanted, true, false, 1).lostOfWeight()).as("adds up")
+                .isEqualTo(4 * ETA + 4 * ETA * 13 / 2 + 4 * ETA * 20 / 2);
+    }
+
+    /** Made by weights 8 and 2⁻¹⁰⁰, so the loss of 2η·(8 + 1) is 2¹⁰⁰ times that as a share of the dim channel; scaled by 1/2. */
+    @Test
+    void contributionsOfASmallWeight_haveLostAShareWhenTheyWereMade() {
+        Light bright = light(4, 0x1p-101, 0);
+        double lost = 2 * ETA * 9 * 0x1p100;
+        LayerStamp after = RatioBound.scaled(LayerStamp.fresh(bright), bright.withIntensity(1), true, false, 1);
+        assertThat(after.lostOfWeight()).isEqualTo(lost + 4 * ETA * 16 * 0x1p101);
+    }
+
+    /** Rows that enter the cone now lost more than all that was scaled before; with no ray, no falloff and no weight changed. */
+    @Test
+    void layerThatGetsNewRows_isTakenForOneThatWasJustComputed() {
+        LayerStamp before = new LayerStamp(ONE, 4, 0x1p-120, 0);
+        LayerStamp after = RatioBound.scaled(before, ONE, true, false, 1);
+        assertThat(after.lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 6);
+        assertThat(after.lostOfContribution()).isEqualTo(0x1p-120);
+    }
+
+    /** With the falloff down to 2⁻¹⁰ what was lost of the weight becomes a share of weight and falloff. */
+    @Test
+    void scaledFalloff_costsTwoRoundingsAndAShareOfTheContribution() {
+        LayerStamp before = new LayerStamp(ONE, 2, 0x1p-145, 0x1p-146);
+        LayerStamp after = RatioBound.scaled(before, ONE, false, true, 0x1p-10);
+        assertThat(after).isEqualTo(new LayerStamp(ONE, 4, 0x1p-145 + (0x1p-146 + 4 * ETA * 6) * 0x1p10, 0));
+        assertThat(RatioBound.scaled(LayerStamp.fresh(ONE), ONE, true, true, 1).roundings()).isEqualTo(4);
+    }
+
+    /** A channel below the least normal float is not divided by: it is never scaled again. */
+    @Test
+    void channelBelowTheLeastNormalFloat_doesNotCount() {
+        LayerStamp fresh = LayerStamp.fresh(ONE);
+        assertThat(RatioBound.scaled(fresh, light(1, 0, 1e-40), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 7 / 2);
+        assertThat(RatioBound.scaled(fresh, light(1e-40, 0, 0), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA);
+        double least = Float.MIN_NORMAL / 2;
+        assertThat(RatioBound.scaled(fresh, light(1, 1, least), true, false, 1).lostOfWeight())
+                .isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
+    }
+
+    /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 to close, 2 a mirror. */
+    @ParameterizedTest
+    @CsvSource({"1,0,0", "2,0,1", "3,0,2", "4,0,2", "5,0,3", "8,1,3", "9,10,4"})
+    void relativePart_countsTheRoundingsOnTheWayToTheFilm(int lights, int mirrors, int levelsOfTheSum) {
+        LayerStamp[] stamps = new LayerStamp[lights];
+        stamps[0] = new LayerStamp(ONE, 4, 0, 0);
+        if (lights > 2) {
+            stamps[2] = new LayerStamp(ONE, 2, 0, 0);
+        }
+        double n = 6 + 4 + 2 * (levelsOfTheSum + 5 + 2 * mirrors);
+        assertThat(RatioBound.relative(stamps, mirrors, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
+    }
+
+    /** The mean of 16 samples is four additions deep, and one division. */
+    @Test
+    void meanOfSamples_addsItsRoundingsInBothPictures() {
+        LayerStamp[] stamps = {new LayerStamp(ONE, 2, 0, 0)};
+        double n = 6 + 2 + 2 * (5 + 4 + 1);
+        assertThat(RatioBound.relative(stamps, 0, 16)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
+    }
+
+    @Test
+    void layersThatWereNotScaled_areExact() {
+        LayerStamp[] fresh = {LayerStamp.fresh(ONE), null};
+        assertThat(RatioBound.relative(fresh, 3, 1)).isZero();
+        assertThat(RatioBound.absolute(fresh, 4, 2)).isZero();
+        assertThat(RatioBound.relative(new LayerStamp[0], 3, 1)).isZero();
+    }
+
+    /** Twice what the lights of weights 1 and 4 lost, and twice two least normal floats for each, on 3 levels. */
+    @Test
+    void absolutePart_isTwiceWhatTheScaledLightsLost() {
+        Light four = light(2, 1, 0);
+        LayerStamp[] stamps =
+                {new LayerStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new LayerStamp(four, 4, 0x1p-100, 0)};
+        double lost = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
+        assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * lost);
+    }
+
+    /** 1.055/2.4 is the steepest that sRGB answers to a share of a value, 12.92 to a difference. */
+    @Test
+    void bound_showsFromHalfAStepOfEightBits() {
+        double relative = 0.5 / 255 / (1.055 / 2.4);
+        assertThat(new ErrorBound(relative * 0.9999, 0, 1).shows(0, DisplayCurve.SRGB)).isFalse();
+        assertThat(new ErrorBound(relative * 1.0001, 0, 1).shows(0, DisplayCurve.SRGB)).isTrue();
+        double absolute = 0.5 / 255 / 12.92;
+        for (double exposure : new double[] {-3, 0, 7}) {
+            double shown = absolute * Math.pow(2, -exposure);
+            assertThat(new ErrorBound(0, shown * 0.9999, 1).shows(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(0, shown * 1.0001, 1).shows(exposure, DisplayCurve.SRGB)).isTrue();
+            assertThat(new ErrorBound(relative / 2, shown * 0.499, 1).shows(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(relative / 2, shown * 0.501, 1).shows(exposure, DisplayCurve.SRGB)).isTrue();
+        }
+    }
+
+    private static Renderer renderer() {
+        return new Renderer(new Options(Accuracy.RATIO, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1));
+    }
+
+    /** The share of the brightest value, and the absolute part of the first level and of two mirrored ones. */
+    @Test
+    void reportedBound_isTheOneForTheBrightestValue() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Light key = scene.lights().getFirst();
+        Light dim = key.withIntensity(0.5);
+        try (Renderer renderer = renderer()) {
+            assertThat(renderer.render(scene, Progress.NONE).errorBound()).isZero();
+            Update update = renderer.render(scene.withLight(dim), Progress.NONE);
+            double brightest = 0;
+            for (float value : renderer.film().toScanlines()) {
+                brightest = Math.max(brightest, value);
+            }
+            LayerStamp[] stamps = {RatioBound.scaled(LayerStamp.fresh(key), dim, true, false, 1)};
+            assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3, 2),
+                    within(1e-20));
+            assertThat(brightest).isGreaterThan(0.1);
+        }
+    }
+
+    /** Renders all of the lights, each in the key's place over a black world, and compares the last picture. */
+    private static void assertWithinBound(List<Light> lights, double leastError) {
+        Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));
+        try (Renderer renderer = renderer()) {
+            Update update = null;
+            for (Light light : lights) {
+                update = renderer.render(scene.withLight(light), Progress.NONE);
+            }
+            double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(scene.withLight(lights.getLast())).trace());
+            assertThat(error).isGreaterThanOrEqualTo(leastError);
+            assertThat(update.errorBound()).isGreaterThanOrEqualTo(error);
+        }
+    }
+
+    /** The ratio of the weights is nothing: so is what was 10⁻³⁹, and the bound says so. */
+    @Test
+    void weightBelowTheLeastNormalFloat_mayBeLostAltogether() {
+        Light key = StudioScene.key(LightType.SPOT).withDropoff(0).withAttenuation(Attenuation.NONE);
+        assertWithinBound(List.of(key.withIntensity(1e10), key.withIntensity(1e-39)), 1e-40);
+    }
+
+    /**
+     * Contributions of the least float there is, scaled by 0.6, round to itself again and again: after many steps down
+     * the one step up made 10⁻¹⁵ of 10⁻⁴⁰, and no bound told.
+     */
+    @Test
+    void weightBelowTheLeastNormalFloat_isNotScaledByFalloffsStepByStep() {
+        Light key = StudioScene.key(LightType.SPOT).withDropoff(0);
+        List<Light> lights = new ArrayList<>(List.of(key));
+        for (Rgb color : List.of(Rgb.grey(1e-40), new Rgb(1, 1e-40, 1), new Rgb(1e-37, 1e-40, 0))) {
+            Light dim = key.withColor(color);
+            for (double constant = 1; constant < 1e30; constant /= 0.6) {
+                lights.add(dim.withAttenuation(new Attenuation(constant, 0, 0)));
+            }
+            lights.add(dim.withColor(new Rgb(0, 1e-40, 0)));
+            lights.add(dim.withColor(new Rgb(0, 1e-40, 0)).withAttenuation(Attenuation.NONE));
+            assertWithinBound(lights, 0);
+        }
+    }
+
+    /** A bound of that exposure shows at once: the contributions are made anew, and nothing is left of it. */
+    @Test
+    void errorThatCouldShowAtAnExposure_isRefreshedAway() {
+        Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));
+        Light key = scene.lights().getFirst();
+        try (Renderer renderer = renderer()) {
+            renderer.render(scene, Progress.NONE);
+            Scene narrow = scene.withLight(key.withDropoff(900));
+            assertThat(renderer.render(narrow, Progress.NONE).refreshed()).isFalse();
+            renderer.setView(64, DisplayCurve.SRGB);
+            Scene back = narrow.withLight(key.withDropoff(1));
+            Update update = renderer.render(back, Progress.NONE);
+            assertThat(update.refreshed()).isTrue();
+            assertThat(update.errorBound()).isZero();
+            assertThat(update.rays().shadow()).isZero();
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(back).trace(), "refreshed");
+        }
+    }
+}

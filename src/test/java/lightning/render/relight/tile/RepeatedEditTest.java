@@ -1,0 +1,154 @@
+package lightning.render.relight.tile;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.render.cache.PixelCache;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.plan.Reflections;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** While one light is dragged the sums over the others are kept, and no bit differs for it. */
+class RepeatedEditTest {
+    private static final Scene NIGHT = SmallNight.SCENE;
+
+    private static Light edited(Light light, Random random) {
+        return switch (random.nextInt(8)) {
+            case 0 -> light.withColor(new Rgb(random.nextDouble(), random.nextInt(2), random.nextDouble()));
+            case 1 -> light.withIntensity(random.nextInt(3) * random.nextDouble());
+            case 2 -> light.withOn(!light.on());
+            case 3 -> light.withPosition(light.position().plus(new Vec3(random.nextDouble() - 0.5, 0, 0.1)));
+            case 4 -> light.withAngle(90 * random.nextDouble());
+            case 5 -> light.withAttenuation(new Attenuation(random.nextDouble(), random.nextInt(2), random.nextDouble()));
+            case 6 -> light.withDropoff(9 * random.nextDouble());
+            default -> light.withDirection(light.direction().plus(new Vec3(0, 0, 0.1 * random.nextDouble())));
+        };
+    }
+
+    private static int tilesWithSums(PixelCache cache) {
+        int tiles = 0;
+        for (int t = 0; t < cache.tileCount(); t++) {
+            tiles += cache.tile(t).levels[0].branches() == null ? 0 : 1;
+        }
+        return tiles;
+    }
+
+    @Property(tries = 25)
+    void draggingOneLightAndThenAnother_equalsTheFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
+            @ForAll @IntRange(min = 7, max = 30) int lights) {
+        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withStorage(storage);
+        Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
+        try (Renderer renderer = new Renderer(options); Workers workers = new Workers(2)) {
+            renderer.render(scene, Progress.NONE);
+            for (int drag = 0; drag < 3; drag++) {
+                int light = random.nextInt(lights);
+                for (int frame = 0; frame < 4; frame++) {
+                    List<Light> all = new ArrayList<>(scene.lights());
+                    all.set(light, edited(all.get(light), random));
+                    scene = scene.withLights(all);
+                    renderer.render(scene, Progress.NONE);
+                    FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "drag");
+                }
+            }
+        }
+    }
+
+    private static Scene editedBesideLights(Scene scene, Random random) {
+        List<Light> lights = new ArrayList<>(scene.lights());
+        Material material = scene.materials().get(random.nextInt(scene.materials().size()));
+        switch (random.nextInt(6)) {
+            case 0 -> lights.remove(random.nextInt(lights.size()));
+            case 1 -> lights.addFirst(lights.removeLast());
+            case 2 -> {
+                return scene.withMaterial(material.withBody(material.body().times(0.5 + 0.5 * random.nextDouble())));
+            }
+            case 3 -> {
+                return scene.withMaterial(material.withShininess(1 + 20 * random.nextDouble()));
+            }
+            default -> {
+                return scene.withWorld(scene.world().withAmbience(random.nextDouble()));
+            }
+        }
+        return scene.withLights(lights);
+    }
+
+    @Property(tries = 25)
+    void editsBesideLights_equalTheFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
+            @ForAll @IntRange(min = 11, max = 30) int lights) {
+        Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
+        try (Renderer renderer = new Renderer(Options.DEFAULT.withStorage(storage)); Workers workers = new Workers(2)) {
+            renderer.render(scene, Progress.NONE);
+            for (int edit = 0; edit < 10; edit++) {
+                scene = editedBesideLights(scene, random);
+                renderer.render(scene, Progress.NONE);
+                FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "beside");
+            }
+        }
+    }
+
+    @Test
+    void sumOfAllLightsIsKept_fromTheSecondEditBesideThemUntilOneIsEdited() {
+        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            renderer.render(NIGHT, Progress.NONE);
+            renderer.render(NIGHT.withWorld(NIGHT.world().withAmbience(0.5)), Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isZero();
+            Scene twice = NIGHT.withWorld(NIGHT.world().withAmbience(0.6));
+            renderer.render(twice, Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isPositive();
+            renderer.render(twice.withLight(NIGHT.lights().getFirst().withIntensity(0.1)), Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isZero();
+        }
+    }
+
+    /** Adding seven lights anew reads less memory than their sums would take. */
+    @Test
+    void sumsAreKept_fromEightLightsOn() {
+        for (int lights : new int[] {RepeatedEdit.LEAST_LIGHTS - 1, RepeatedEdit.LEAST_LIGHTS}) {
+            Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
+            try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+                renderer.render(scene, Progress.NONE);
+                for (double intensity : new double[] {0.5, 0.6}) {
+                    renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(intensity)), Progress.NONE);
+                }
+                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= RepeatedEdit.LEAST_LIGHTS);
+            }
+        }
+    }
+
+    @Test
+    void sumsAreKept_fromTheSecondEditOfALightUntilAnotherIsEdited() {
+        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            renderer.render(NIGHT, Progress.NONE);
+            Light first = NIGHT.lights().getFirst();
+            Scene once = NIGHT.withLight(first.withIntensity(0.5));
+            renderer.render(once, Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isZero();
+            Scene twice = once.withLight(first.withIntensity(0.6));
+            renderer.render(twice, Progress.NONE);
+            assertThat(tilesWithSums(renderer.cache())).isPositive();
+            Light last = NIGHT.lights().getLast();
+            renderer.render(twice.withLight(last.withIntensity(0.1)), Progress.NONE);
+            renderer.render(twice.withLight(last.withIntensity(0.2)), Progress.NONE);
+            PixelCache cache = renderer.cache();
+            for (int t = 0; t < cache.tileCount(); t++) {
+                var sums = cache.tile(t).levels[0].branches();
+                assertThat(sums == null || sums.key().light() == NIGHT.lights().size() - 1).isTrue();
+            }
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package lightning.render.shading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.render.engine.choice.Engines;
+import lightning.render.trace.HitRows;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+
+/** However lights are added up, the bits are those of the equation's tree. */
+class LightSumTest {
+    private static final int MOST = 40;
+
+    private final Random random = new Random(0);
+    private int rows;
+    private Luminaire[] lights;
+    private LightLayer[] layers;
+
+    @Property(tries = 300)
+    void sumOfLights_hasTheBitsOfTheTree(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean kept,
+            @ForAll @IntRange(max = MOST) int count) {
+        draw(seed, count, kept);
+        assertTree(new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums()).of(rows, lights, layers));
+    }
+
+    @Property(tries = 300)
+    void sumOfOneLightAndTheBranchesBesideIt_hasTheBitsOfTheTree(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean kept,
+            @ForAll @IntRange(min = 1, max = MOST) int count) {
+        draw(seed, count, kept);
+        LightSum sum = new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums());
+        BranchSums branches = sum.branches(rows, lights, layers, new BranchSums.Key(random.nextInt(count)));
+        int edited = branches.key().light();
+        lights[edited] = light();
+        layers[edited] = layer(kept);
+        assertTree(sum.of(rows, lights, layers, branches));
+    }
+
+    private void draw(long seed, int count, boolean kept) {
+        random.setSeed(seed);
+        rows = 1 + random.nextInt(50);
+        lights = new Luminaire[count];
+        layers = new LightLayer[count];
+        for (int l = 0; l < count; l++) {
+            lights[l] = light();
+            layers[l] = layer(kept);
+        }
+    }
+
+    private Luminaire light() {
+        double intensity = random.nextInt(4) == 0 ? 0 : random.nextDouble();
+        Light light = Light.of("l", LightType.POINT).withIntensity(intensity)
+                .withColor(new Rgb(random.nextDouble(), random.nextDouble(), random.nextInt(2)));
+        Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
+        return Luminaire.of(light, new Scene(Picture.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(),
+                List.of(light)));
+    }
+
+    private LightLayer layer(boolean kept) {
+        if (random.nextInt(3) == 0) {
+            return LightRows.unlit(new byte[rows]);
+        }
+        boolean specular = random.nextBoolean();
+        boolean grazing = random.nextBoolean();
+        if (kept) {
+            return new RatioRows(new byte[rows], new float[][] {column(), column(), column()},
+                    specular ? new float[][] {column(), column(), column()} : null,
+                    grazing ? new float[][] {column(), column(), column()} : null, null, 1);
+        }
+        return new LightRows(new byte[rows], column(), specular ? column() : null, grazing ? column() : null,
+                random.nextBoolean() ? column() : null, 1);
+    }
+
+    private float[] column() {
+        float[] column = new float[HitRows.padded(rows)];
+        for (int i = 0; i < rows; i++) {
+            column[i] = random.nextInt(4) == 0 ? 0 : random.nextFloat();
+        }
+        return column;
+    }
+
+    private void assertTree(SumRows sum) {
+        for (int i = 0; i < rows; i++) {
+            for (int channel = 0; channel < 3; channel++) {
+                assertSameBits(sum.diffuse[channel][i], tree(i, channel, false), "diffuse");
+                assertSameBits(sum.hasSpecular ? sum.specular[channel][i] : 0, tree(i, channel, true), "specular");
+            }
+        }
+    }
+
+    private float tree(int row, int channel, boolean specular) {
+        float[] terms = new float[lights.length];
+        for (int l = 0; l < terms.length; l++) {
+            terms[l] = lights[l].isDark() || layers[l].lit() == 0 ? 0 : contribution(row, channel, specular, lights[l], layers[l]);
+        }
+        return LightingEquation.sum(terms, 0, terms.length);
+    }
+
+    private static float contribution(int row, int channel, boolean specular, Luminaire light, LightLayer layer) {
+        return switch (layer) {
+            case LightRows exact -> {
+                float[] term = specular ? exact.specular : exact.cosine;
+                float weight = channel == 0 ? light.red() : channel == 1 ? light.green() : light.blue();
+                yield term == null ? 0 : LightingEquation.contribution(weight, term[row], exact.falloff == null ? 1 : exact.falloff[row]);
+            }
+            case RatioRows ratio -> {
+                float[][] columns = specular ? ratio.specular : ratio.diffuse;
+                yield columns == null ? 0 : columns[channel][row];
+            }
+        };
+    }
+
+    private static void assertSameBits(float actual, float expected, String term) {
+        assertThat(Float.floatToRawIntBits(actual)).as(term + " " + actual + ", expected " + expected)
+                .isEqualTo(Float.floatToRawIntBits(expected));
+    }
+}

@@ -1,0 +1,68 @@
+package lightning.render.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import lightning.base.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Material;
+import lightning.scene.Node;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
+import net.jqwik.api.Assume;
+import net.jqwik.api.Example;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.IntRange;
+
+/** Anti-aliasing tells apart what meets at an edge. */
+class HitCodeTest {
+
+    private static int of(int shape, Vec3 n) {
+        return HitCode.of(shape, (float) n.x(), (float) n.y(), (float) n.z());
+    }
+
+    @Property
+    void sidesAtARightAngle_differ(@ForAll @DoubleRange(min = -1, max = 1) double x, @ForAll @DoubleRange(min = -1, max = 1) double y,
+            @ForAll @DoubleRange(min = -1, max = 1) double z, @ForAll @DoubleRange(min = 0, max = 7) double turn) {
+        Assume.that(x * x + y * y + z * z > 0.01);
+        Vec3 n = new Vec3(x, y, z).normalized();
+        Vec3 side = n.cross(Math.abs(n.x()) < 0.7 ? new Vec3(1, 0, 0) : Vec3.Y).normalized();
+        Vec3 across = side.times(Math.cos(turn)).plus(n.cross(side).times(Math.sin(turn)));
+        assertThat(of(3, n)).isNotEqualTo(of(3, across));
+    }
+
+    @Property
+    void neighbouringShapes_differ(@ForAll @IntRange(min = 0, max = 999_998) int shape) {
+        assertThat(of(shape, Vec3.Y)).isNotEqualTo(of(shape + 1, Vec3.Y));
+    }
+
+    /** Java's hashes of these names are the same. */
+    @Example
+    void shapesOfNamesThatAreAlike_differ() {
+        List<Node> shapes = Stream.of("leg 1P", "leg 21", "Aa", "BB").<Node>map(name -> new Shape(Solid.SPHERE, name, "m",
+                Placement.IDENTITY)).toList();
+        var geometry =
+                new Geometry(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(Material.of("m")), shapes, List.of()));
+        assertThat(IntStream.range(0, 4).map(geometry::number).boxed().distinct()).hasSize(4);
+    }
+
+    @Property
+    void shadesFarApart_differ(@ForAll @DoubleRange(min = 0, max = 0.8) double shade) {
+        float dark = (float) shade;
+        float light = (float) (shade + 0.15);
+        assertThat(HitCode.textured(7, dark, dark, dark)).isNotEqualTo(HitCode.textured(7, light, dark, dark));
+    }
+
+    @Property
+    void whatIsSeenOverAnotherNumberOfMirrors_differs(@ForAll int code, @ForAll @IntRange(min = 0, max = 10) int mirrors) {
+        assertThat(HitCode.seen(code, mirrors)).isNotEqualTo(HitCode.seen(code, mirrors + 1));
+    }
+}

@@ -1,0 +1,68 @@
+package lightning.render.trace;
+
+import lightning.render.trace.solid.Form;
+import lightning.scene.Solid;
+
+/**
+ * The formulas of the textbook, kept as a contrast to {@link lightning.render.trace.solid.Form}: the quadratic formula as one learns it,
+ * the least positive root, side and caps each on its own.
+ */
+final class NaiveSolids {
+    private NaiveSolids() {}
+
+    static double distance(Solid.Canonical solid, double ox, double oy, double oz, double dx, double dy, double dz) {
+        return switch (solid) {
+            case Solid.Sphere _ -> sphere(ox, oy, oz, dx, dy, dz);
+            case Solid.Cone _ -> cone(ox, oy, oz, dx, dy, dz);
+            case Solid.Cylinder _ -> cylinder(ox, oy, oz, dx, dy, dz);
+            case Solid.Frustum _ -> throw new IllegalArgumentException("no textbook has it");
+            case Solid.Plane _ -> CanonicalSolids.plane(ox, oy, oz, dx, dy, dz);
+        };
+    }
+
+    static double sphere(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double a = dx * dx + dy * dy + dz * dz;
+        double b = ox * dx + oy * dy + oz * dz;
+        double c = ox * ox + oy * oy + oz * oz - 1;
+        double root = Math.sqrt(b * b - a * c);
+        return first((-b - root) / a, (-b + root) / a);
+    }
+
+    static double cylinder(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double a = dx * dx + dz * dz;
+        double b = ox * dx + oz * dz;
+        double c = ox * ox + oz * oz - 1;
+        double root = Math.sqrt(b * b - a * c);
+        double side = first(within((-b - root) / a, oy, dy), within((-b + root) / a, oy, dy));
+        return first(side, first(cap(0, ox, oy, oz, dx, dy, dz), cap(1, ox, oy, oz, dx, dy, dz)));
+    }
+
+    static double cone(double ox, double oy, double oz, double dx, double dy, double dz) {
+        double h = 1 - oy;
+        double a = dx * dx + dz * dz - dy * dy;
+        double b = ox * dx + oz * dz + h * dy;
+        double c = ox * ox + oz * oz - h * h;
+        double root = Math.sqrt(b * b - a * c);
+        double side = first(within((-b - root) / a, oy, dy), within((-b + root) / a, oy, dy));
+        return first(side, cap(0, ox, oy, oz, dx, dy, dz));
+    }
+
+    private static double within(double t, double oy, double dy) {
+        double y = oy + t * dy;
+        return y >= 0 && y <= 1 ? t : Form.MISS;
+    }
+
+    private static double cap(double height, double ox, double oy, double oz, double dx, double dy, double dz) {
+        double t = (height - oy) / dy;
+        double x = ox + t * dx;
+        double z = oz + t * dz;
+        return x * x + z * z <= 1 ? t : Form.MISS;
+    }
+
+    /** The lesser of those above 0; NaN is a miss. */
+    private static double first(double s, double t) {
+        double a = s > 0 ? s : Form.MISS;
+        double b = t > 0 ? t : Form.MISS;
+        return a < b ? a : b;
+    }
+}

@@ -1,0 +1,152 @@
+package lightning.render.trace;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import java.util.function.ToDoubleFunction;
+import lightning.base.math.Power;
+import lightning.base.math.Ray;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.render.trace.primitive.Surface;
+import lightning.scene.Placement;
+import lightning.scene.Solid;
+
+/**
+ * What the robust formulas of docs/numerics.md cost beside those of the textbook: nanoseconds each, scalar, over the
+ * rays from afar of {@link HardRay}. Both are run in turns, and the medians told, so that other work on
+ * the machine slows both alike. Run it by itself:
+ * {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.render.trace.RobustCost}.
+ */
+final class RobustCost {
+    private static final int CASES = 4096;
+    private static final int TURNS = 12_001;
+
+    private static double sink;
+    private static String only;
+
+    private RobustCost() {}
+
+    /** @param args a word of the formula to measure; none for all, each in a Java of its own: one formula's profile slows the next */
+    public static void main(String[] args) throws IOException, InterruptedException {
+        if (args.length == 0) {
+            System.out.println("formula                                          textbook  Lightning");
+            for (String one : List.of("sphere", "cylinder", "cone", "stored", "V·R", "power", "inverse")) {
+                new ProcessBuilder(ProcessHandle.current().info().command().orElseThrow(), "--add-modules", "jdk.incubator.vector",
+                        "-cp", System.getProperty("java.class.path"), RobustCost.class.getName(), one)
+                        .redirectOutput(ProcessBuilder.Redirect.INHERIT).start().waitFor();
+            }
+            return;
+        }
+        only = args[0];
+        compare("ray and sphere", rays(Solid.SPHERE), r -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]),
+                r -> CanonicalSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]));
+        compare("ray and cylinder", rays(Solid.CYLINDER), r -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]),
+                r -> CanonicalSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]));
+        compare("ray and cone", rays(Solid.CONE), r -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]),
+                r -> CanonicalSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]));
+        compare("stored point: rounded, or moved by its bound", rays(Solid.SPHERE), RobustCost::rounded, RobustCost::moved);
+        compare("V·R: as it is, or over the lengths", rays(Solid.SPHERE), RobustCost::dot, RobustCost::unitDot);
+        compare("power: of the library, or Lightning's own", powers(), r -> Math.pow(r[0], r[1]), r -> Power.of(r[0], r[1]));
+        Placement[] placements = placements();
+        compare("inverse of a placement: by cofactors, or turned back", indices(),
+                r -> cofactors(placements[(int) r[0]].transform()).m00(), r -> placements[(int) r[0]].directionsBack().m00());
+    }
+
+    private static void compare(String what, double[][] cases, ToDoubleFunction<double[]> textbook, ToDoubleFunction<double[]> robust) {
+        if (!what.contains(only)) {
+            return;
+        }
+        double[] textbooks = new double[TURNS];
+        double[] robusts = new double[TURNS];
+        for (int turn = 0; turn < TURNS; turn++) {
+            textbooks[turn] = nanoseconds(cases, textbook);
+            robusts[turn] = nanoseconds(cases, robust);
+        }
+        // The first half is for the compiler.
+        System.out.printf(Locale.ROOT, "%-52s %5.1f %10.1f%n", what, median(textbooks), median(robusts));
+    }
+
+    private static double nanoseconds(double[][] cases, ToDoubleFunction<double[]> formula) {
+        long start = System.nanoTime();
+        double sum = 0;
+        for (double[] one : cases) {
+            sum += formula.applyAsDouble(one);
+        }
+        sink += sum;
+        return (System.nanoTime() - start) / (double) cases.length;
+    }
+
+    private static double median(double[] times) {
+        double[] sorted = Arrays.copyOfRange(times, TURNS / 2, TURNS);
+        Arrays.sort(sorted);
+        return sorted[sorted.length / 2];
+    }
+
+    private static double[][] rays(Solid.Canonical solid) {
+        Random random = new Random(CanonicalSolids.PLAIN.indexOf(solid));
+        double[][] rays = new double[CASES][];
+        for (int i = 0; i < CASES; i++) {
+            Ray ray = HardRay.FROM_AFAR.make(solid, random);
+            Vec3 o = ray.origin();
+            Vec3 d = ray.direction();
+            rays[i] = new double[] {o.x(), o.y(), o.z(), d.x(), d.y(), d.z()};
+        }
+        return rays;
+    }
+
+    private static double[][] powers() {
+        Random random = new Random(1);
+        double[][] powers = new double[CASES][];
+        Arrays.setAll(powers, _ -> new double[] {random.nextDouble(), 100 * random.nextDouble()});
+        return powers;
+    }
+
+    private static double[][] indices() {
+        double[][] indices = new double[CASES][];
+        Arrays.setAll(indices, i -> new double[] {i % 64});
+        return indices;
+    }
+
+    private static Placement[] placements() {
+        Random random = new Random(1);
+        Placement[] placements = new Placement[64];
+        Arrays.setAll(placements, _ -> new Placement(HardRay.direction(random), HardRay.direction(random).times(90),
+                new Vec3(1 + random.nextDouble(), 1 + random.nextDouble(), 1 + random.nextDouble())));
+        return placements;
+    }
+
+    /** The three coordinates of a point as floats. */
+    private static double rounded(double[] r) {
+        return (float) r[0] + (float) r[1] + (float) r[2];
+    }
+
+    /** As {@link Surface#at} does it, the direction for the normal. */
+    private static double moved(double[] r) {
+        double off = (Math.abs(r[0] * r[3]) + Math.abs(r[1] * r[4]) + Math.abs(r[2] * r[5])) * Surface.OFFSET
+                + ((Math.abs(r[0]) + Math.abs(r[1]) + Math.abs(r[2])) * Surface.ERROR + Surface.ERROR);
+        return (float) (r[0] + r[3] * off) + (float) (r[1] + r[4] * off) + (float) (r[2] + r[5] * off);
+    }
+
+    private static double dot(double[] r) {
+        return r[0] * r[3] + r[1] * r[4] + r[2] * r[5];
+    }
+
+    private static double unitDot(double[] r) {
+        double lengths = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) * (r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
+        return dot(r) / Math.sqrt(lengths);
+    }
+
+    /** The inverse of a map without its translation, as one learns it. */
+    private static Transform cofactors(Transform m) {
+        double a = m.m11() * m.m22() - m.m12() * m.m21();
+        double b = m.m12() * m.m20() - m.m10() * m.m22();
+        double c = m.m10() * m.m21() - m.m11() * m.m20();
+        double d = 1 / (m.m00() * a + m.m01() * b + m.m02() * c);
+        return new Transform(a * d, (m.m02() * m.m21() - m.m01() * m.m22()) * d, (m.m01() * m.m12() - m.m02() * m.m11()) * d, 0,
+                b * d, (m.m00() * m.m22() - m.m02() * m.m20()) * d, (m.m02() * m.m10() - m.m00() * m.m12()) * d, 0,
+                c * d, (m.m01() * m.m20() - m.m00() * m.m21()) * d, (m.m00() * m.m11() - m.m01() * m.m10()) * d, 0);
+    }
+}

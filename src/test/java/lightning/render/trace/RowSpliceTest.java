@@ -1,0 +1,143 @@
+package lightning.render.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Array;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Clarity;
+import lightning.scene.Material;
+import lightning.scene.Picture;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.World;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** Rows put together anew keep all that stands in them, whatever columns there are. */
+class RowSpliceTest {
+    private static final int MATERIALS = 4;
+    private static final int PARENTS = 200;
+
+    @Property
+    void everyColumn_followsItsRow(@ForAll Random random, @ForAll @IntRange(min = 1, max = 100) int known,
+            @ForAll @IntRange(max = 100) int more) {
+        MaterialTable before = materials(random);
+        MaterialTable after = materials(random);
+        List<Short> parents = new ArrayList<>();
+        for (short p = 0; p < PARENTS; p++) {
+            parents.add(p);
+        }
+        Collections.shuffle(parents, random);
+        HitRows old = rows(random, parents.subList(0, known), before);
+        HitRows added = more == 0 ? null : rows(random, parents.subList(known, known + more), after);
+
+        HitRows now = RowSplice.joined(PARENTS, old, added, after).rows();
+
+        assertThat(now.count).isEqualTo(known + more);
+        assertThat(now.clear).isEqualTo(old.clear + (added == null ? 0 : added.clear));
+        for (int i = 0; i < now.count; i++) {
+            HitRows origin = rowOf(old, now.parent[i]) >= 0 ? old : added;
+            int row = rowOf(origin, now.parent[i]);
+            assertThat(material(now, i)).isEqualTo(material(origin, row));
+            for (HitRows.Column column : columns(now)) {
+                assertThat(Array.get(now.columns().get(column), i)).as(column + " of row " + i)
+                        .isEqualTo(Array.get(origin.columns().get(column), row));
+            }
+        }
+    }
+
+    /** All columns; those of what is behind clear surfaces where there are any. */
+    private static List<HitRows.Column> columns(HitRows rows) {
+        return Arrays.stream(HitRows.Column.values())
+                .filter(column -> rows.clear > 0 || !HitRows.Part.CLEAR.columns().contains(column)).toList();
+    }
+
+    @Test
+    void everyArrayOfRows_isAColumn() {
+        HitRows rows = new HitRows(1, true, true, true, true);
+        long arrays = Arrays.stream(HitRows.class.getFields()).filter(f -> f.getType().isArray())
+                .filter(f -> !f.getName().startsWith("run")).count();
+        assertThat(arrays).isEqualTo(HitRows.Column.values().length);
+        assertThat(HitRows.Column.values()).allMatch(column -> rows.columns().has(column));
+    }
+
+    /** Rows of drawn materials, all columns of them filled with anything. */
+    private static HitRows rows(Random random, List<Short> parents, MaterialTable materials) {
+        HitRows rows = new HitRows(parents.size(), true, true, true, true);
+        rows.count = parents.size();
+        for (HitRows.Column column : HitRows.Column.values()) {
+            Object array = rows.columns().get(column);
+            for (int i = 0; i < rows.count; i++) {
+                switch (column.element()) {
+                    case BYTE -> Array.setByte(array, i, (byte) random.nextInt());
+                    case SHORT -> Array.setShort(array, i, (short) random.nextInt());
+                    case INT -> Array.setInt(array, i, random.nextInt());
+                    case FLOAT -> Array.setFloat(array, i, random.nextFloat());
+                }
+            }
+        }
+        List<Integer> ranks = new ArrayList<>();
+        for (int i = 0; i < rows.count; i++) {
+            rows.parent[i] = parents.get(i);
+            ranks.add(random.nextInt(MATERIALS));
+        }
+        Collections.sort(ranks);
+        for (int i = 0; i < rows.count; i++) {
+            if (i + 1 == rows.count || !ranks.get(i).equals(ranks.get(i + 1))) {
+                rows.addRun(materials.ranked(ranks.get(i)), i + 1);
+            }
+        }
+        rows.reflective = (int) ranks.stream().filter(rank -> rank < materials.reflectiveCount()).count();
+        rows.clear = (int) ranks.stream().filter(rank -> rank < materials.clearCount()).count();
+        return rows;
+    }
+
+    private static int rowOf(HitRows rows, short parent) {
+        for (int i = 0; rows != null && i < rows.count; i++) {
+            if (rows.parent[i] == parent) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private static int material(HitRows rows, int row) {
+        int run = 0;
+        while (row >= rows.runEnd[run]) {
+            run++;
+        }
+        return rows.runMaterial[run];
+    }
+
+    /** All textured, so that texels are kept; some mirror, and one is clear. */
+    private static MaterialTable materials(Random random) {
+        Texture texture = new Texture(1, 1, new float[] {1, 1, 1});
+        List<String> names = new ArrayList<>();
+        List<Material> materials = new ArrayList<>();
+        for (int m = 0; m < MATERIALS; m++) {
+            names.add("m" + m);
+            materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.grey(random.nextInt(2)))
+                    .withClarity(m == 1 ? Clarity.NONE.withClear(Rgb.WHITE) : Clarity.NONE)
+                    .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
+        }
+        var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
+        Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
+        return new MaterialTable(names, Set.of(), new Scene(Picture.DEFAULT, camera, World.DEFAULT, materials, List.of(plane), List.of()),
+                null, MaterialTable.MIRRORS);
+    }
+}

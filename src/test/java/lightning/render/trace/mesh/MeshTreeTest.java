@@ -1,0 +1,25 @@
+package lightning.render.trace.mesh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import lightning.base.work.Wait;
+import lightning.sample.Meshes;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The trees of meshes, asked for by many threads. */
+class MeshTreeTest {
+    /** Enough for a tree to be built by several threads. */
+    private static final int TRIANGLES = 30_000;
+
+    @Test
+    // Threads that wait for each other do so for ever.
+    @Timeout(value = 5 * Wait.MOST_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void threadsOfTheCommonPool_canAllAskForTrees() {
+        long built = IntStream.range(0, 200).parallel().mapToObj(seed -> MeshTree.of(Meshes.soup(TRIANGLES, seed)))
+                .filter(tree -> tree.bytes() > 0).count();
+        assertThat(built).isEqualTo(200);
+    }
+}

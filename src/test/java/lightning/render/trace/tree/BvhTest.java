@@ -1,0 +1,220 @@
+package lightning.render.trace.tree;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Random;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.engine.lanes.PacketTracer;
+import lightning.render.engine.lanes.RayPacket;
+import lightning.render.engine.lanes.TraceRays;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.TraceScenes;
+import lightning.scene.Camera;
+import lightning.scene.Scene;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+class BvhTest {
+    private final RayPacket p = new RayPacket();
+
+    @Property
+    void singleRays_getTheAnswerOfAllShapes(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
+        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        TraceRays rays = new TraceRays(geometry, seed);
+        for (int n = 0; n < 10; n++) {
+            rays.fill(p);
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = TraceRays.ray(p, i);
+                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
+                assertThat(geometry.blocked(ray, p.limit[i])).isEqualTo(geometry.blockedByAny(ray, p.limit[i]));
+            }
+        }
+    }
+
+    /** Lights on shapes, above them, and away from all. */
+    @Property
+    void endsOfWaysAndWhatBlocksThem_areThoseOfAllShapes(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
+            @ForAll @IntRange(min = 0, max = 60) int up) {
+        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
+        TraceRays rays = new TraceRays(geometry, seed);
+        rays.fill(p);
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            Ray ray = TraceRays.ray(p, i);
+            int hit = geometry.nearestOfAll(ray);
+            double t = hit < 0 ? 1 : geometry.distance(hit, ray);
+            Vec3 light = ray.origin().plus(ray.direction().times(t * (1 - Math.scalb(1, -up))));
+            WayEnd end = geometry.end(light);
+            assertThat(end).usingRecursiveComparison().isEqualTo(geometry.endOfAll(light));
+            assertThat(geometry.blocker(ray.origin(), end)).isEqualTo(blockerOfAll(geometry, ray.origin(), end));
+        }
+    }
+
+    private static int blockerOfAll(Geometry geometry, Vec3 point, WayEnd end) {
+        Ray way = new Ray(point, end.point().minus(point));
+        int nearest = -1;
+        double least = 1;
+        for (int s = 0; s < geometry.primitiveCount(); s++) {
+            double t = geometry.distance(s, way, end);
+            if (t < least) {
+                least = t;
+                nearest = s;
+            }
+        }
+        return nearest;
+    }
+
+    @Property
+    void movedCamera_movesTheBoxesOfATreeThatKeepsItsForm(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
+            @ForAll @DoubleRange(min = -100, max = 100) double by) {
+        Scene scene = TraceScenes.wild(shapes, seed);
+        Geometry here = new Geometry(scene);
+        Camera camera = scene.camera();
+        Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
+        Scene moved = scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov()));
+        Geometry there = here.forScene(moved, MaterialTable.MIRRORS);
+        Geometry built = new Geometry(moved);
+        assertThat(there.bvh().child).isSameAs(here.bvh().child);
+        assertCovered(there.bvh());
+        for (int s = 0; s < shapes; s++) {
+            assertThat(box(there, s)).isEqualTo(box(built, s));
+        }
+        TraceRays rays = new TraceRays(there, seed);
+        rays.fill(p);
+        for (int i = 0; i < RayPacket.WIDTH; i++) {
+            Ray ray = TraceRays.ray(p, i);
+            assertThat(there.nearest(ray)).isEqualTo(there.nearestOfAll(ray));
+            assertThat(there.blocked(ray, p.limit[i])).isEqualTo(there.blockedByAny(ray, p.limit[i]));
+        }
+    }
+
+    @Test
+    void turnedCamera_changesNothing() {
+        Scene scene = TraceScenes.cloud(10, 1);
+        Camera camera = scene.camera();
+        Geometry here = new Geometry(scene);
+        Vec3 to = camera.from().plus(new Vec3(1, 2, 3));
+        assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), MaterialTable.MIRRORS)).isSameAs(here);
+    }
+
+    @Test
+    void otherShapes_haveATreeOfTheirOwn() {
+        Geometry few = new Geometry(TraceScenes.cloud(10, 1));
+        assertThat(few.forScene(TraceScenes.cloud(11, 1), MaterialTable.MIRRORS).primitiveCount()).isEqualTo(11);
+    }
+
+    @Test
+    void emptyScene_isMissed() {
+        Geometry geometry = new Geometry(TraceScenes.cloud(0, 1));
+        Ray ray = new Ray(Vec3.ZERO, new Vec3(0, 0, -1));
+        assertThat(geometry.nearest(ray)).isEqualTo(-1);
+        assertThat(geometry.blocked(ray, Double.POSITIVE_INFINITY)).isFalse();
+    }
+
+    @Test
+    void everyShape_isInOneLeaf() {
+        Bvh bvh = new Geometry(TraceScenes.cloud(1000, 1)).bvh();
+        boolean[] seen = new boolean[1000];
+        for (int c : bvh.child) {
+            if (c < 0) {
+                assertThat(seen[~c]).isFalse();
+                seen[~c] = true;
+            }
+        }
+        assertThat(seen).doesNotContain(false);
+    }
+
+    @Test
+    void childBoxes_coverAllBelowThem() {
+        assertCovered(new Geometry(TraceScenes.cloud(300, 2)).bvh());
+    }
+
+    private static float[] box(Geometry geometry, int s) {
+        int at = geometry.bvh().leaf[s];
+        return Arrays.copyOfRange(geometry.bvh().boxes, at, at + 6);
+    }
+
+    private static void assertCovered(Bvh bvh) {
+        for (int i = 0; i < bvh.child.length; i++) {
+            int c = bvh.child[i];
+            for (int inner = 0; c >= 0 && inner < 2; inner++) {
+                int at = 12 * c + 6 * inner;
+                for (int a = 0; a < 3; a++) {
+                    assertThat(bvh.boxes[6 * i + a]).isLessThanOrEqualTo(bvh.boxes[at + a]);
+                    assertThat(bvh.boxes[6 * i + 3 + a]).isGreaterThanOrEqualTo(bvh.boxes[at + 3 + a]);
+                }
+            }
+        }
+    }
+
+    @Test
+    void thousandShapesInOneSpot_makeAShallowTreeAndTheFirstWins() {
+        Geometry geometry = new Geometry(TraceScenes.heap(1000));
+        assertThat(geometry.bvh().depth).isLessThanOrEqualTo(11);
+        Ray ray = new Ray(Vec3.ZERO, geometry.toRenderSpace(Vec3.ZERO));
+        assertThat(geometry.nearest(ray)).isZero();
+        PacketTracer tracer = new PacketTracer(geometry);
+        Arrays.fill(p.dz, -1);
+        tracer.nearest(p, RayPacket.WIDTH);
+        assertThat(p.primitive).containsOnly(0);
+    }
+
+    /** Distances that grow by a factor would make a split by surface area peel off one shape at a time. */
+    @Test
+    void shapesAtGrowingDistances_keepTheDepthBounded() {
+        float[] boxes = new float[6 * 120];
+        for (int s = 0; s < 120; s++) {
+            float at = (float) Math.pow(2, s - 60);
+            Arrays.fill(boxes, 6 * s, 6 * s + 3, at);
+            Arrays.fill(boxes, 6 * s + 3, 6 * s + 6, at * 1.01f);
+        }
+        assertThat(new BvhBuilder(boxes).depth).isLessThan(70);
+    }
+
+    @Test
+    void millionShapes_areBuiltInSeconds() {
+        Random random = new Random(1);
+        float[] boxes = new float[6_000_000];
+        for (int s = 0; s < 1_000_000; s++) {
+            for (int a = 0; a < 3; a++) {
+                boxes[6 * s + a] = random.nextFloat();
+                boxes[6 * s + 3 + a] = boxes[6 * s + a] + 0.01f;
+            }
+        }
+        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadCpuTime();
+        assertThat(new BvhBuilder(boxes).depth).isBetween(20, 60);
+        // Of the processor, so that other work on the machine does not count.
+        assertThat(Duration.ofNanos(threads.getCurrentThreadCpuTime() - before)).isLessThan(Duration.ofSeconds(30));
+    }
+
+    /** Skewed so much that the inverse map is noise: boxes say nothing, all shapes must be asked. */
+    @Property
+    void shapesBeyondNumbers_areStillFoundTheSame(@ForAll long seed) {
+        Geometry geometry;
+        try {
+            geometry = new Geometry(TraceScenes.skewed(6, seed));
+        } catch (IllegalArgumentException refused) {
+            return;
+        }
+        PacketTracer tracer = new PacketTracer(geometry.bvh(), 1);
+        TraceRays rays = new TraceRays(geometry, seed);
+        for (int n = 0; n < 20; n++) {
+            rays.fill(p);
+            tracer.nearest(p, RayPacket.WIDTH);
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = TraceRays.ray(p, i);
+                assertThat(p.primitive[i]).isEqualTo(geometry.nearestOfAll(ray));
+                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
+            }
+        }
+    }
+}

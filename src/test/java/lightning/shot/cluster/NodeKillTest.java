@@ -1,0 +1,160 @@
+package lightning.shot.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import lightning.base.text.Release;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenReader;
+import lightning.format.jen.PropertyEdit;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.shot.FrameState;
+import lightning.shot.KeeperGoneException;
+import lightning.shot.RelitShot;
+import lightning.shot.ShotListener;
+import lightning.shot.Take;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Three nodes, each a process, that are killed at random moments while edits go on, and started anew: every film of every frame is held
+ * against its full trace. {@code -Dlightning.kills=100} kills as often, and stops every tenth for so long that it counts as lost.
+ */
+final class NodeKillTest {
+    private static final int KILLS = Integer.getInteger("lightning.kills", 1);
+    private static final int NODES = 3;
+    private static final int LAST = 12;
+    private static final long PATIENCE_NANOSECONDS = 240_000_000_000L;
+    /** Longer than silence and question together. */
+    private static final long STOPPED_MILLISECONDS = 22_000;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    @EnabledOnOs({OS.LINUX, OS.MAC})
+    void nodesThatAreKilledAtRandomMoments_costNoFrame() throws Exception {
+        Take take = take();
+        SelfSigned.write(folder.resolve("shared.p12"));
+        List<Integer> ports = new ArrayList<>();
+        for (int i = 0; i < NODES; i++) {
+            ports.add(FreePort.next());
+        }
+        var random = new Random(KILLS);
+        var lost = new AtomicInteger();
+        var listener = new ShotListener() {
+            @Override
+            public void gone(KeeperGoneException problem) {
+                lost.incrementAndGet();
+            }
+        };
+        List<NodeProcess> nodes = new ArrayList<>();
+        try {
+            for (int port : ports) {
+                nodes.add(new NodeProcess(port, ports, folder));
+            }
+            InetAddress here = InetAddress.getLoopbackAddress();
+            var place = new Place(here, Place.ASKING_PORT, Place.ASKING_PORTS,
+                    ports.stream().map(port -> new InetSocketAddress(here, port)).toList(), folder.resolve("shared.p12"),
+                    Place.Timing.DEFAULT);
+            try (RelitShot shot = RelitShot.of(1, LAST, listener);
+                    Machines machines = new Machines(new TlsNetwork(place), Release.ofMachine(), folder, shot, _ -> {});
+                    Workers workers = new Workers(2)) {
+                machines.start();
+                await("all nodes are in use", () -> machines.count() == NODES);
+                shot.edit(take);
+                awaitAll(shot);
+                for (int kill = 0; kill < KILLS; kill++) {
+                    take = new Take(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
+                    shot.edit(take);
+                    shot.focus(1 + random.nextInt(LAST));
+                    Thread.sleep(random.nextInt(150));
+                    int which = random.nextInt(NODES);
+                    if (kill % 10 == 9) {
+                        nodes.get(which).stop(true);
+                        Thread.sleep(STOPPED_MILLISECONDS);
+                        take = new Take(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
+                        shot.edit(take);
+                        Thread.sleep(random.nextInt(500));
+                        nodes.get(which).stop(false);
+                    } else {
+                        nodes.get(which).kill();
+                        nodes.set(which, new NodeProcess(ports.get(which), ports, folder));
+                    }
+                    checkAll(shot, take, workers);
+                }
+                // A node that held no frame is missed by nobody before its silence tells.
+                await("a node is known to be lost", () -> lost.get() > 0);
+            }
+        } finally {
+            for (NodeProcess node : nodes) {
+                node.kill();
+            }
+        }
+    }
+
+    /** With rays and without. */
+    private static String edit(Random random) {
+        return switch (random.nextInt(3)) {
+            case 0 -> "lamp.intensity=" + (1 + random.nextInt(100)) / 50.0;
+            case 1 -> "lamp.at=" + (random.nextInt(80) - 40) / 10.0 + " 4 5";
+            default -> "material:red.diffuse=0." + (1 + random.nextInt(8)) + " 0.2 0.1";
+        };
+    }
+
+    private Take take() throws Exception {
+        Path scene = Files.writeString(folder.resolve("a.jen"), """
+                jen 1
+                picture { size 160 100  depth 2 }
+                camera { from 0 2 7  to 0 0.5 0  fov 35 }
+                material floor { diffuse 0.7 0.7 0.6  reflective 0.2 0.3 0.2 }
+                material red { diffuse 0.8 0.1 0.1  specular 0.4 0.4 0.4  shininess 20 }
+                plane ground { material floor  scale 8 1 8 }
+                sphere ball { material red  at 0 1 0 }
+                cone hat { material red  at 2 0 0.5 }
+                light lamp point { at -3 4 3  attenuation 0.2 0.1 0.02 }
+                light stage spot { at 0 5 3  direction 0 -5 -3  angle 20  dropoff 4 }
+                shot { frames 1 12 camera { from { 1 0 2 7  12 3 2 6 } } }
+                """);
+        JenDocument document = JenReader.read(scene);
+        return new Take(document.scene(), document.shot().orElseThrow());
+    }
+
+    private static void awaitAll(RelitShot shot) throws InterruptedException {
+        await("all frames are current", shot::isIdle);
+    }
+
+    private static void await(String what, BooleanSupplier holds) throws InterruptedException {
+        long start = System.nanoTime();
+        while (!holds.getAsBoolean()) {
+            assertThat(System.nanoTime() - start).as("nanoseconds until " + what).isLessThan(PATIENCE_NANOSECONDS);
+            Thread.sleep(5);
+        }
+    }
+
+    private static void checkAll(RelitShot shot, Take take, Workers workers) throws InterruptedException {
+        for (int frame = 1; frame <= LAST; frame++) {
+            Film film = null;
+            while (film == null) {
+                awaitAll(shot);
+                assertThat(shot.state(frame)).isIn(FrameState.CURRENT, FrameState.MISSING);
+                film = shot.film(frame).orElse(null);
+            }
+            Film traced = new TraditionalTracer(take.at(frame)).trace(workers, Progress.NONE).film();
+            assertThat(film.sameBits(traced)).as("frame " + frame).isTrue();
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package lightning.shot.cluster;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.Wait;
+
+/** A node in a process of its own, as the command line starts it. */
+final class NodeProcess implements AutoCloseable {
+    private final Process process;
+
+    /**
+     * @param port   its own
+     * @param others ports that it joins, its own too
+     * @param folder for its certificate {@code shared.p12}, its content and what it says
+     */
+    NodeProcess(int port, List<Integer> others, Path folder, String... more) throws IOException {
+        List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector",
+                "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main",
+                "node", "--certificate", folder.resolve("shared.p12").toString(), "--port", String.valueOf(port), "--folder",
+                folder.toString()));
+        for (int other : others) {
+            line.addAll(List.of("--join", "127.0.0.1:" + other));
+        }
+        line.addAll(List.of(more));
+        process = new ProcessBuilder(line).redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.appendTo(new File(folder.toFile(), "node-" + port + ".log"))).start();
+    }
+
+    long pid() {
+        return process.pid();
+    }
+
+    /** Waits until it ends by itself; returns its exit code. */
+    int exit() throws InterruptedException {
+        if (!process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)) {
+            throw new IllegalStateException("a process that does not end");
+        }
+        return process.exitValue();
+    }
+
+    /** Ends it in the midst of whatever it does. */
+    void kill() throws InterruptedException {
+        process.destroyForcibly();
+        if (!process.waitFor(60, TimeUnit.SECONDS)) {
+            throw new IllegalStateException("a process that does not end");
+        }
+    }
+
+    /** Stops it, or lets it go on: what a network that is cut looks like to others. */
+    void stop(boolean is) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", is ? "-STOP" : "-CONT", String.valueOf(pid())).start().waitFor();
+    }
+
+    @Override
+    public void close() throws InterruptedException {
+        kill();
+    }
+}

@@ -1,0 +1,63 @@
+package lightning.shot.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.Wait;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The command, as a process, with nodes that are processes. */
+final class RelightElsewhereTest {
+    private static final int PATIENCE_SECONDS = 240;
+
+    @TempDir
+    private Path folder;
+
+    private String run(int exit, String... words) throws Exception {
+        List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector",
+                "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main"));
+        line.addAll(List.of(words));
+        Path said = folder.resolve("said");
+        Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(said.toFile()).start();
+        assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)).as(Files.readString(said)).isTrue();
+        assertThat(process.exitValue()).as(Files.readString(said)).isEqualTo(exit);
+        return Files.readString(said);
+    }
+
+    @Test
+    void pictures_areThoseOfTheCommandWithoutACluster_andOthersCertificatesGetNone() throws Exception {
+        String certificate = folder.resolve("shared.p12").toString();
+        assertThat(run(0, "node", "--make-certificate", certificate)).contains("a new key with its certificate");
+        int port = FreePort.next();
+        String[] words = {"shot", "relight", "scenes/dusk.jen", "--frames", "1-4", "--size", "60x40", "--set", "sky.on=no", "--then",
+            "--set", "world.ambience=0.3"};
+        try (var _ = new NodeProcess(port, List.of(port), folder)) {
+            // A command waits for a node that is there for half a minute, in which no Java need start.
+            Wait.until("the node takes part", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("a node at"));
+            String said =
+                    run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port, "--certificate",
+                            certificate));
+            assertThat(said).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them traced again");
+            run(0, with(words, "-o", folder.resolve("here").toString()));
+            for (String file : List.of("1/dusk-0001.png", "1/dusk-0004.png", "2/dusk-0003.png")) {
+                assertThat(folder.resolve("elsewhere").resolve(file)).hasSameBinaryContentAs(folder.resolve("here").resolve(file));
+            }
+            String other = folder.resolve("other.p12").toString();
+            SelfSigned.write(Path.of(other));
+            assertThat(
+                    run(2, with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other)))
+                    .contains("no node answers at 127.0.0.1:" + port + ":").contains("another certificate").doesNotContain("Exception");
+        }
+    }
+
+    private static String[] with(String[] words, String... more) {
+        List<String> all = new ArrayList<>(List.of(words));
+        all.addAll(List.of(more));
+        return all.toArray(String[]::new);
+    }
+}

@@ -1,0 +1,38 @@
+package lightning.shot.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import lightning.base.work.Wait;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Nodes as processes that are given one folder, as machines with one home folder are. */
+final class SharedFolderTest {
+    private static final String REFUSED = "another node uses this folder; name another one with --folder";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void secondNodeOfAFolder_isRefused_andTheFolderOfAKilledOneIsFree() throws Exception {
+        SelfSigned.write(folder.resolve("shared.p12"));
+        int port = FreePort.next();
+        Path log = folder.resolve("node-" + port + ".log");
+        var first = new NodeProcess(port, List.of(), folder);
+        try (first) {
+            Wait.until("the node takes part", () -> Files.readString(log).contains("a node at"));
+            assertThat(folder.resolve("lightning-node-127.0.0.1-" + port)).isDirectory();
+            try (var second = new NodeProcess(port, List.of(), folder)) {
+                assertThat(second.exit()).isEqualTo(2);
+            }
+            assertThat(Files.readString(log)).contains("lightning-node-127.0.0.1-" + port + ": " + REFUSED).doesNotContain("Exception");
+        }
+        Files.delete(log);
+        try (var _ = new NodeProcess(port, List.of(), folder)) {
+            Wait.until("the node takes part", () -> Files.readString(log).contains("a node at"));
+        }
+    }
+}

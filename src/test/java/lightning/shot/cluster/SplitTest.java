@@ -1,0 +1,145 @@
+package lightning.shot.cluster;
+
+import java.lang.reflect.Field;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import lightning.base.work.Wait;
+import org.jgroups.JChannel;
+import org.jgroups.protocols.DISCARD;
+import org.jgroups.protocols.TCP;
+import org.jgroups.stack.ProtocolStack;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Parts of a cluster that lost each other, or never met, become one: in each pair of members both hear the other. */
+final class SplitTest {
+    private static final Place.Timing QUICK = new Place.Timing(4000, 1000, 1000);
+    private static final int MEMBERS = 4;
+    private static final int HALF = MEMBERS / 2;
+    private static final long PAUSE_MILLISECONDS = 200;
+
+    @TempDir
+    private Path folder;
+
+    /** A member, and what its messages are lost by. */
+    private static final class End implements Network.Listener, AutoCloseable {
+        final TlsNetwork network;
+        private final Set<Member> heard = ConcurrentHashMap.newKeySet();
+        private volatile Set<Member> others = Set.of();
+        private JChannel channel;
+        private DISCARD discard;
+
+        End(Place place) {
+            network = new TlsNetwork(place);
+        }
+
+        void join() throws Exception {
+            network.join(this);
+            Field field = TlsNetwork.class.getDeclaredField("channel");
+            field.setAccessible(true);
+            channel = (JChannel) field.get(network);
+            discard = new DISCARD();
+            channel.getProtocolStack().insertProtocol(discard, ProtocolStack.Position.ABOVE, TCP.class);
+        }
+
+        /** Loses all messages of another member from here on. */
+        void lose(End other) {
+            discard.addIgnoreMember(other.channel.getAddress());
+        }
+
+        void loseNone() {
+            discard.resetIgnoredMembers();
+        }
+
+        @Override
+        public void heard(Member from, byte[] bytes) {
+            heard.add(from);
+        }
+
+        @Override
+        public void changed(Set<Member> now) {
+            others = now;
+        }
+
+        @Override
+        public void close() {
+            network.close();
+        }
+    }
+
+    @Test
+    void halvesThatLostEachOther_areOneAgain() throws Exception {
+        SelfSigned.write(folder.resolve("shared.p12"));
+        List<End> ends = new ArrayList<>();
+        try {
+            int first = FreePort.next();
+            ends.add(join(first, List.of()));
+            for (int i = 1; i < MEMBERS; i++) {
+                ends.add(join(FreePort.next(), List.of(first)));
+            }
+            awaitOthers(ends, MEMBERS - 1);
+            for (End one : ends.subList(0, HALF)) {
+                for (End other : ends.subList(HALF, MEMBERS)) {
+                    one.lose(other);
+                    other.lose(one);
+                }
+            }
+            awaitOthers(ends, HALF - 1);
+            ends.forEach(End::loseNone);
+            awaitAllReachAll(ends);
+        } finally {
+            close(ends);
+        }
+    }
+
+    /** Two members of each half know neither address of the other half: a view of all is worth nothing before they learn them. */
+    @Test
+    void halvesThatStartedApart_areOne() throws Exception {
+        SelfSigned.write(folder.resolve("shared.p12"));
+        List<End> ends = new ArrayList<>();
+        try {
+            int first = FreePort.next();
+            int second = FreePort.next();
+            ends.add(join(second, List.of(first)));
+            ends.add(join(FreePort.next(), List.of(second)));
+            awaitOthers(ends, HALF - 1);
+            ends.add(join(first, List.of()));
+            ends.add(join(FreePort.next(), List.of(first)));
+            awaitAllReachAll(ends);
+        } finally {
+            close(ends);
+        }
+    }
+
+    private End join(int port, List<Integer> others) throws Exception {
+        InetAddress here = InetAddress.getLoopbackAddress();
+        List<InetSocketAddress> join = others.stream().map(other -> new InetSocketAddress(here, other)).toList();
+        var end = new End(new Place(here, port, 1, join, folder.resolve("shared.p12"), QUICK));
+        end.join();
+        return end;
+    }
+
+    private static void close(List<End> ends) {
+        ends.forEach(End::close);
+    }
+
+    private static void awaitOthers(List<End> ends, int count) throws Exception {
+        Wait.until("each member sees " + count + " others", () -> ends.stream().allMatch(end -> end.others.size() == count));
+    }
+
+    /** Messages tell more than views: members of one view may lack each other's addresses. */
+    private static void awaitAllReachAll(List<End> ends) throws Exception {
+        awaitOthers(ends, MEMBERS - 1);
+        ends.forEach(end -> end.heard.clear());
+        Wait.until("each member hears all others", () -> {
+            ends.forEach(end -> end.others.forEach(other -> end.network.send(other, new byte[1])));
+            Thread.sleep(PAUSE_MILLISECONDS);
+            return ends.stream().allMatch(end -> end.heard.size() == MEMBERS - 1);
+        });
+    }
+}

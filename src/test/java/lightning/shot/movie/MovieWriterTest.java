@@ -1,0 +1,114 @@
+package lightning.shot.movie;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import lightning.base.file.SafeFile;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Films made by ffmpeg; without it only what is told then is tested. */
+class MovieWriterTest {
+    @TempDir
+    Path folder;
+
+    static boolean hasFfmpeg() {
+        return Ffmpeg.installed().isPresent();
+    }
+
+    private static Film gray(int width, int height, float light) {
+        float[] rgb = new float[3 * width * height];
+        Arrays.fill(rgb, light);
+        return Film.ofScanlines(width, height, rgb);
+    }
+
+    private void write(Ffmpeg ffmpeg, Path file, double rate, Film... films) throws IOException {
+        SafeFile.at(file).writeByName(temporary -> {
+            try (var movie = new MovieWriter(ffmpeg, MovieKind.of(file).orElseThrow(), rate, ViewTransform.DEFAULT, temporary)) {
+                for (Film film : films) {
+                    movie.add(film);
+                }
+                movie.finish();
+            }
+        });
+    }
+
+    private static String output(String... command) throws Exception {
+        Process process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).isZero();
+        return out.strip();
+    }
+
+    private List<Path> files() throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.toList();
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    @EnabledIf("hasFfmpeg")
+    void film_hasItsFramesItsRateAndAnEvenSize(MovieKind kind) throws Exception {
+        Path file = folder.resolve("a" + kind.ending());
+        write(Ffmpeg.required(), file, 12.5, gray(33, 17, 0), gray(33, 17, 0.2f), gray(33, 17, 1));
+        assertThat(output("ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                "stream=width,height,r_frame_rate,nb_read_frames,pix_fmt", "-of", "csv=p=0", file.toString()))
+                .isEqualTo("34,18,yuv420p,25/2,3");
+        assertThat(files()).containsExactly(file);
+    }
+
+    @Test
+    @EnabledIf("hasFfmpeg")
+    void pictures_areAsTheDisplayShowsThem() throws Exception {
+        Path file = folder.resolve("a.mp4");
+        write(Ffmpeg.required(), file, 24, gray(16, 16, 0), gray(16, 16, 0.2f), gray(16, 16, 1));
+        Path raw = folder.resolve("raw");
+        output("ffmpeg", "-v", "error", "-i", file.toString(), "-f", "rawvideo", "-pix_fmt", "rgb24", raw.toString());
+        byte[] pixels = Files.readAllBytes(raw);
+        for (int i = 0; i < 3; i++) {
+            int wanted = ViewTransform.DEFAULT.encode(new float[] {0, 0.2f, 1}[i]);
+            // A film keeps brightness in 219 steps, and no more of it than its encoder does.
+            assertThat(pixels[i * 3 * 256] & 0xFF).isBetween(wanted - 3, wanted + 3);
+        }
+    }
+
+    @Test
+    @EnabledIf("hasFfmpeg")
+    void filmThatCannotBeMade_isToldAndLeavesTheOldOne() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.mp4"), "old");
+        Path script = Files.writeString(folder.resolve("ffmpeg"), "#!/bin/sh\necho 'no codec here' >&2\nexit 3\n");
+        Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwxr-xr-x"));
+        assertThatThrownBy(() -> write(new Ffmpeg(script), file, 24, gray(400, 400, 0), gray(400, 400, 0))).isInstanceOf(IOException.class)
+                .hasMessage("ffmpeg could not make the film: no codec here");
+        assertThat(Files.readString(file)).isEqualTo("old");
+        assertThat(files()).containsExactlyInAnyOrder(file, script);
+    }
+
+    @Test
+    void ffmpeg_isTheFirstProgramOfThatNameOnThePath() throws Exception {
+        Path first = Files.createDirectory(folder.resolve("first"));
+        Path second = Files.createDirectory(folder.resolve("second"));
+        Files.writeString(first.resolve("ffmpeg"), "no program");
+        Path program = Files.writeString(second.resolve("ffmpeg"), "#!/bin/sh\n");
+        Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
+        assertThat(Ffmpeg.in(first + File.pathSeparator + File.pathSeparator + second)).contains(new Ffmpeg(program));
+        assertThat(Ffmpeg.in(first.toString())).isEmpty();
+        assertThat(Ffmpeg.in(null)).isEmpty();
+        assertThat(Ffmpeg.missing()).contains("ffmpeg, which is not installed here");
+    }
+}
