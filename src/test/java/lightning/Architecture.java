@@ -101,7 +101,7 @@ final class Architecture {
                     "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
                     + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
             row("shot",
-                    "base.text base.work base.file scene scene.shot render.column render.image render.trace render.cache"
+                    "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                     + " render.relight.plan render.relight.tile render.relight"),
             row("shot.cluster.wire", "base.text"),
             row("shot.cluster",
