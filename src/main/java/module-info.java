@@ -16,6 +16,9 @@ module lightning {
     requires org.kordamp.ikonli.javafx;
     requires org.kordamp.ikonli.materialdesign2;
     requires org.jgroups;
+    // Annotations of the compiler alone: the program runs without these.
+    requires static io.soabase.recordbuilder.core;
+    requires static java.compiler;
 
     exports lightning.editor.window to javafx.graphics;
     opens lightning.cli to info.picocli;

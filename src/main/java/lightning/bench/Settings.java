@@ -1,5 +1,6 @@
 package lightning.bench;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
@@ -23,8 +24,9 @@ import lightning.bench.accuracy.PaperCases;
  * @param processes   how many processes that begin cold render each picture, 0 for none
  * @param quick       whether it is the small selection
  */
+@RecordBuilder
 public record Settings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs, int threads,
-        long seed, boolean curves, boolean editing, boolean meshes, boolean effects, boolean peers, int processes, boolean quick) {
+        long seed, boolean curves, boolean editing, boolean meshes, boolean effects, boolean peers, int processes, boolean quick) implements SettingsBuilder.With {
     /** The paper's pictures (§4.1), and today's. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
     private static final int PROCESSES = 10;
@@ -45,61 +47,39 @@ public record Settings(List<PictureSize> sizes, int figure, int values, boolean 
         return new Settings(QUICK_SIZES, 0, 1, false, 3, 0, threads, seed, true, true, true, false, false, 0, true);
     }
 
-    public Settings withSizes(List<PictureSize> v) {
-        return new Settings(v, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
-                processes,
-                quick);
-    }
-
-    /** Another number of values of each edit. */
-    public Settings withValues(int v) {
-        return new Settings(sizes, figure, v, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
-                processes, quick);
-    }
-
     /** Nothing of what edits alone need: no effects, no whole processes. */
     public Settings editsAndCurves() {
-        return new Settings(sizes, figure, values, further, repetitions, patienceMs, threads, seed, curves, false, false, false, peers, 0,
-                quick);
-    }
-
-    public Settings withRepetitions(int v) {
-        return new Settings(sizes, figure, values, further, v, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
-                processes,
-                quick);
+        return with(s -> s.editing(false).meshes(false).effects(false).processes(0));
     }
 
     /** The edits of one figure alone, without curves. */
+    @Override
     public Settings withFigure(int v) {
-        return new Settings(sizes, v, values, false, repetitions, patienceMs, threads, seed, false, false, false, false, peers, 0, quick);
+        return editsAndCurves().with(s -> s.figure(v).further(false).curves(false));
     }
 
     /** What effects take, and nothing else but the first pass. */
     public Settings effectsAlone() {
-        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, false, false, true, false, 0, quick);
+        return firstPassAlone().withEffects(true);
     }
 
     /** Processes that begin cold, and nothing else but the first pass. */
     public Settings coldAlone() {
-        return new Settings(sizes, 0, 0, false, repetitions, patienceMs, threads, seed, false, false, false, false, false, PROCESSES,
-                quick);
+        return firstPassAlone().withProcesses(PROCESSES);
     }
 
     /** What editing large scenes costs, and nothing else. */
     public Settings editingAlone() {
-        return new Settings(List.of(), 0, 0, false, repetitions, patienceMs, threads, seed, false, true, false, false, false, 0, quick);
+        return firstPassAlone().with(s -> s.sizes(List.of()).editing(true));
     }
 
     /** How fast rays are traced against meshes, and nothing else. */
     public Settings meshesAlone() {
-        return new Settings(List.of(), 0, 0, false, repetitions, patienceMs, threads, seed, false, false, true, false, peers, 0, quick);
+        return firstPassAlone().with(s -> s.sizes(List.of()).meshes(true).peers(peers));
     }
 
-    /** Another number of processes that begin cold. */
-    public Settings withProcesses(int v) {
-        return new Settings(sizes, figure, values, further, repetitions, patienceMs, threads, seed, curves, editing, meshes, effects, peers,
-                v,
-                quick);
+    private Settings firstPassAlone() {
+        return withFigure(0).with(s -> s.values(0).peers(false));
     }
 
     /** Whether times are worth something: code is warmed up. */

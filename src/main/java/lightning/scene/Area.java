@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.math.Vec3;
 
 /**
@@ -12,33 +13,10 @@ import lightning.base.math.Vec3;
  * @param up      to where a rectangle's height goes, as far as its direction lets it, any length
  * @param samples of how many points, or directions, its light is the mean
  */
-public record Area(double radius, double spread, double width, double height, Vec3 up, int samples) {
+@RecordBuilder
+public record Area(double radius, double spread, double width, double height, Vec3 up, int samples) implements AreaBuilder.With {
     /** What a light has of which nothing else was said. */
     public static final Area DEFAULT = new Area(0, 0, 1, 1, Vec3.Y, 16);
-
-    public Area withRadius(double v) {
-        return new Area(v, spread, width, height, up, samples);
-    }
-
-    public Area withSpread(double v) {
-        return new Area(radius, v, width, height, up, samples);
-    }
-
-    public Area withWidth(double v) {
-        return new Area(radius, spread, v, height, up, samples);
-    }
-
-    public Area withHeight(double v) {
-        return new Area(radius, spread, width, v, up, samples);
-    }
-
-    public Area withUp(Vec3 v) {
-        return new Area(radius, spread, width, height, v, samples);
-    }
-
-    public Area withSamples(int v) {
-        return new Area(radius, spread, width, height, up, v);
-    }
 
     /**
      * The unit vector along a rectangle's width: across its direction and {@link #up}, or across the direction and that axis which

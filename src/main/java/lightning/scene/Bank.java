@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.List;
 import lightning.base.math.Rgb;
 
@@ -13,7 +14,8 @@ import lightning.base.math.Rgb;
  * @param on        whether any of them shines
  * @param solo      whether they are all solo
  */
-public record Bank(String name, Rgb color, double intensity, boolean on, boolean solo) {
+@RecordBuilder
+public record Bank(String name, Rgb color, double intensity, boolean on, boolean solo) implements BankBuilder.With {
     public static final Attribute<Bank, Rgb> COLOR = new Attribute<>("color", "color", Quantity.color(1), Rgb.WHITE,
             "linear factors of the lights' colours", Bank::color, Bank::withColor);
     public static final Attribute<Bank, Double> INTENSITY = new Attribute<>("intensity", "intensity",
@@ -45,25 +47,5 @@ public record Bank(String name, Rgb color, double intensity, boolean on, boolean
         return light.withBank("").withColor(light.color().times(color))
                 .withIntensity(Math.min(light.intensity() * intensity, Limits.MAX_INTENSITY))
                 .withOn(light.on() && on).withSolo(light.solo() || solo);
-    }
-
-    public Bank withName(String v) {
-        return new Bank(v, color, intensity, on, solo);
-    }
-
-    public Bank withColor(Rgb v) {
-        return new Bank(name, v, intensity, on, solo);
-    }
-
-    public Bank withIntensity(double v) {
-        return new Bank(name, color, v, on, solo);
-    }
-
-    public Bank withOn(boolean v) {
-        return new Bank(name, color, intensity, v, solo);
-    }
-
-    public Bank withSolo(boolean v) {
-        return new Bank(name, color, intensity, on, v);
     }
 }

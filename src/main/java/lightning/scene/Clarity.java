@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.math.Rgb;
 
 /**
@@ -12,7 +13,8 @@ import lightning.base.math.Rgb;
  * @param tintDistance scene units
  * @param shadows      which shadows shapes of the material throw, whether it is clear or not
  */
-public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tintDistance, ShadowsThrown shadows) {
+@RecordBuilder
+public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tintDistance, ShadowsThrown shadows) implements ClarityBuilder.With {
     /** A surface that nothing passes through. */
     public static final Clarity NONE = new Clarity(MaterialAttribute.CLEAR.initial(), MaterialAttribute.IOR.initial(),
             MaterialAttribute.THIN.initial(), MaterialAttribute.TINT.initial(), MaterialAttribute.TINT_DISTANCE.initial(),
@@ -23,30 +25,6 @@ public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tint
         MaterialAttribute.IOR.check(ior);
         MaterialAttribute.TINT.check(tint);
         MaterialAttribute.TINT_DISTANCE.check(tintDistance);
-    }
-
-    public Clarity withClear(Rgb v) {
-        return new Clarity(v, ior, thin, tint, tintDistance, shadows);
-    }
-
-    public Clarity withIor(double v) {
-        return new Clarity(clear, v, thin, tint, tintDistance, shadows);
-    }
-
-    public Clarity withThin(boolean v) {
-        return new Clarity(clear, ior, v, tint, tintDistance, shadows);
-    }
-
-    public Clarity withTint(Rgb v) {
-        return new Clarity(clear, ior, thin, v, tintDistance, shadows);
-    }
-
-    public Clarity withTintDistance(double v) {
-        return new Clarity(clear, ior, thin, tint, v, shadows);
-    }
-
-    public Clarity withShadows(ShadowsThrown v) {
-        return new Clarity(clear, ior, thin, tint, tintDistance, v);
     }
 
     /** Whether anything is seen through the surface. */

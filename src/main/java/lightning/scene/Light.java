@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
@@ -21,10 +22,11 @@ import lightning.base.math.Vec3;
  * @param illuminates which shapes it shines on
  * @param shadowedBy  which shapes throw shadows in its light
  */
+@RecordBuilder
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
         Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo,
         Optional<Profile> profile, Area area, boolean on,
-        boolean solo, String bank, Links illuminates, Links shadowedBy) {
+        boolean solo, String bank, Links illuminates, Links shadowedBy) implements LightBuilder.With {
 
     public Light {
         Limits.name(name);
@@ -69,117 +71,6 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
             case POINT, SPOT, DISC -> area.radius() > 0;
             case RECT -> area.width() > 0 || area.height() > 0;
         };
-    }
-
-    public Light withName(String v) {
-        return new Light(v, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withType(LightType v) {
-        return new Light(name, v, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withColor(Rgb v) {
-        return new Light(name, type, v, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withIntensity(double v) {
-        return new Light(name, type, color, v, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area, on,
-                solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withPosition(Vec3 v) {
-        return new Light(name, type, color, intensity, v, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, area, on,
-                solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withDirection(Vec3 v) {
-        return new Light(name, type, color, intensity, position, v, attenuation, angle, dropoff, doors, feather, gobo, profile, area, on,
-                solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withAttenuation(Attenuation v) {
-        return new Light(name, type, color, intensity, position, direction, v, angle, dropoff, doors, feather, gobo, profile, area, on,
-                solo, bank, illuminates, shadowedBy);
-    }
-
-    public Light withAngle(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, v, dropoff, doors, feather, gobo, profile, area,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withDropoff(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, v, doors, feather, gobo, profile, area, on,
-                solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withDoors(BarnDoors v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, v, feather, gobo, profile, area,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withFeather(double v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, v, gobo, profile, area, on,
-                solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withGobo(Optional<Gobo> v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, v, profile, area,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withProfile(Optional<Profile> v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, v, area, on,
-                solo, bank, illuminates, shadowedBy);
-    }
-
-    public Light withArea(Area v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile, v,
-                on, solo,
-                bank, illuminates, shadowedBy);
-    }
-
-    public Light withOn(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
-                area, v,
-                solo, bank, illuminates, shadowedBy);
-    }
-
-    public Light withSolo(boolean v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
-                area, on, v,
-                bank, illuminates, shadowedBy);
-    }
-
-    /** @param v a bank's name, or empty */
-    public Light withBank(String v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
-                area, on,
-                solo, v, illuminates, shadowedBy);
-    }
-
-    public Light withIlluminates(Links v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
-                area, on, solo, bank, v, shadowedBy);
-    }
-
-    public Light withShadowedBy(Links v) {
-        return new Light(name, type, color, intensity, position, direction, attenuation, angle, dropoff, doors, feather, gobo, profile,
-                area, on, solo, bank, illuminates, v);
     }
 
     /** Whether it shines on some shapes only, or only some throw shadows in its light. */

@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 
@@ -23,9 +24,10 @@ import lightning.base.math.Rgb;
  * @param clarity    what passes through it
  * @param cutout     which points of it are not there
  */
+@RecordBuilder
 public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
-        Relief relief, Clarity clarity, Cutout cutout) {
+        Relief relief, Clarity clarity, Cutout cutout) implements MaterialBuilder.With {
 
     /**
      * Less rough is no surface here: what smaller ones show of a light that is a point is less than a pixel mostly, and digits fail
@@ -94,81 +96,10 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
         };
     }
 
-    public Material withName(String v) {
-        return new Material(v, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withAmbient(Rgb v) {
-        return new Material(name, v, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
     /** The same by another model: its colour is kept, all else of the model is as if nothing was said. */
+    @Override
     public Material withModel(SurfaceModel v) {
-        return v == model ? this
-                : new Material(name, ambient, v, base, specular, shininess, diffuse, metalness, roughness, f0, reflective, texture, relief,
-                        clarity, cutout);
-    }
-
-    public Material withDiffuse(Rgb v) {
-        return new Material(name, ambient, model, v, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withSpecular(Rgb v) {
-        return new Material(name, ambient, model, diffuse, v, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withShininess(double v) {
-        return new Material(name, ambient, model, diffuse, specular, v, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withBase(Rgb v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, v, metalness, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withMetalness(double v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, v, roughness, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withRoughness(double v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, v, f0, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withF0(double v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, v, reflective, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withReflective(Rgb v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, v, texture, relief,
-                clarity, cutout);
-    }
-
-    public Material withTexture(Optional<TextureMap> v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, v, relief,
-                clarity, cutout);
-    }
-
-    public Material withRelief(Relief v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, v,
-                clarity, cutout);
-    }
-
-    public Material withClarity(Clarity v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                v, cutout);
-    }
-
-    public Material withCutout(Cutout v) {
-        return new Material(name, ambient, model, diffuse, specular, shininess, base, metalness, roughness, f0, reflective, texture, relief,
-                clarity, v);
+        return v == model ? this : with(m -> m.model(v).diffuse(base).base(diffuse));
     }
 
     /** Whether surfaces of it have the same holes, bend normals, lead rays on and throw shadows as those of another material do. */

@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 
 /**
@@ -10,7 +11,8 @@ import java.util.Optional;
  * @param normals  a picture of normals, as glTF 2.0 has them
  * @param strength a factor on how far these lean
  */
-public record Relief(Optional<TextureMap> bump, double height, Optional<TextureMap> normals, double strength) {
+@RecordBuilder
+public record Relief(Optional<TextureMap> bump, double height, Optional<TextureMap> normals, double strength) implements ReliefBuilder.With {
     /** A smooth surface. */
     public static final Relief NONE = new Relief(MaterialAttribute.BUMP.initial(), MaterialAttribute.HEIGHT.initial(),
             MaterialAttribute.NORMALS.initial(), MaterialAttribute.STRENGTH.initial());
@@ -18,22 +20,6 @@ public record Relief(Optional<TextureMap> bump, double height, Optional<TextureM
     public Relief {
         MaterialAttribute.HEIGHT.check(height);
         MaterialAttribute.STRENGTH.check(strength);
-    }
-
-    public Relief withBump(Optional<TextureMap> v) {
-        return new Relief(v, height, normals, strength);
-    }
-
-    public Relief withHeight(double v) {
-        return new Relief(bump, v, normals, strength);
-    }
-
-    public Relief withNormals(Optional<TextureMap> v) {
-        return new Relief(bump, height, v, strength);
-    }
-
-    public Relief withStrength(double v) {
-        return new Relief(bump, height, normals, v);
     }
 
     /** Whether there are heights that differ. */

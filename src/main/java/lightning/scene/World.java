@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -20,8 +21,9 @@ import lightning.base.text.Texts;
  * @param lamps       how many directional lamps its light is made of
  * @param softness    how far each lamp is spread over the part that it stands for, 0 … 1
  */
+@RecordBuilder
 public record World(double ambience, Rgb background, Optional<Panorama> environment, double rotation, double intensity, int lamps,
-        double softness) {
+        double softness) implements WorldBuilder.With {
     public static final Attribute<World, Double> AMBIENCE = new Attribute<>("ambience", "ambience",
             Quantity.number(0, Limits.MAX_AMBIENCE, 0.1), 1.0, "", World::ambience, World::withAmbience);
     public static final Attribute<World, Rgb> BACKGROUND = new Attribute<>("background", "background",
@@ -61,34 +63,6 @@ public record World(double ambience, Rgb background, Optional<Panorama> environm
     public World(double ambience, Rgb background) {
         this(ambience, background, ENVIRONMENT.initial(), ROTATION.initial(), INTENSITY.initial(), LAMPS.initial(),
                 SOFTNESS.initial());
-    }
-
-    public World withAmbience(double v) {
-        return new World(v, background, environment, rotation, intensity, lamps, softness);
-    }
-
-    public World withBackground(Rgb v) {
-        return new World(ambience, v, environment, rotation, intensity, lamps, softness);
-    }
-
-    public World withEnvironment(Optional<Panorama> v) {
-        return new World(ambience, background, v, rotation, intensity, lamps, softness);
-    }
-
-    public World withRotation(double v) {
-        return new World(ambience, background, environment, v, intensity, lamps, softness);
-    }
-
-    public World withIntensity(double v) {
-        return new World(ambience, background, environment, rotation, v, lamps, softness);
-    }
-
-    public World withLamps(int v) {
-        return new World(ambience, background, environment, rotation, intensity, v, softness);
-    }
-
-    public World withSoftness(double v) {
-        return new World(ambience, background, environment, rotation, intensity, lamps, v);
     }
 
     /** Why a value of an attribute does nothing in this world: a clause; empty where it acts. */

@@ -1,5 +1,6 @@
 package lightning.editor.document;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.util.Optional;
 import lightning.base.text.Texts;
 import lightning.editor.loop.Frame;
@@ -31,10 +32,11 @@ import lightning.scene.shot.Target;
  * @param chosenKeys    how many of its keys are chosen
  * @param way           whether the open animation has a way
  */
+@RecordBuilder
 public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWork,
         boolean verifying, Optional<Light> selected, Optional<Node> node, Optional<String> undo, Optional<String> redo,
         Optional<String> undoLight, Optional<String> redoLight, boolean dirty, boolean changedOnDisk,
-        Optional<Light> copied, boolean animating, boolean reading, Optional<Moment> moment, int chosenKeys, boolean way) {
+        Optional<Light> copied, boolean animating, boolean reading, Optional<Moment> moment, int chosenKeys, boolean way) implements SituationBuilder.With {
 
     /** The situation of a document with a picture, and nothing running, copied or animated. */
     public static Situation of(OpenDocument document, Optional<Frame> frame) {
@@ -45,41 +47,6 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
                 selected, document.selection().node(document.scene()), history.undoLabel(), history.redoLabel(), history.undoLabel(id),
                 history.redoLabel(id),
                 document.isDirty(), document.isChangedOnDisk(), Optional.empty(), false, false, document.moment(), 0, false);
-    }
-
-    public Situation withInWork(Optional<Scene> v) {
-        return new Situation(scene, frame, v, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, animating, reading, moment, chosenKeys, way);
-    }
-
-    public Situation withVerifying(boolean v) {
-        return new Situation(scene, frame, inWork, v, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, animating, reading, moment, chosenKeys, way);
-    }
-
-    public Situation withCopied(Optional<Light> v) {
-        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, v, animating, reading, moment, chosenKeys, way);
-    }
-
-    public Situation withAnimating(boolean v) {
-        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty,
-                changedOnDisk, copied, v, reading, moment, chosenKeys, way);
-    }
-
-    public Situation withReading(boolean v) {
-        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
-                copied, animating, v, moment, chosenKeys, way);
-    }
-
-    public Situation withWay(boolean v) {
-        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
-                copied, animating, reading, moment, chosenKeys, v);
-    }
-
-    public Situation withChosenKeys(int v) {
-        return new Situation(scene, frame, inWork, verifying, selected, node, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
-                copied, animating, reading, moment, v, way);
     }
 
     /** Whether keys of it are what Set Key is for: the selected light's with its bank's, those of the selected shape or group, the camera's. */
@@ -94,8 +61,7 @@ public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWo
 
     /** The same of an open animation, which shows a scene of its own with the selected light, shape or group as it is there. */
     public Situation withStaged(Scene staged, Optional<Light> light, Optional<Node> other) {
-        return new Situation(staged, frame, inWork, verifying, light, other, undo, redo, undoLight, redoLight, dirty, changedOnDisk,
-                copied, animating, reading, moment, chosenKeys, way);
+        return with(s -> s.scene(staged).selected(light).node(other));
     }
 
     /** What the traced picture shows; empty before the first. */

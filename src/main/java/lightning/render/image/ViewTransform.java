@@ -1,5 +1,6 @@
 package lightning.render.image;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import java.math.BigDecimal;
 import java.util.Optional;
 import lightning.base.text.Quote;
@@ -15,7 +16,8 @@ import lightning.base.text.Quote;
  *                 before. Stops in colours do without it
  * @param marked   whether pixels that are cut off are shown in {@link #OVER_WHITE} and {@link #BLACK}; stops in colours are not
  */
-public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked) {
+@RecordBuilder
+public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked) implements ViewTransformBuilder.With {
     /** 0xRRGGBB: the mark of a pixel with a channel that the curve cuts off at white. */
     public static final int OVER_WHITE = 0xFF00C8;
     /** 0xRRGGBB: the mark of a pixel that is shown as black. */
@@ -53,22 +55,6 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
      */
     public ViewTransform(double exposure, DisplayCurve curve) {
         this(exposure, curve, Optional.empty(), false);
-    }
-
-    public ViewTransform withExposure(double stops) {
-        return new ViewTransform(stops, curve, cube, marked);
-    }
-
-    public ViewTransform withCurve(DisplayCurve v) {
-        return new ViewTransform(exposure, v, cube, marked);
-    }
-
-    public ViewTransform withCube(Optional<CubeTable> v) {
-        return new ViewTransform(exposure, curve, v, marked);
-    }
-
-    public ViewTransform withMarked(boolean v) {
-        return new ViewTransform(exposure, curve, cube, v);
     }
 
     /** The factor on linear values, {@code 2^exposure}. */

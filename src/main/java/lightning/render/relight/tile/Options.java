@@ -1,5 +1,6 @@
 package lightning.render.relight.tile;
 
+import io.soabase.recordbuilder.core.RecordBuilder;
 import lightning.base.work.Memory;
 import lightning.base.work.Workers;
 import lightning.render.engine.EngineChoice;
@@ -16,8 +17,9 @@ import lightning.scene.effects.ViewEffects;
  * @param memory  bytes that a picture may take; a first pass that takes more is refused
  * @param engines which engine makes which tile
  */
+@RecordBuilder
 public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads, ViewEffects view, long memory,
-        EngineChoice engines) {
+        EngineChoice engines) implements OptionsBuilder.With {
     /** Exact, mirrors and all; full rows, all processors. */
     public static final Options DEFAULT =
             new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, Workers.available());
@@ -30,33 +32,5 @@ public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage 
     /** All effects. */
     public Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads) {
         this(accuracy, reflections, storage, threads, ViewEffects.ALL);
-    }
-
-    public Options withAccuracy(Accuracy v) {
-        return new Options(v, reflections, storage, threads, view, memory, engines);
-    }
-
-    public Options withReflections(Reflections v) {
-        return new Options(accuracy, v, storage, threads, view, memory, engines);
-    }
-
-    public Options withStorage(MirrorStorage v) {
-        return new Options(accuracy, reflections, v, threads, view, memory, engines);
-    }
-
-    public Options withThreads(int v) {
-        return new Options(accuracy, reflections, storage, v, view, memory, engines);
-    }
-
-    public Options withView(ViewEffects v) {
-        return new Options(accuracy, reflections, storage, threads, v, memory, engines);
-    }
-
-    public Options withMemory(long v) {
-        return new Options(accuracy, reflections, storage, threads, view, v, engines);
-    }
-
-    public Options withEngines(EngineChoice v) {
-        return new Options(accuracy, reflections, storage, threads, view, memory, v);
     }
 }
