@@ -28,7 +28,8 @@ public final class HitShapes {
         int[][] now = Arrays.stream(before).map(plan.shapes()::now).toArray(int[][]::new);
         boolean tree = mirrored.materials().clearCount() > 0;
         // Of a tree of levels another depth leaves out some in the middle.
-        if (tree && plan.depthFrom() != plan.depthTo() || plan.mirrors() != null && areAny(plan.mirrors().materials().mirrors(), now, mirrored)) {
+        if (tree && plan.depthFrom() != plan.depthTo()
+                || plan.mirrors() != null && areAny(plan.mirrors().materials().mirrors(), now, mirrored)) {
             return NONE;
         }
         return Arrays.copyOf(now, tree ? now.length : Math.min(now.length, plan.depthTo()));

@@ -21,7 +21,8 @@ import lightning.scene.Scene;
  * @param plan     what is done; null where all is made from nothing
  * @param coding   whether anti-aliasing looks for edges
  */
-public record Job(PreparedScene shown, PreparedScene mirrored, Options options, UpdatePlan.Relight plan, boolean coding, Progress progress) {
+public record Job(PreparedScene shown, PreparedScene mirrored, Options options, UpdatePlan.Relight plan, boolean coding,
+        Progress progress) {
 
     /** A picture from nothing. */
     public static Job firstPass(Geometry geometry, Scene wanted, Options options, Progress progress) {
