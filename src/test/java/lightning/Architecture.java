@@ -77,12 +77,14 @@ final class Architecture {
                     "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"),
             row("render.warmup", "base.work scene render.image render.trace render.engine render.engine.choice render.fulltrace"),
             row("render.cache", "scene render.column render.image render.trace render.shading"),
-            row("render.relight.plan", "base.text base.math scene render.image render.trace render.shading render.cache"),
+            row("render.relight.plan", "base.text scene render.image render.trace render.shading render.cache"),
+            row("render.relight.paper",
+                    "base.math scene render.column render.image render.trace render.shading render.cache render.relight.plan"),
             row("render.relight.tile",
-                    "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"
-                    + " render.cache render.relight.plan"),
+                    "base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
+                    + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
             row("render.relight",
-                    "base.math base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
+                    "base.math base.work scene scene.effects render.image render.trace render.shading render.engine"
                     + " render.cache render.relight.plan render.relight.tile"),
             row("format.mesh", "base.text base.work base.file scene"),
             row("format.mesh.ply", "base.text base.math scene format.mesh"),

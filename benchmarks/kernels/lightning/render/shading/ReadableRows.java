@@ -2,6 +2,7 @@ package lightning.render.shading;
 
 import lightning.base.math.Vec3;
 import lightning.render.engine.Agreement;
+import lightning.render.relight.paper.RatioRows;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;

@@ -6,6 +6,8 @@ import lightning.base.math.Power;
 import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.engine.lanes.PowerLanes;
+import lightning.render.relight.paper.RatioKernel;
+import lightning.render.relight.paper.RatioRows;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.TileVisibility;

@@ -1,6 +1,7 @@
 package lightning.bench;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.Progress;
 import lightning.base.work.Workers;
@@ -15,7 +16,7 @@ import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
 
-/** Measures what becomes of a picture after 1, 10, 100, … edits, at the grades ratio and exact. */
+/** Measures what becomes of a picture after 1, 10, 100, … edits, at each accuracy. */
 final class DriftBench {
     private static final Options CURRENT = Options.DEFAULT.withReflections(Reflections.CURRENT);
 
@@ -36,26 +37,35 @@ final class DriftBench {
         OrdinaryEdits edits = new OrdinaryEdits(seed);
         List<DriftPoint> points = new ArrayList<>();
         Scene wanted = scene;
-        int refreshes = 0;
-        try (Workers workers = new Workers(threads);
-                Renderer ratio = new Renderer(CURRENT.withAccuracy(Accuracy.RATIO).withThreads(threads));
-                Renderer exact = new Renderer(CURRENT.withAccuracy(Accuracy.EXACT).withThreads(threads))) {
-            ratio.render(wanted, progress.silent());
-            exact.render(wanted, progress.silent());
+        List<Renderer> renderers = Arrays.stream(Accuracy.values())
+                .map(accuracy -> new Renderer(CURRENT.withAccuracy(accuracy).withThreads(threads))).toList();
+        int[] refreshes = new int[renderers.size()];
+        try (Workers workers = new Workers(threads)) {
+            for (Renderer renderer : renderers) {
+                renderer.render(wanted, progress.silent());
+            }
             int next = 1;
             for (int n = 1; n <= most; n++) {
                 wanted = edits.next(wanted);
-                Update update = ratio.render(wanted, progress.silent());
-                exact.render(wanted, progress.silent());
-                refreshes += update.refreshed() ? 1 : 0;
+                Update[] updates = new Update[refreshes.length];
+                for (int i = 0; i < updates.length; i++) {
+                    updates[i] = renderers.get(i).render(wanted, progress.silent());
+                    refreshes[i] += updates[i].refreshed() ? 1 : 0;
+                }
                 if (n == next) {
-                    Film full = new TraditionalTracer(wanted, exact.cache().geometry()).trace(workers, progress.silent()).film();
-                    points.add(new DriftPoint(Accuracy.RATIO, n, PictureError.of(ratio.film(), full), update.errorBound(), refreshes));
-                    points.add(new DriftPoint(Accuracy.EXACT, n, PictureError.of(exact.film(), full), 0, 0));
+                    Film full = new TraditionalTracer(wanted, renderers.getFirst().cache().geometry()).trace(workers, progress.silent())
+                            .film();
+                    for (int i = 0; i < updates.length; i++) {
+                        Renderer renderer = renderers.get(i);
+                        points.add(new DriftPoint(renderer.options().accuracy(), n, PictureError.of(renderer.film(), full),
+                                updates[i].errorBound(), refreshes[i]));
+                    }
                     next *= 10;
                 }
                 progress.tiles(n, most);
             }
+        } finally {
+            renderers.forEach(Renderer::close);
         }
         return new Drift(named.name(), scene.picture().width(), scene.picture().height(), seed, points);
     }

@@ -84,7 +84,7 @@ final class RelightCommand implements Callable<Integer> {
     private void setStorage(Storage value) {
         storage = switch (value) {
             case ROWS -> MirrorStorage.FULL_ROWS;
-            case SHAPES -> MirrorStorage.HIT_SHAPES;
+            case SHAPES -> MirrorStorage.SMALLEST;
         };
     }
 

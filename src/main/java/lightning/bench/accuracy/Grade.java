@@ -1,11 +1,18 @@
 package lightning.bench.accuracy;
 
+import java.util.Set;
+import lightning.render.engine.choice.Engines;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.tile.Options;
 import lightning.scene.Antialias;
 import lightning.scene.Light;
 import lightning.scene.Limits;
 import lightning.scene.Picture;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
+import lightning.scene.effects.Effect;
+import lightning.scene.effects.ViewEffects;
 
 /** The grades of accuracy, each a way to show an edit, from the roughest to the full trace. */
 public enum Grade {
@@ -55,6 +62,24 @@ public enum Grade {
             case NO_ANTIALIASING -> scene.withPicture(p.withSampling(new Sampling(Antialias.OFF, p.sampling().grid())));
             case FAST_SHADING, RATIO, EXACT, EXACT_UPDATED, EXACT_CURRENT, FULL_TRACE -> scene;
         };
+    }
+
+    /** How it renders. */
+    Options options() {
+        Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
+        return switch (this) {
+            case HALF_RESOLUTION, FEW_SAMPLES, NO_ANTIALIASING, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
+            case FAST_SHADING -> exact.withReflections(Reflections.STALE)
+                    .withView(ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION)));
+            case RATIO -> exact.withReflections(Reflections.STALE).withAccuracy(Accuracy.RATIO);
+            case EXACT, EXACT_UPDATED -> exact.withReflections(Reflections.STALE);
+            case FULL_TRACE -> throw new IllegalArgumentException("a full trace re-renders nothing");
+        };
+    }
+
+    /** Whether its edits start from what grade exact keeps. */
+    boolean startsFromExact() {
+        return this == EXACT_UPDATED || this == EXACT_CURRENT;
     }
 
     /** A few words, for a table. */

@@ -96,14 +96,12 @@ public final class LadderMeter implements AutoCloseable {
         // The grades' pictures lie in memory beside each other.
         long memory = Memory.available();
         for (Relighting grade : grades.stream().filter(g -> g.grade().isOf(before)).toList()) {
-            switch (grade.grade()) {
-                case EXACT -> {
-                    kept = grade.begin(before, memory, progress);
-                    memory -= MemoryNeed.of(kept);
-                }
-                case EXACT_UPDATED, EXACT_CURRENT -> grade.begin(kept);
-                case HALF_RESOLUTION, FAST_SHADING, FEW_SAMPLES, NO_ANTIALIASING, RATIO, FULL_TRACE ->
-                        memory -= MemoryNeed.of(grade.begin(before, memory, progress));
+            if (grade.grade().startsFromExact()) {
+                grade.begin(kept);
+            } else {
+                PixelCache own = grade.begin(before, memory, progress);
+                memory -= MemoryNeed.of(own);
+                kept = grade.grade() == Grade.EXACT ? own : kept;
             }
         }
         start = before;

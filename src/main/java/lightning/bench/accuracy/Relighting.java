@@ -1,26 +1,17 @@
 package lightning.bench.accuracy;
 
-import java.util.Set;
 import lightning.base.work.Progress;
 import lightning.base.work.Workers;
 import lightning.render.cache.PixelCache;
-import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.Update;
-import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
 import lightning.render.trace.Geometry;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.scene.effects.Effect;
-import lightning.scene.effects.ViewEffects;
 
 /** A grade's renderer: makes an edit again and again from the same start. */
 final class Relighting implements AutoCloseable {
-    private static final ViewEffects FAST_SHADING = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
-
     private final Grade grade;
     private final Renderer renderer;
     private final Workers workers;
@@ -31,19 +22,7 @@ final class Relighting implements AutoCloseable {
     Relighting(Grade grade, Workers workers) {
         this.grade = grade;
         this.workers = workers;
-        renderer = new Renderer(options(grade).withThreads(workers.count()));
-    }
-
-    /** How a grade renders. */
-    static Options options(Grade grade) {
-        Options exact = Options.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
-        return switch (grade) {
-            case HALF_RESOLUTION, FEW_SAMPLES, NO_ANTIALIASING, EXACT_CURRENT -> exact.withReflections(Reflections.CURRENT);
-            case FAST_SHADING -> exact.withReflections(Reflections.STALE).withView(FAST_SHADING);
-            case RATIO -> exact.withReflections(Reflections.STALE).withAccuracy(Accuracy.RATIO);
-            case EXACT, EXACT_UPDATED -> exact.withReflections(Reflections.STALE);
-            case FULL_TRACE -> throw new IllegalArgumentException("a full trace re-renders nothing");
-        };
+        renderer = new Renderer(grade.options().withThreads(workers.count()));
     }
 
     Grade grade() {

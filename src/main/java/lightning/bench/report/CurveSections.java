@@ -47,9 +47,9 @@ final class CurveSections {
         List<CurveChart.Curve> curves = new ArrayList<>();
         for (Accuracy accuracy : Accuracy.values()) {
             String name = accuracy.name().toLowerCase(Locale.ROOT);
-            Ink ink = accuracy == Accuracy.RATIO ? Ink.PURPLE : Ink.OURS;
+            Ink ink = Ink.of(accuracy);
             curves.add(curve(name, ink, false, drift, accuracy, p -> p.error().maxAbsolute()));
-            if (accuracy == Accuracy.RATIO) {
+            if (!accuracy.isExact()) {
                 curves.add(curve(name + ", its bound", ink, true, drift, accuracy, DriftPoint::bound));
             }
         }

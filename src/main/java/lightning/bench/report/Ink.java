@@ -2,10 +2,12 @@ package lightning.bench.report;
 
 import java.awt.Color;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import lightning.bench.accuracy.Grade;
+import lightning.render.relight.plan.Accuracy;
 
 /**
  * The colours of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
@@ -26,6 +28,9 @@ enum Ink {
 
     private static final Map<Integer, Ink> BY_COLOR =
             Arrays.stream(values()).collect(Collectors.toMap(ink -> ink.color.getRGB() & 0xFFFFFF, ink -> ink));
+
+    /** In the order of the grades. */
+    private static final List<Ink> OF_GRADES = List.of(ORANGE, RED, MUTED, MUTED, PURPLE, SKY, GREEN, OURS, TEXT);
 
     private final Color color;
 
@@ -49,16 +54,11 @@ enum Ink {
     }
 
     static Ink of(Grade grade) {
-        return switch (grade) {
-            case HALF_RESOLUTION -> ORANGE;
-            case FAST_SHADING -> RED;
-            case FEW_SAMPLES, NO_ANTIALIASING -> MUTED;
-            case RATIO -> PURPLE;
-            case EXACT -> SKY;
-            case EXACT_UPDATED -> GREEN;
-            case EXACT_CURRENT -> OURS;
-            case FULL_TRACE -> TEXT;
-        };
+        return OF_GRADES.get(grade.ordinal());
+    }
+
+    static Ink of(Accuracy accuracy) {
+        return accuracy.isExact() ? OURS : PURPLE;
     }
 
     /** Colours of lines that have no meaning of their own. */

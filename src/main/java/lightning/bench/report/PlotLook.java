@@ -5,6 +5,7 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import lightning.bench.accuracy.Grade;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.Axis;
@@ -23,6 +24,12 @@ final class PlotLook {
     static final BasicStroke HAIRLINE = new BasicStroke(0.75f);
     static final BasicStroke LINE = new BasicStroke(1.75f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     static final BasicStroke DASHES = new BasicStroke(1.25f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {4, 3}, 0);
+
+    /** In the order of the grades, from the roughest to the full trace. */
+    private static final List<Shape> SHAPES = List.of(new Rectangle2D.Double(-4, -4, 8, 8), polygon(0, -5, 5, 4, -5, 4),
+            polygon(-6, 0, 0, -3, 6, 0, 0, 3), polygon(-6, -3, 0, 0, 6, -3, 6, 3, 0, 0, -6, 3), polygon(0, -5.5, 5.5, 0, 0, 5.5, -5.5, 0),
+            new Ellipse2D.Double(-4, -4, 8, 8), polygon(0, 5, 5, -4, -5, -4), new Ellipse2D.Double(-5, -5, 10, 10),
+            new Rectangle2D.Double(-2, -6, 4, 12));
 
     private PlotLook() {}
 
@@ -82,17 +89,7 @@ final class PlotLook {
 
     /** Each grade has a shape of its own too, for those who print in black. */
     static Shape shape(Grade grade) {
-        return switch (grade) {
-            case HALF_RESOLUTION -> new Rectangle2D.Double(-4, -4, 8, 8);
-            case FAST_SHADING -> polygon(0, -5, 5, 4, -5, 4);
-            case FEW_SAMPLES -> polygon(-6, 0, 0, -3, 6, 0, 0, 3);
-            case NO_ANTIALIASING -> polygon(-6, -3, 0, 0, 6, -3, 6, 3, 0, 0, -6, 3);
-            case RATIO -> polygon(0, -5.5, 5.5, 0, 0, 5.5, -5.5, 0);
-            case EXACT -> new Ellipse2D.Double(-4, -4, 8, 8);
-            case EXACT_UPDATED -> polygon(0, 5, 5, -4, -5, -4);
-            case EXACT_CURRENT -> new Ellipse2D.Double(-5, -5, 10, 10);
-            case FULL_TRACE -> new Rectangle2D.Double(-2, -6, 4, 12);
-        };
+        return SHAPES.get(grade.ordinal());
     }
 
     private static Shape polygon(double... xy) {

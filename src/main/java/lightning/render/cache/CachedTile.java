@@ -49,6 +49,11 @@ public final class CachedTile {
         return brightest;
     }
 
+    /** Whether levels but the first are kept as rows, and not as hit shapes. */
+    public boolean keepsRows() {
+        return hitShapes.length == 0;
+    }
+
     /** The rows of the first level. */
     public HitRows rows() {
         return levels[0].rows();

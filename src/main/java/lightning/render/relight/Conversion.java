@@ -13,13 +13,12 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.Crew;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.LayerPlan;
+import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.LayerUpdater;
 import lightning.render.relight.tile.Options;
 import lightning.render.relight.tile.Tally;
 import lightning.render.relight.tile.TilePainter;
@@ -27,11 +26,11 @@ import lightning.render.shading.Images;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.Luminaire;
-import lightning.render.shading.RatioKernel;
 import lightning.render.shading.TraceCounts;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
 
 /**
@@ -46,21 +45,22 @@ record Conversion(PixelCache cache, Options to) {
 
     /** Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone. */
     static boolean serves(PixelCache cache) {
-        return cache.all().stream().allMatch(tile -> tile.hitShapes.length == 0);
+        return cache.all().stream().allMatch(CachedTile::keepsRows);
     }
 
     /** What it does, as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
-        return new UpdatePlan.Relight(level(cache.lights(), materials),
-                level(cache.mirroredLights(), materials), depth, depth);
+        return new UpdatePlan.Relight(level(cache.scene(), cache.lights(), materials),
+                level(cache.mirroredScene(), cache.mirroredLights(), materials), depth, depth);
     }
 
-    private static LevelPlan level(List<KnownLight> lights, MaterialTable materials) {
+    private static LevelPlan level(Scene scene, List<KnownLight> lights, MaterialTable materials) {
         List<LayerPlan> layers = new ArrayList<>();
         for (KnownLight light : lights) {
-            layers.add(new LayerPlan(light.light(), light, light.stamp() == null ? new LightUpdate.Keep() : new LightUpdate.Refresh()));
+            layers.add(LayerPlan.of(Luminaire.of(light.light(), scene), light,
+                    light.stamp() == null ? new LightUpdate.Keep() : new LightUpdate.Refresh(), ShapeChange.NONE, scene));
         }
         return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
@@ -86,7 +86,7 @@ record Conversion(PixelCache cache, Options to) {
             if (fine.length > 0) {
                 FineTile tile = cache.fine(i).map(center, centers,
                         (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors), grid);
-                fine[i] = to.accuracy() == Accuracy.EXACT ? tile.withoutColors() : tile;
+                fine[i] = to.accuracy().isExact() ? tile.withoutColors() : tile;
             }
         }, progress);
         Tally work = threads.stream().flatMap(crew -> crew.all().stream()).map(Tiles::work).reduce(Tally.NONE, Tally::plus);
@@ -108,13 +108,11 @@ record Conversion(PixelCache cache, Options to) {
     /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
     private static final class Layers {
         private final LightKernel kernel;
-        private final RatioKernel ratios;
         private final LayerUpdater updater;
 
         Layers(Geometry geometry, Options to, Engine engine) {
             kernel = new LightKernel(geometry, engine.tracer(geometry), engine.terms(), to.view());
-            ratios = new RatioKernel(kernel);
-            updater = LayerUpdater.of(to.accuracy(), kernel, ratios, 0);
+            updater = to.method().updater(kernel, 0);
         }
 
         TileLevel convert(TileLevel old, Lights lights) {
@@ -128,7 +126,7 @@ record Conversion(PixelCache cache, Options to) {
         }
 
         Tally work(long rowsComposed) {
-            return new Tally(kernel.rowsTouched() + ratios.rowsScaled(), rowsComposed, 0, new TraceCounts(0, 0, kernel.shadowRays()));
+            return new Tally(updater.rowsTouched(), rowsComposed, 0, new TraceCounts(0, 0, kernel.shadowRays()));
         }
     }
 

@@ -2,6 +2,7 @@ package lightning.render.relight;
 
 import java.util.function.Predicate;
 import lightning.render.cache.PixelCache;
+import lightning.render.relight.tile.Job;
 import lightning.render.shading.Demands;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
@@ -27,7 +28,7 @@ final class GeometryOffer {
      */
     Geometry take(Scene wanted, PixelCache cache, ViewEffects view) {
         // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
-        Predicate<Material> mirrors = Making.seeksEdges(wanted) ? MaterialTable.MIRRORS : Demands.of(view).mirrors();
+        Predicate<Material> mirrors = Job.seeksEdges(wanted) ? MaterialTable.MIRRORS : Demands.of(view).mirrors();
         Geometry own = cache == null ? null : cache.geometry();
         Geometry best = shared != null && (own == null || !own.serves(wanted)) ? shared : own;
         return best == null ? new Geometry(wanted, mirrors) : best.forScene(wanted, mirrors);

@@ -64,7 +64,7 @@ public final class LightShare {
     }
 
     private static float[][] share(CachedTile tile, TilePainter painter, Luminaire[] top, Luminaire[] mirrors, Scene scene) {
-        if (tile.hitShapes.length > 0) {
+        if (!tile.keepsRows()) {
             throw new IllegalStateException("mirror levels are kept as hit shapes");
         }
         // The share has no environment, whose colours alone would ask where the rays go.

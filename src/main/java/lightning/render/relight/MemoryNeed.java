@@ -3,13 +3,9 @@ package lightning.render.relight;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.render.cache.PixelCache;
-import lightning.render.column.ColumnKind;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
-import lightning.render.shading.LightRows;
-import lightning.render.shading.RatioRows;
 import lightning.render.trace.HitRows.Part;
 import lightning.render.trace.MeshMemory;
 import lightning.scene.Antialias;
@@ -44,24 +40,21 @@ public final class MemoryNeed {
         boolean edges = sampling.antialias() == Antialias.EDGES;
         boolean tinted = scene.materials().stream().anyMatch(m -> m.clarity().tintsLight());
         boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
-        long lights = scene.rig().actingLights().stream().mapToLong(light -> ColumnKind.bytesPerRow(switch (options.accuracy()) {
-            case EXACT -> LightRows.columns(light, metallic, tinted);
-            case RATIO -> RatioRows.columns(light, metallic, tinted);
-        })).sum();
+        long lights = scene.rig().actingLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
         long row = Part.HIT.bytesPerRow() + Part.TEXEL.bytesPerRow() + (edges ? Part.CODE.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : Part.OWNER.bytesPerRow())
                 + (clear ? Part.CLEAR.bytesPerRow() : 0) + lights;
         // Of a clear surface two rays go on, and of each of these two again.
         long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
         long mirrored =
-                mirrors ? (clear ? 2 : 1) * COLOR + levels * (options.storage() == MirrorStorage.FULL_ROWS ? row : Integer.BYTES) : 0;
+                mirrors ? (clear ? 2 : 1) * COLOR + levels * (options.storage().keepsRows() ? row : Integer.BYTES) : 0;
         long samples = switch (sampling.antialias()) {
             case OFF -> 1;
             case EDGES -> 1L + sampling.perPixel();
             case EVERY -> sampling.perPixel();
         };
-        // Samples keep their colours at accuracy ratio alone.
-        long colored = options.accuracy() == Accuracy.RATIO ? samples : sampling.antialias() == Antialias.EVERY ? 0 : 1;
+        // Samples keep their colours where errors are bounded.
+        long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == Antialias.EVERY ? 0 : 1;
         return pixels(picture)
                 * (samples * (row + mirrored) + colored * COLOR + codes(sampling) + (sampling.isFine() ? COLOR : 0));
     }
@@ -117,8 +110,8 @@ public final class MemoryNeed {
             List<PictureTooLarge.Way> ways = new ArrayList<>();
             size(scene, forecast, need, memory, ways);
             samples(scene.picture(), forecast, memory, ways);
-            Options shapes = options.withStorage(MirrorStorage.HIT_SHAPES);
-            if (options.storage() == MirrorStorage.FULL_ROWS && Forecast.of(scene, shapes).bytes(scene.picture()) <= memory) {
+            Options shapes = options.withStorage(MirrorStorage.SMALLEST);
+            if (options.storage().keepsRows() && Forecast.of(scene, shapes).bytes(scene.picture()) <= memory) {
                 ways.add(new PictureTooLarge.Way.Shapes());
             }
             throw new PictureTooLarge(need, memory, ways);

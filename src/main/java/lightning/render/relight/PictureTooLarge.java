@@ -27,7 +27,7 @@ public final class PictureTooLarge extends RuntimeException {
 
         record NoAntialias() implements Way {}
 
-        /** {@link MirrorStorage#HIT_SHAPES}. */
+        /** Of mirror levels only the shapes that rays hit. */
         record Shapes() implements Way {}
 
         /** As in "it would fit with …". */

@@ -9,11 +9,14 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.Dispatcher;
-import lightning.render.relight.plan.ErrorBound;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.CacheBuilder;
+import lightning.render.relight.tile.Job;
 import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RepeatedEdit;
 import lightning.render.relight.tile.Tally;
+import lightning.render.shading.SeenScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
@@ -24,7 +27,7 @@ import lightning.scene.Scene;
 public final class Renderer implements AutoCloseable {
     private Options options;
     private Workers workers;
-    private final Making.Repeats repeats = new Making.Repeats();
+    private final RepeatedEdit.Levels repeats = new RepeatedEdit.Levels();
     private PixelCache cache;
     /** What the cache lacks, where it holds pixels' centres alone; else null. */
     private Unfinished unfinished;
@@ -88,7 +91,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     private UpdatePlan difference(Scene wanted, boolean mirrors) {
-        return Dispatcher.plan(cache, wanted, mirrors, options.accuracy());
+        return Dispatcher.plan(cache, wanted, mirrors, options.method());
     }
 
     private boolean converts() {
@@ -303,12 +306,12 @@ public final class Renderer implements AutoCloseable {
                     (centersAlone || unfinished != null) && !relight.resampled() && samplesMayFollow(wanted), progress);
         });
         known = options.accuracy();
-        ErrorBound bound = ErrorBound.of(cache);
-        boolean refreshed = bound.shows(exposure, curve);
-        if (refreshed) {
-            work = work.plus(relight(Dispatcher.refresh(cache), cache.scene(), false, progress));
-            bound = ErrorBound.of(cache);
+        UpdatePlan refresh = options.method().refresh(cache, exposure, curve);
+        boolean refreshed = refresh instanceof UpdatePlan.Relight;
+        if (refresh instanceof UpdatePlan.Relight relight) {
+            work = work.plus(relight(relight, cache.scene(), false, progress));
         }
+        double bound = options.method().errorBound(cache);
         if (unfinished != null) {
             if (centersAlone) {
                 unfinished = unfinished.plus(work, System.nanoTime() - start);
@@ -317,12 +320,12 @@ public final class Renderer implements AutoCloseable {
             }
         }
         return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
-                bound.largest(), refreshed);
+                bound, refreshed);
     }
 
     /** Contributions that are scaled are off by what all their scalings lose, and centres and samples must be by the same. */
     private boolean samplesMayFollow(Scene wanted) {
-        return options.accuracy() == Accuracy.EXACT && Making.seeksEdges(wanted);
+        return options.accuracy().isExact() && Job.seeksEdges(wanted);
     }
 
     private Tally convert(Conversion conversion, Progress progress) {
@@ -347,11 +350,11 @@ public final class Renderer implements AutoCloseable {
 
     private Tally firstPass(UpdatePlan.FirstPass plan, Scene wanted, boolean centersAlone, Progress progress) {
         checkMemory(wanted, bytes());
-        Making.Made made =
-                new Making(options, workers, progress).firstPass(offer.take(wanted, cache, options.view()), wanted, centersAlone);
-        cache = made.cache();
+        Job job = Job.firstPass(offer.take(wanted, cache, options.view()), wanted, options, progress);
+        CacheBuilder.Built built = new CacheBuilder(job, workers, null).build(centersAlone);
+        cache = built.cache();
         unfinished = centersAlone ? new Unfinished(null, plan) : null;
-        return made.work();
+        return built.work();
     }
 
     /** What rays of a scene can meet, as a first pass takes it; it is kept for that. */
@@ -368,18 +371,24 @@ public final class Renderer implements AutoCloseable {
 
     private Tally relight(UpdatePlan.Relight plan, Scene wanted, boolean centersAlone, Progress progress) {
         PixelCache old = cache;
-        Making.Made made = new Making(options, workers, progress).relight(plan, old, wanted, repeats, centersAlone);
-        cache = made.cache();
+        var scenes = new SeenScenes(wanted, plan.mirrors() == null ? old.mirroredScene() : wanted);
+        Job job = Job.relight(repeats.next(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
+        CacheBuilder.Built built = new CacheBuilder(job, workers, old).build(centersAlone);
+        cache = built.cache();
         unfinished = centersAlone ? unfinished == null ? new Unfinished(old, plan) : unfinished.next(plan) : null;
-        return made.work();
+        return built.work();
     }
 
     /** Makes the finer samples of the centres that are known. */
     private Tally samples(UpdatePlan plan, Progress progress) {
-        Making.Made made = new Making(options, workers, progress).samples(cache, unfinished.whole(), plan);
-        cache = made.cache();
+        PixelCache whole = unfinished.whole();
+        CacheBuilder builder = whole != null && plan instanceof UpdatePlan.Relight relight
+                ? new CacheBuilder(Job.relight(relight, cache.geometry(), cache.scenes(), options, progress), workers, whole)
+                : new CacheBuilder(Job.samples(cache, options, progress), workers, null);
+        CacheBuilder.Built built = builder.finish(cache);
+        cache = built.cache();
         unfinished = null;
-        return made.work();
+        return built.work();
     }
 
     @Override

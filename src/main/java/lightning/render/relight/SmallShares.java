@@ -165,7 +165,7 @@ public final class SmallShares {
 
         /** @param wanted for each place of the tile its number in the part, or −1 */
         void pass(CachedTile tile, short[] wanted, Part part, float[][] shares) {
-            if (tile.hitShapes.length > 0) {
+            if (!tile.keepsRows()) {
                 throw new IllegalStateException("mirror levels are kept as hit shapes");
             }
             levels = tile.levels;

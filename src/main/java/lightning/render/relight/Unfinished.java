@@ -3,10 +3,11 @@ package lightning.render.relight;
 import java.util.List;
 import lightning.render.cache.KnownLight;
 import lightning.render.cache.PixelCache;
-import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.Dispatcher;
 import lightning.render.relight.plan.LevelPlan;
+import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.ExactMethod;
 import lightning.render.relight.tile.Tally;
 import lightning.scene.Scene;
 
@@ -20,6 +21,9 @@ import lightning.scene.Scene;
  * @param nanoseconds likewise
  */
 record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanoseconds) {
+    /** Samples follow where nothing is scaled. */
+    private static final UpdateMethod EXACT = new ExactMethod();
+
     /** Nothing was done yet. */
     Unfinished(PixelCache whole, UpdatePlan plan) {
         this(whole, plan, Tally.NONE, 0);
@@ -51,13 +55,13 @@ record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanosecond
      * @param mirrors whether mirror images shall show the wanted scene too
      */
     Start start(PixelCache centers, Scene wanted, boolean mirrors) {
-        UpdatePlan fromCenters = Dispatcher.plan(centers, wanted, mirrors, Accuracy.EXACT);
+        UpdatePlan fromCenters = Dispatcher.plan(centers, wanted, mirrors, EXACT);
         Start goesOn = new Start(centers, fromCenters);
         if (whole == null || !(fromCenters instanceof UpdatePlan.Relight next) || next.resampled()
                 || !mirrorsFollow(centers, next, wanted)) {
             return goesOn;
         }
-        UpdatePlan fromWhole = Dispatcher.plan(whole, wanted, mirrored(centers, next, wanted).equals(wanted), Accuracy.EXACT);
+        UpdatePlan fromWhole = Dispatcher.plan(whole, wanted, mirrored(centers, next, wanted).equals(wanted), EXACT);
         return fromWhole instanceof UpdatePlan.Relight all && leadAlike(centers, next, all) ? goesOn : new Start(whole, fromWhole);
     }
 
@@ -80,15 +84,15 @@ record Unfinished(PixelCache whole, UpdatePlan plan, Tally work, long nanosecond
     UpdatePlan plan(PixelCache centers) {
         return whole == null ? plan
                 : Dispatcher.plan(whole, centers.scene(), centers.geometry(), centers.mirroredScene().equals(centers.scene()),
-                        Accuracy.EXACT);
+                        EXACT);
     }
 
     private boolean leadAlike(PixelCache centers, UpdatePlan.Relight next, UpdatePlan.Relight all) {
-        return next.top().after().equals(all.top().after())
+        return next.top().after(EXACT, 1).equals(all.top().after(EXACT, 1))
                 && mirrored(centers, next.mirrors()).equals(mirrored(whole, all.mirrors()));
     }
 
     private static List<KnownLight> mirrored(PixelCache from, LevelPlan plan) {
-        return plan == null ? from.mirroredLights() : plan.after();
+        return plan == null ? from.mirroredLights() : plan.after(EXACT, 1);
     }
 }

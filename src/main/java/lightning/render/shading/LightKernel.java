@@ -51,7 +51,7 @@ public final class LightKernel {
     }
 
     /** What computes the terms. */
-    Terms terms() {
+    public Terms terms() {
         return terms;
     }
 
@@ -384,12 +384,12 @@ public final class LightKernel {
     }
 
     /** Whether any of the rows' materials is metallic. */
-    boolean hasMetallic(HitRows rows) {
+    public boolean hasMetallic(HitRows rows) {
         return written.hasMetallic(rows);
     }
 
     /** Whether any of the rows' materials has a highlight. */
-    boolean hasSpecular(HitRows rows) {
+    public boolean hasSpecular(HitRows rows) {
         return written.hasSpecular(rows);
     }
 

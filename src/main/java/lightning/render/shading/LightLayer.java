@@ -1,7 +1,7 @@
 package lightning.render.shading;
 
-/** One light's layer over the hit rows of one tile and level, in either form. */
-public sealed interface LightLayer permits LightRows, RatioRows {
+/** One light's layer over the hit rows of one tile and level: terms, or finished contributions. */
+public sealed interface LightLayer permits LightRows, WeightedLayer {
     /** State and way of each row, see {@link LightRows}. */
     byte[] states();
 

@@ -117,7 +117,7 @@ public final class LightRows implements LightLayer {
         this(state, cosine, specular, grazing, falloff, null, lit);
     }
 
-    LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] seen, int lit) {
+    public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] seen, int lit) {
         this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, samples(seen, 0), samples(seen, 1), samples(seen, 2),
                 samples(seen, 3), null, null, null), lit);
     }
@@ -135,24 +135,24 @@ public final class LightRows implements LightLayer {
     }
 
     /** The column of the samples from 16·{@code group} on, or null. */
-    static short[] samples(short[][] seen, int group) {
+    public static short[] samples(short[][] seen, int group) {
         return seen == null || seen.length <= group ? null : seen[group];
     }
 
     /** The columns of samples that there are, the first ones; null where there is none. */
-    static <C extends Enum<C> & ColumnKind> short[][] seen(ColumnSet<C> columns, List<C> kinds) {
+    public static <C extends Enum<C> & ColumnKind> short[][] seen(ColumnSet<C> columns, List<C> kinds) {
         return !columns.has(kinds.getFirst()) ? null
                 : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
     }
 
     /** Three columns; null where the first is not there. */
-    static <C extends Enum<C> & ColumnKind> float[][] colors(ColumnSet<C> columns, List<C> channels) {
+    public static <C extends Enum<C> & ColumnKind> float[][] colors(ColumnSet<C> columns, List<C> channels) {
         return !columns.has(channels.getFirst()) ? null
                 : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
     }
 
     /** Columns with others in place of three; with none where {@code colors} is null. */
-    static <C extends Enum<C> & ColumnKind> ColumnSet<C> with(ColumnSet<C> columns, List<C> channels, float[][] colors) {
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> with(ColumnSet<C> columns, List<C> channels, float[][] colors) {
         ColumnSet<C> with = columns;
         for (int c = 0; c < channels.size(); c++) {
             with = with.with(channels.get(c), colors == null ? null : colors[c]);
@@ -161,7 +161,7 @@ public final class LightRows implements LightLayer {
     }
 
     /** Columns of which those of tints are all 1 where they are not there. */
-    static <C extends Enum<C> & ColumnKind> ColumnSet<C> plainlyTinted(ColumnSet<C> columns, List<C> channels) {
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> plainlyTinted(ColumnSet<C> columns, List<C> channels) {
         return columns.has(channels.getFirst()) ? columns : with(columns, channels, PLAIN);
     }
 
@@ -187,7 +187,7 @@ public final class LightRows implements LightLayer {
     }
 
     /** How many columns tell of the samples of a light; 0 for a point. */
-    static int groups(Light light) {
+    public static int groups(Light light) {
         return light.isArea() ? (light.area().samples() - 1) / SAMPLES + 1 : 0;
     }
 
@@ -202,7 +202,7 @@ public final class LightRows implements LightLayer {
     }
 
     /** This layer with other tints, or with none where they are null. */
-    LightRows withTint(float[][] tints) {
+    public LightRows withTint(float[][] tints) {
         return tints == tint ? this : new LightRows(with(columns, Column.TINT, tints), lit);
     }
 
@@ -230,7 +230,7 @@ public final class LightRows implements LightLayer {
     }
 
     /** The bytes of a layer's columns that are counted with no layer, because all share them. */
-    static long shared(byte[] states) {
+    public static long shared(byte[] states) {
         return states == UNREACHED.state || states.length > 0 && states == ALL[states[0]] ? states.length : 0;
     }
 

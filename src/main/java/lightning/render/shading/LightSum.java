@@ -101,7 +101,7 @@ final class LightSum {
             grazing.second();
             lights(left, left + right);
         } else if (to - from == 1) {
-            RatioRows layer = (RatioRows) layers[from];
+            WeightedLayer layer = (WeightedLayer) layers[from];
             diffuse.sum(layer.diffuse);
             if (layer.specular != null) {
                 specular.sum(layer.specular);

@@ -192,7 +192,7 @@ public final class LightingEquation {
      *
      * @param tint 1 where nothing is in between
      */
-    static float contribution(float weight, float term, float falloff, float tint) {
+    public static float contribution(float weight, float term, float falloff, float tint) {
         return weight * (term * falloff * tint);
     }
 

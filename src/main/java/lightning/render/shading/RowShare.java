@@ -68,21 +68,21 @@ public final class RowShare {
     private static float diffuse(Luminaire light, LightLayer layer, int row, int c) {
         return switch (layer) {
             case LightRows l -> term(light, l, l.cosine, row, c);
-            case RatioRows r -> column(r.diffuse, row, c);
+            case WeightedLayer w -> column(w.diffuse, row, c);
         };
     }
 
     private static float specular(Luminaire light, LightLayer layer, int row, int c) {
         return switch (layer) {
             case LightRows l -> term(light, l, l.specular, row, c);
-            case RatioRows r -> column(r.specular, row, c);
+            case WeightedLayer w -> column(w.specular, row, c);
         };
     }
 
     private static float grazing(Luminaire light, LightLayer layer, int row, int c) {
         return switch (layer) {
             case LightRows l -> term(light, l, l.grazing, row, c);
-            case RatioRows r -> column(r.grazing, row, c);
+            case WeightedLayer w -> column(w.grazing, row, c);
         };
     }
 

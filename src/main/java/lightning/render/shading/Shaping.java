@@ -27,7 +27,7 @@ import lightning.scene.Texture;
  * and that in a plane upwards. Of type B they share the axis from left to right: their angle is upwards, that in a plane to the right. A point
  * light has the axis −y.
  */
-final class Shaping {
+public final class Shaping {
     /** Below this length of axis × y the light looks straight up or down. */
     private static final double STRAIGHT = 1e-6;
     /** The widest half angle that a gobo is spread over, in degrees. */
@@ -76,7 +76,7 @@ final class Shaping {
     }
 
     /** What stands before a lamp; null where nothing does. */
-    static Shaping of(Lamp lamp) {
+    public static Shaping of(Lamp lamp) {
         return acts(lamp) ? new Shaping(lamp) : null;
     }
 
@@ -138,7 +138,7 @@ final class Shaping {
     }
 
     /** Multiplies the factors of all rows of a tile. */
-    void multiply(HitRows rows, double[] factors) {
+    public void multiply(HitRows rows, double[] factors) {
         for (int i = 0; i < rows.count; i++) {
             factors[i] *= at(rows.px[i], rows.py[i], rows.pz[i]);
         }

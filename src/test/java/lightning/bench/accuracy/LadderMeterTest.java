@@ -110,10 +110,10 @@ class LadderMeterTest {
 
     @Test
     void defaultGrade_isWhatTheProgramDoesUnlessItIsToldOtherwise() {
-        assertThat(Relighting.options(Grade.DEFAULT).accuracy()).isEqualTo(Options.DEFAULT.accuracy());
-        assertThat(Relighting.options(Grade.DEFAULT).reflections()).isEqualTo(Options.DEFAULT.reflections());
-        assertThat(Relighting.options(Grade.DEFAULT).storage()).isEqualTo(Options.DEFAULT.storage());
-        assertThat(Relighting.options(Grade.DEFAULT).view()).isEqualTo(Options.DEFAULT.view());
+        assertThat(Grade.DEFAULT.options().accuracy()).isEqualTo(Options.DEFAULT.accuracy());
+        assertThat(Grade.DEFAULT.options().reflections()).isEqualTo(Options.DEFAULT.reflections());
+        assertThat(Grade.DEFAULT.options().storage()).isEqualTo(Options.DEFAULT.storage());
+        assertThat(Grade.DEFAULT.options().view()).isEqualTo(Options.DEFAULT.view());
     }
 
     @Test

@@ -45,6 +45,14 @@ class LadderChartTest {
         assertThat(svg).contains(">ratio<", ">full trace<", ">0<");
     }
 
+    /** Colors and shapes stand in the order of the grades. */
+    @Test
+    void everyGrade_hasAColorAndAShapeOfItsOwn() {
+        assertThat(Grade.values()).extracting(PlotLook::shape).doesNotHaveDuplicates();
+        assertThat(Grade.values()).extracting(grade -> Ink.of(grade).name()).containsExactly("ORANGE", "RED", "MUTED", "MUTED", "PURPLE",
+                "SKY", "GREEN", "OURS", "TEXT");
+    }
+
     @Test
     void allEqual_stillIsAChart() {
         assertThat(LadderChart.svg("chart", List.of(new Point(Grade.FULL_TRACE, 5, 5, 5, 0)), 400, 300)).contains(">full trace<");

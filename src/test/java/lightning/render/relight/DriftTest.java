@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import lightning.base.work.Progress;
 import lightning.bench.accuracy.OrdinaryEdits;
 import lightning.render.image.FilmAssert;
+import lightning.render.relight.paper.ErrorBound;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.ErrorBound;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
@@ -72,7 +72,7 @@ class DriftTest {
                 assertThat(update.errorBound() / brightest(renderer)).as("edit " + n).isLessThan(0.5 / 255 / (1.055 / 2.4));
             }
             assertThat(refreshed).isTrue();
-            assertThat(ErrorBound.of(renderer.cache()).largest()).as("the bound after a refresh").isZero();
+            assertThat(ErrorBound.of(renderer.cache()).largest(renderer.cache())).as("the bound after a refresh").isZero();
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "refreshed");
         }
     }

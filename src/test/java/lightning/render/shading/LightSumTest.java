@@ -73,12 +73,59 @@ class LightSumTest {
         boolean specular = random.nextBoolean();
         boolean grazing = random.nextBoolean();
         if (kept) {
-            return new RatioRows(new byte[rows], new float[][] {column(), column(), column()},
+            return new Weighted(new float[][] {column(), column(), column()},
                     specular ? new float[][] {column(), column(), column()} : null,
-                    grazing ? new float[][] {column(), column(), column()} : null, null, 1);
+                    grazing ? new float[][] {column(), column(), column()} : null);
         }
         return new LightRows(new byte[rows], column(), specular ? column() : null, grazing ? column() : null,
                 random.nextBoolean() ? column() : null, 1);
+    }
+
+    /** A layer of contributions, all of whose rows are lit. */
+    private static final class Weighted extends WeightedLayer {
+        Weighted(float[][] diffuse, float[][] specular, float[][] grazing) {
+            super(diffuse, specular, grazing);
+        }
+
+        @Override
+        public byte[] states() {
+            return new byte[0];
+        }
+
+        @Override
+        public short[][] seen() {
+            return null;
+        }
+
+        @Override
+        public float[][] tint() {
+            return null;
+        }
+
+        @Override
+        public int lit() {
+            return 1;
+        }
+
+        @Override
+        public long bytes() {
+            return 0;
+        }
+
+        @Override
+        public long newBytes(LightLayer before) {
+            return 0;
+        }
+
+        @Override
+        public long composedBytes() {
+            return 0;
+        }
+
+        @Override
+        public long rowBytesRead(LightLayer before) {
+            return 0;
+        }
     }
 
     private float[] column() {
@@ -113,8 +160,8 @@ class LightSumTest {
                 float weight = channel == 0 ? light.red() : channel == 1 ? light.green() : light.blue();
                 yield term == null ? 0 : LightingEquation.contribution(weight, term[row], exact.falloff == null ? 1 : exact.falloff[row]);
             }
-            case RatioRows ratio -> {
-                float[][] columns = specular ? ratio.specular : ratio.diffuse;
+            case WeightedLayer weighted -> {
+                float[][] columns = specular ? weighted.specular : weighted.diffuse;
                 yield columns == null ? 0 : columns[channel][row];
             }
         };

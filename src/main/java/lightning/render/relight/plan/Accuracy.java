@@ -5,5 +5,10 @@ public enum Accuracy {
     /** The paper's update on stored contributions, with a running error bound. */
     RATIO,
     /** Bit-equal to a full trace. */
-    EXACT
+    EXACT;
+
+    /** Whether films have the bits of a full trace. */
+    public boolean isExact() {
+        return this == EXACT;
+    }
 }

@@ -6,8 +6,6 @@ import lightning.base.text.Texts;
 import lightning.render.cache.KnownLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
-import lightning.render.shading.ConeChange;
-import lightning.render.shading.IntensityRatio;
 import lightning.render.shading.Lamp;
 import lightning.render.shading.Luminaire;
 import lightning.render.trace.Geometry;
@@ -29,11 +27,11 @@ public final class Dispatcher {
      * The plan for a scene.
      *
      * @param cache   what is known, or null
-     * @param mirrors  whether mirror images shall show the wanted scene too
-     * @param accuracy how edits are carried out
+     * @param mirrors whether mirror images shall show the wanted scene too
+     * @param method  how edits are carried out
      */
-    public static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors, Accuracy accuracy) {
-        return plan(cache, wanted, null, mirrors, accuracy);
+    public static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors, UpdateMethod method) {
+        return plan(cache, wanted, null, mirrors, method);
     }
 
     /**
@@ -41,7 +39,7 @@ public final class Dispatcher {
      *
      * @param geometry of the wanted scene, which followed from what is known, perhaps in several steps; null where it is not known
      */
-    public static UpdatePlan plan(PixelCache cache, Scene wanted, Geometry geometry, boolean mirrors, Accuracy accuracy) {
+    public static UpdatePlan plan(PixelCache cache, Scene wanted, Geometry geometry, boolean mirrors, UpdateMethod method) {
         if (cache == null) {
             return new UpdatePlan.FirstPass(Texts.key("no picture yet"));
         }
@@ -70,9 +68,9 @@ public final class Dispatcher {
             return new UpdatePlan.Nothing();
         }
         MaterialTable materials = shapes.after(cache.geometry()).of(wanted).materials();
-        LevelPlan top = level(cache.geometry(), known, cache.lights(), wanted, materials, shapes, accuracy);
+        LevelPlan top = level(cache.geometry(), known, cache.lights(), wanted, materials, shapes, method);
         LevelPlan mirrored = refresh ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), wanted,
-                materials, shapes, accuracy) : null;
+                materials, shapes, method) : null;
         if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
             return new UpdatePlan.FirstPass(Texts.key("other samples and mirrors"));
         }
@@ -86,20 +84,20 @@ public final class Dispatcher {
 
     /** @param lights those of {@code known} */
     private static LevelPlan level(Geometry shown, Scene known, List<KnownLight> lights, Scene wanted, MaterialTable materials,
-            ShapeChange shapes, Accuracy accuracy) {
+            ShapeChange shapes, UpdateMethod method) {
         LightMatch match = new LightMatch(known.rig().actingLights(), wanted.rig().actingLights());
         List<LayerPlan> layers = new ArrayList<>();
         boolean forgets = false;
         for (int l = 0; l < match.after().size(); l++) {
-            Light light = match.after().get(l);
+            Luminaire light = Luminaire.of(match.after().get(l), wanted);
             KnownLight origin = match.origin(l) < 0 ? null : lights.get(match.origin(l));
             boolean holds = origin != null && holds(origin, known, wanted, shapes);
-            LightUpdate update = update(holds ? origin.stamp() : null, origin == null || origin.stamp() == null, light, wanted, accuracy);
+            LightUpdate update = update(holds ? origin.stamp() : null, origin == null || origin.stamp() == null, light, wanted, method);
             // A dark light's layers that do not hold are dropped, and with them what would tell where it shone.
             boolean forgotten = origin != null && !holds && update instanceof LightUpdate.Keep;
             ShapeChange shadows = holds && origin.stamp() != null ? shapes.shadows(shown, origin.stamp().light().shadowedBy(),
-                    LayerPlan.shadowedBy(light, origin.stamp(), update)) : ShapeChange.NONE;
-            layers.add(new LayerPlan(light, forgotten ? null : origin, update, shadows));
+                    LayerPlan.shadowedBy(light.light(), origin.stamp(), update)) : ShapeChange.NONE;
+            layers.add(LayerPlan.of(light, forgotten ? null : origin, update, shadows, known));
             forgets |= forgotten;
         }
         List<String> dropped = match.gone().stream().map(i -> match.before().get(i).name()).toList();
@@ -124,57 +122,11 @@ public final class Dispatcher {
                 && (!computed.type().hasPosition() || shapes.keepsEnd(Lamp.of(computed, scene).source()));
     }
 
-    /** At accuracy ratio: all contributions anew, of the scene that is shown. */
-    public static UpdatePlan.Relight refresh(PixelCache cache) {
-        int depth = cache.scene().picture().depth();
-        MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());
-        return new UpdatePlan.Relight(refresh(cache.scene(), cache.lights(), materials),
-                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredLights(), materials) : null,
-                depth, depth);
-    }
-
-    private static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialUpdate materials) {
-        List<LayerPlan> layers = new ArrayList<>();
-        for (KnownLight light : lights) {
-            boolean scaled = light.stamp() != null && light.stamp().roundings() > 0 && scene.shines(light.light());
-            layers.add(new LayerPlan(light.light(), light, scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep()));
-        }
-        return new LevelPlan(layers, List.of(), true, materials);
-    }
-
     /** @param added whether the light never shone */
-    private static LightUpdate update(LayerStamp before, boolean added, Light light, Scene wanted, Accuracy accuracy) {
-        boolean dark = Luminaire.of(light, wanted).isDark();
+    private static LightUpdate update(LayerStamp before, boolean added, Luminaire light, Scene wanted, UpdateMethod method) {
         if (before == null) {
-            return dark ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);
+            return light.isDark() ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);
         }
-        return switch (accuracy) {
-            case EXACT -> dark ? new LightUpdate.Keep() : exact(LightDifference.between(before.light(), light), light);
-            case RATIO -> wanted.shines(light) ? ratio(before.light(), light, wanted) : new LightUpdate.Keep();
-        };
-    }
-
-    private static LightUpdate exact(LightDifference difference, Light light) {
-        if (difference.moved() || difference.shadows() && light.isArea()) {
-            return new LightUpdate.FullRecompute(false);
-        }
-        if (difference.cone() != ConeChange.NONE || difference.falloff() || difference.shadows()) {
-            return new LightUpdate.Partial(difference.cone(), difference.falloff(), difference.weight(), difference.shadows());
-        }
-        return difference.weight() ? new LightUpdate.Reweight() : new LightUpdate.Keep();
-    }
-
-    /**
-     * The paper's choice: a turned light is recomputed in full (§4.5), and so is one whose old weight is 0
-     * (§4.1), shadow rays included.
-     */
-    private static LightUpdate ratio(Light before, Light light, Scene wanted) {
-        LightDifference difference = LightDifference.between(before, light);
-        LightUpdate least = exact(difference, light);
-        if (least instanceof LightUpdate.Keep) {
-            return least;
-        }
-        boolean usable = IntensityRatio.between(Luminaire.shining(before, wanted), Luminaire.shining(light, wanted)).isUsable();
-        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
+        return method.update(before, light, wanted);
     }
 }

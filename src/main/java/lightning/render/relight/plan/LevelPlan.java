@@ -3,6 +3,9 @@ package lightning.render.relight.plan;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.render.cache.KnownLight;
+import lightning.render.cache.TileLevel;
+import lightning.render.shading.BranchSums;
+import lightning.render.shading.LightLayer;
 
 /**
  * The update of a level's layers.
@@ -12,15 +15,45 @@ import lightning.render.cache.KnownLight;
  * @param compose whether the equation must be closed anew everywhere: a change of ambience,
  *                background or of which lights there are
  * @param materials what is done to the rows of materials that changed
+ * @param key     of sums that may be kept because one light alone is edited again and again, or null
  */
-public record LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean compose, MaterialUpdate materials) {
+public record LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean compose, MaterialUpdate materials, BranchSums.Key key) {
+    /** Stands for the place of a light where several are edited, or what lights fall on. */
+    public static final int MUCH = -2;
+
     public LevelPlan {
         layers = List.copyOf(layers);
         dropped = List.copyOf(dropped);
     }
 
+    /** One that keeps no sums. */
+    public LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean compose, MaterialUpdate materials) {
+        this(layers, dropped, compose, materials, null);
+    }
+
+    LevelPlan withKey(BranchSums.Key sums) {
+        return new LevelPlan(layers, dropped, compose, materials, sums);
+    }
+
+    /** The place of the only light whose contribution changes, {@link BranchSums.Key#NO_LIGHT} where no light is edited, or {@link #MUCH}. */
+    public int onlyChange() {
+        int only = BranchSums.Key.NO_LIGHT;
+        for (int l = 0; l < layers.size(); l++) {
+            if (layers.get(l).changes()) {
+                if (only >= 0) {
+                    return MUCH;
+                }
+                only = l;
+            }
+        }
+        if (only >= 0) {
+            return compose || !materials.isEmpty() ? MUCH : only;
+        }
+        return keepsLights() ? only : MUCH;
+    }
+
     /** Whether all lights stay at their places, and of every row's material what they need to know: where no light is edited, neither is their sum. */
-    public boolean keepsLights() {
+    private boolean keepsLights() {
         boolean keeps =
                 dropped.isEmpty() && materials.speculars().isEmpty() && materials.mirrors().isEmpty() && materials.retextured().isEmpty();
         for (int l = 0; l < layers.size() && keeps; l++) {
@@ -29,22 +62,34 @@ public record LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean co
         return keeps;
     }
 
-    /** The lights after an update that scales nothing, and what their layers are then computed for. */
-    public List<KnownLight> after() {
-        return after(false, 1);
-    }
-
     /**
      * The lights after the update, and what their layers are then computed for.
      *
-     * @param scaled       whether the update is carried out by ratios
-     * @param leastFalloff the least falloff of rows whose falloff was scaled
+     * @param leastFalloff {@link LayerUpdater#leastFalloff} of all threads
      */
-    public List<KnownLight> after(boolean scaled, double leastFalloff) {
+    public List<KnownLight> after(UpdateMethod method, double leastFalloff) {
         List<KnownLight> lights = new ArrayList<>();
         for (LayerPlan layer : layers) {
-            lights.add(new KnownLight(lights.size(), layer.light(), layer.stamp(scaled, leastFalloff)));
+            lights.add(new KnownLight(lights.size(), layer.light(), layer.stamp(method, leastFalloff)));
         }
         return lights;
+    }
+
+    /** Whether anti-aliasing may see other edges of lights than before. */
+    public boolean recodes(TileLevel old, LightLayer[] after) {
+        boolean recodes = compose || !materials.isEmpty();
+        for (int l = 0; l < after.length && !recodes; l++) {
+            recodes = layers.get(l).recodes(old, after[l]);
+        }
+        return recodes;
+    }
+
+    /** Whether any row's colour may differ from before, its mirror image left out. */
+    public boolean recolors(TileLevel old, LightLayer[] after) {
+        boolean recolors = compose || materials.recolored().isIn(old.rows());
+        for (int l = 0; l < after.length && !recolors; l++) {
+            recolors = layers.get(l).recolors(old, after[l]);
+        }
+        return recolors;
     }
 }

@@ -19,14 +19,25 @@ import lightning.scene.LightTerm;
  * @param weight  whether colour · intensity changes
  * @param shadows whether other shapes throw shadows in its light
  */
-record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight, boolean shadows) {
+public record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight, boolean shadows) {
 
-    static LightDifference between(Light before, Light wanted) {
+    public static LightDifference between(Light before, Light wanted) {
         Set<LightTerm> changed = changed(before, wanted);
         ConeChange cone = cone(changed, before, wanted);
         return new LightDifference(changed.contains(LightTerm.SOURCE), cone,
                 changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && wanted.gobo().isPresent(),
                 changed.contains(LightTerm.WEIGHT), changed.contains(LightTerm.SHADOW));
+    }
+
+    /** The least update to the light wanted: all terms where the light moved, else what differs. */
+    public LightUpdate update(Light wanted) {
+        if (moved || shadows && wanted.isArea()) {
+            return new LightUpdate.FullRecompute(false);
+        }
+        if (cone != ConeChange.NONE || falloff || shadows) {
+            return new LightUpdate.Partial(cone, falloff, weight, shadows);
+        }
+        return weight ? new LightUpdate.Reweight() : new LightUpdate.Keep();
     }
 
     /** The terms of attributes that act with another value than before, or come into action, or go out of it. */

@@ -2,6 +2,7 @@ package lightning.render.relight.plan;
 
 import java.util.List;
 import lightning.base.text.Texts;
+import lightning.render.shading.BranchSums;
 import lightning.render.trace.ShapeChange;
 
 /** What a renderer will do to get from the scene rendered last to the scene wanted. */
@@ -29,6 +30,12 @@ public sealed interface UpdatePlan {
         /** An update of the same shapes that leaves it to the edges which finer samples there are. */
         public Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) {
             this(top, mirrors, depthFrom, depthTo, false, ShapeChange.NONE);
+        }
+
+        /** The same with keys of sums that may be kept, or null, for each of the two. */
+        public Relight withKeys(BranchSums.Key topKey, BranchSums.Key mirrorsKey) {
+            return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), depthFrom, depthTo, resampled,
+                    shapes);
         }
     }
 

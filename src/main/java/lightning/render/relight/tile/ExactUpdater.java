@@ -1,17 +1,17 @@
 package lightning.render.relight.tile;
 
+import lightning.render.relight.plan.LayerPlan;
+import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.Columns;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.Luminaire;
-import lightning.render.shading.RatioRows;
 import lightning.render.shading.ScratchColumns;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
-import lightning.render.trace.ShapeChange;
 
 /** Updates that leave a layer as a full trace would make it, in every bit of its terms, and compact. */
 record ExactUpdater(LightKernel kernel, boolean fades, ScratchColumns scratch) implements LayerUpdater {
@@ -30,36 +30,23 @@ record ExactUpdater(LightKernel kernel, boolean fades, ScratchColumns scratch) i
     }
 
     @Override
-    public LightLayer update(HitRows rows, Luminaire from, Luminaire to, LightLayer before, LightUpdate update) {
-        return switch (update) {
-            case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> before;
-            case LightUpdate.FullRecompute _ -> full(rows, to);
+    public LightLayer update(HitRows rows, LightLayer before, LayerPlan plan, MaterialSet speculars) {
+        LightRows known = (LightRows) before;
+        LightRows layer = kept(known, kernel.speculars(rows, plan.computed().lamp(), known, speculars, Columns.FRESH), rows);
+        if (!plan.shadows().isEmpty()) {
+            layer = kept(layer, kernel.shadowed(rows, plan.computed().lamp(), layer, plan.shadows(), Columns.FRESH), rows);
+        }
+        return switch (plan.update()) {
+            case LightUpdate.Keep _,LightUpdate.Reweight _,LightUpdate.Refresh _ -> layer;
+            case LightUpdate.FullRecompute _ -> full(rows, plan.wanted());
             case LightUpdate.Partial p ->
-                    kept(before, kernel.partial(rows, to.lamp(), (LightRows) before, p.cone(), p.falloff(), Columns.FRESH), rows);
+                    kept(layer, kernel.partial(rows, plan.wanted().lamp(), layer, p.cone(), p.falloff(), Columns.FRESH), rows);
         };
     }
 
     @Override
     public LightLayer convert(HitRows rows, Luminaire light, LightLayer before) {
-        return switch (before) {
-            case LightRows layer -> layer;
-            case RatioRows layer -> kept(null, kernel.again(rows, light.lamp(), layer, Columns.FRESH), rows);
-        };
-    }
-
-    @Override
-    public LightLayer speculars(HitRows rows, Luminaire light, LightLayer before, MaterialSet changed) {
-        return kept(before, kernel.speculars(rows, light.lamp(), (LightRows) before, changed, Columns.FRESH), rows);
-    }
-
-    @Override
-    public LightLayer shadowed(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
-        return kept(before, kernel.shadowed(rows, light.lamp(), (LightRows) before, change, Columns.FRESH), rows);
-    }
-
-    @Override
-    public boolean mayChange(HitRows rows, Luminaire light, LightLayer before, ShapeChange change) {
-        return kernel.mayChange(rows, light.lamp(), before, change);
+        return before instanceof LightRows ? before : kept(null, kernel.again(rows, light.lamp(), before, Columns.FRESH), rows);
     }
 
     @Override
@@ -72,11 +59,26 @@ record ExactUpdater(LightKernel kernel, boolean fades, ScratchColumns scratch) i
         return kept(null, kernel.joined(splice, (LightRows) before, (LightRows) added, light.lamp()), splice.rows());
     }
 
+    @Override
+    public LightRows terms(HitRows rows, Luminaire light, LightLayer layer) {
+        return (LightRows) layer;
+    }
+
+    @Override
+    public long rowsTouched() {
+        return kernel.rowsTouched();
+    }
+
+    @Override
+    public double leastFalloff() {
+        return 1;
+    }
+
     /**
      * A layer without what need not be kept. One that an edit leaves as it was is so already: its columns are not looked over again, which an edit of
      * one light would else do with those of all others.
      */
-    private static LightRows kept(LightLayer before, LightRows after, HitRows rows) {
+    private static LightRows kept(LightRows before, LightRows after, HitRows rows) {
         return after == before ? after : after.compact(rows.count);
     }
 }

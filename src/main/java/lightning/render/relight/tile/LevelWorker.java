@@ -5,6 +5,10 @@ import java.util.BitSet;
 import java.util.function.Function;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
+import lightning.render.relight.plan.LayerPlan;
+import lightning.render.relight.plan.LayerUpdater;
+import lightning.render.relight.plan.LevelPlan;
+import lightning.render.relight.plan.LightUpdate;
 import lightning.render.shading.BranchSums;
 import lightning.render.shading.EdgeCoder;
 import lightning.render.shading.Images;
@@ -12,11 +16,10 @@ import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightLayer;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.Luminaire;
-import lightning.render.shading.RatioKernel;
-import lightning.render.shading.RatioRows;
 import lightning.render.shading.TileComposer;
 import lightning.render.trace.Bounce;
 import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialSet;
 import lightning.render.trace.Retexturing;
 import lightning.render.trace.RowSplice;
 import lightning.render.trace.SamplePlaces;
@@ -40,7 +43,6 @@ final class LevelWorker {
     /** Made when it is needed first. */
     private Retexturing textures;
     private final LightKernel lights;
-    private final RatioKernel ratios;
     private final LayerUpdater updater;
     private long rowsComposed;
     private long bytesMoved;
@@ -50,8 +52,7 @@ final class LevelWorker {
         this.shown = shown;
         this.tracer = tracer;
         lights = new LightKernel(shown.geometry(), tracer, engine.terms(), job.options().view());
-        ratios = new RatioKernel(lights);
-        updater = LayerUpdater.of(job.options().accuracy(), lights, ratios, shown.lights().length);
+        updater = job.options().method().updater(lights, shown.lights().length);
         composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
     }
 
@@ -71,11 +72,11 @@ final class LevelWorker {
     }
 
     long rowsTouched() {
-        return lights.rowsTouched() + ratios.rowsScaled() + (textures == null ? 0 : textures.rowsTouched());
+        return updater.rowsTouched() + (textures == null ? 0 : textures.rowsTouched());
     }
 
     double leastFalloff() {
-        return ratios.leastFalloff();
+        return updater.leastFalloff();
     }
 
     long rowsComposed() {
@@ -103,8 +104,8 @@ final class LevelWorker {
      *
      * @param places where its rays go
      */
-    TileLevel retextured(TileLevel level, SamplePlaces places, LevelJob update) {
-        return retextured(level, update, t -> t.eye(level.rows(), places, update.plan().materials().retextured()));
+    TileLevel retextured(TileLevel level, SamplePlaces places, LevelPlan update) {
+        return retextured(level, update, t -> t.eye(level.rows(), places, update.materials().retextured()));
     }
 
     /**
@@ -112,12 +113,12 @@ final class LevelWorker {
      *
      * @param above the level that it is seen from
      */
-    TileLevel retextured(TileLevel level, HitRows above, Bounce bounce, LevelJob update) {
-        return retextured(level, update, t -> t.seenFrom(level.rows(), above, bounce, update.plan().materials().retextured()));
+    TileLevel retextured(TileLevel level, HitRows above, Bounce bounce, LevelPlan update) {
+        return retextured(level, update, t -> t.seenFrom(level.rows(), above, bounce, update.materials().retextured()));
     }
 
-    private TileLevel retextured(TileLevel level, LevelJob update, Function<Retexturing, HitRows> look) {
-        var changed = update.plan().materials().retextured();
+    private TileLevel retextured(TileLevel level, LevelPlan update, Function<Retexturing, HitRows> look) {
+        var changed = update.materials().retextured();
         if (changed.isEmpty()) {
             return level;
         }
@@ -133,16 +134,41 @@ final class LevelWorker {
     }
 
     /** Carries out a plan on a level's layers; counts what that reads of the rows and writes. */
-    TileLevel updated(TileLevel old, LevelJob update) {
-        LightLayer[] layers = update.layers(old, updater, job.progress());
+    TileLevel updated(TileLevel old, LevelPlan update) {
+        LightLayer[] layers = new LightLayer[update.layers().size()];
+        for (int l = 0; l < layers.length && !job.progress().isCancelled(); l++) {
+            layers[l] = updated(old, update.layers().get(l), update.materials().speculars());
+        }
         for (int l = 0; l < layers.length; l++) {
-            LightLayer before = update.lights().get(l).before(old);
+            LightLayer before = update.layers().get(l).before(old);
             if (layers[l] != before && layers[l] != null) {
                 bytesMoved += layers[l].newBytes(before) + old.rows().count * layers[l].rowBytesRead(before);
             }
         }
         BranchSums sums = old.branches() != null && old.branches().key() == update.key() ? old.branches() : null;
         return sums == old.branches() && Arrays.equals(layers, old.layers()) ? old : new TileLevel(old.rows(), layers, sums);
+    }
+
+    /**
+     * A light's layer over a level's rows after its update: that before where nothing of it changes; null where it never shone.
+     *
+     * @param speculars materials whose specular term changed
+     */
+    private LightLayer updated(TileLevel old, LayerPlan plan, MaterialSet speculars) {
+        LightLayer before = plan.before(old);
+        if (before == null) {
+            // Never lit, or a mirror level that a deeper recursion added while the light was dark.
+            return plan.wanted().isDark() ? null : updater.full(old.rows(), plan.wanted());
+        }
+        if (plan.update() instanceof LightUpdate.FullRecompute) {
+            return updater.full(old.rows(), plan.wanted());
+        }
+        if (plan.wanted().isDark() && !plan.shadows().isEmpty()
+                && lights.mayChange(old.rows(), plan.computed().lamp(), before, plan.shadows())) {
+            // Made anew once it shines.
+            return null;
+        }
+        return updater.update(old.rows(), before, plan, speculars);
     }
 
     /** A level over rows of which some may be gone, in another order; its layers are of the lights that they were of before. */
@@ -177,14 +203,11 @@ final class LevelWorker {
 
     /** Tells anti-aliasing what a level shows; the levels above were told before. */
     void code(EdgeCoder coder, int depth, int place, TileLevel level) {
-        Luminaire[] lights = shown.lights();
+        Luminaire[] shining = shown.lights();
         coder.shapes(depth, place, level.rows(), shown.geometry().materials());
-        for (int l = 0; l < lights.length && !job.progress().isCancelled(); l++) {
-            if (!lights[l].isDark()) {
-                LightRows layer = switch (level.layers()[l]) {
-                    case LightRows exact -> exact;
-                    case RatioRows ratio -> ratios.terms(level.rows(), lights[l], ratio);
-                };
+        for (int l = 0; l < shining.length && !job.progress().isCancelled(); l++) {
+            if (!shining[l].isDark()) {
+                LightRows layer = updater.terms(level.rows(), shining[l], level.layers()[l]);
                 coder.light(depth, place, l, level.rows(), layer, shown.geometry().materials());
             }
         }
@@ -195,7 +218,7 @@ final class LevelWorker {
      *
      * @param to gets the colours
      */
-    TileLevel compose(TileLevel level, LevelJob update, Images images, float[][] to) {
+    TileLevel compose(TileLevel level, LevelPlan update, Images images, float[][] to) {
         rowsComposed += level.rows().count;
         BranchSums sums = update == null || update.key() == null ? null
                 : level.branches() != null ? level.branches()

@@ -1,11 +1,11 @@
 package lightning.render.relight.tile;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
+import lightning.render.relight.paper.HitShapes;
 import lightning.render.shading.EdgeCoder;
 import lightning.render.shading.Images;
 import lightning.render.trace.Bounce;
@@ -24,15 +24,13 @@ final class LowerLevels {
     private final Job job;
     private final LevelWorker worker;
     private final List<TileLevel> levels = new ArrayList<>();
-    private final List<int[]> hitShapes = new ArrayList<>();
+    /** Where rows are not kept, the shapes that rays hit. */
+    private final HitShapes hitShapes = new HitShapes();
     /** Tells anti-aliasing what is seen; null where it does not look. */
     private EdgeCoder coder;
     /** The levels before, and the next of them to be looked at. */
     private TileLevel[] old;
     private int next;
-    /** Of the levels before the shapes that their rays hit, where these are all that is known, and the next of them. */
-    private int[][] known;
-    private int nextKnown;
     private boolean changed;
     private long mirroredRays;
 
@@ -57,12 +55,10 @@ final class LowerLevels {
     private void begin(TileLevel top, TileLevel[] before, int[][] shapes, EdgeCoder with) {
         levels.clear();
         levels.add(top);
-        hitShapes.clear();
+        hitShapes.begin(shapes);
         coder = with;
         old = before;
         next = 1;
-        known = shapes;
-        nextKnown = 0;
         changed = false;
     }
 
@@ -80,12 +76,13 @@ final class LowerLevels {
             return new Kept(new TileLevel[] {top}, shapes, null);
         }
         Images images = images();
-        return job.keepsRows() ? new Kept(levels.toArray(TileLevel[]::new), new int[0][], images)
-                : new Kept(new TileLevel[] {top}, hitShapes.toArray(int[][]::new), images);
+        return job.keepsRows() ? new Kept(levels.toArray(TileLevel[]::new), HitShapes.NONE, images)
+                : new Kept(new TileLevel[] {top}, hitShapes.list(), images);
     }
 
     /**
-     * Updates those that are kept as rows: what is known stays, and rays are cast for the rest alone.
+     * Updates them. Of those that are kept as rows what is known stays, and rays are cast for the rest alone; others are traced from
+     * the shapes that their rays hit.
      *
      * @param before the tile
      * @param top    its first level now
@@ -93,8 +90,12 @@ final class LowerLevels {
      * @param with   is told what is seen; null where anti-aliasing does not look
      */
     Kept updated(CachedTile before, TileLevel top, RowSplice order, EdgeCoder with) {
-        begin(top, before.levels, new int[0][], with);
-        changed = order != null || job.mirrors() != null && job.mirrors().plan().compose();
+        if (!job.keepsRows()) {
+            return traced(top, order == null ? HitShapes.after(before.hitShapes, job.plan(), job.mirrored().geometry()) : HitShapes.NONE,
+                    with);
+        }
+        begin(top, before.levels, HitShapes.NONE, with);
+        changed = order != null || job.mirrors() != null && job.mirrors().compose();
         update(top.rows(), order, before.levels[0].rows(), 0, 0);
         return job.progress().isCancelled() ? new Kept(before.levels, before.hitShapes, null)
                 : new Kept(levels.toArray(TileLevel[]::new), before.hitShapes, changed ? images() : before.images);
@@ -110,11 +111,11 @@ final class LowerLevels {
     }
 
     private void trace(HitRows rows, Bounce bounce, int depth, int place) {
-        if (nextKnown < known.length && !worker.visibility().touching(rows, bounce, job.shapes().seen()).isEmpty()) {
+        if (hitShapes.hasNext() && !worker.visibility().touching(rows, bounce, job.shapes().seen()).isEmpty()) {
             // What is seen from these rows may be other rows, and then nothing is known of what is seen from theirs.
-            nextKnown = known.length;
+            hitShapes.dropRest();
         }
-        int[] shapes = nextKnown < known.length ? known[nextKnown++] : null;
+        int[] shapes = hitShapes.next();
         HitRows seen = worker.visibility().seenFrom(rows, bounce, shapes, allocator(rows));
         mirroredRays += worker.visibility().rays();
         if (!job.keepsRows()) {
@@ -209,7 +210,7 @@ final class LowerLevels {
 
     /** Whether rows that are seen from others change their places, or are seen no more. */
     private boolean moves(RowSplice above, HitRows rows) {
-        return above != null || job.mirrors() != null && job.mirrors().plan().materials().mirrors().isIn(rows);
+        return above != null || job.mirrors() != null && job.mirrors().materials().mirrors().isIn(rows);
     }
 
     /** Composes all of them; what the rays bring that go on from the first level's rows. */
@@ -240,7 +241,7 @@ final class LowerLevels {
      * @param top the first level, of which it follows already
      */
     TileLevel[] asked(CachedTile tile, TileLevel top, boolean coded, Answer answer) {
-        begin(top, tile.levels, new int[0][], null);
+        begin(top, tile.levels, HitShapes.NONE, null);
         ask(top.rows(), 0, coded, answer);
         return levels.toArray(TileLevel[]::new);
     }
@@ -262,15 +263,5 @@ final class LowerLevels {
                 ask(level.rows(), depth + 1, coded, answer);
             }
         }
-    }
-
-    /** Whether the rows, known by their shapes alone, are of materials that begin or cease to mirror. */
-    boolean crosses(int[][] shapes) {
-        if (job.mirrors() == null || job.mirrors().plan().materials().mirrors().isEmpty()) {
-            return false;
-        }
-        return Arrays.stream(shapes).flatMapToInt(Arrays::stream)
-                .anyMatch(shape -> shape >= 0
-                        && job.mirrors().plan().materials().mirrors().contains(job.mirrored().geometry().materialOf(shape)));
     }
 }

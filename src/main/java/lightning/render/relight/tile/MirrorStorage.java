@@ -5,5 +5,13 @@ public enum MirrorStorage {
     /** Rows and layers like those of the first level: an edit of a light is as cheap there. */
     FULL_ROWS,
     /** The paper's list of hit shapes: small; points and lights are computed anew, without a search. */
-    HIT_SHAPES
+    HIT_SHAPES;
+
+    /** The one that takes least memory. */
+    public static final MirrorStorage SMALLEST = HIT_SHAPES;
+
+    /** Whether rows and layers are kept. */
+    public boolean keepsRows() {
+        return this == FULL_ROWS;
+    }
 }

@@ -5,8 +5,10 @@ import lightning.base.work.Memory;
 import lightning.base.work.Workers;
 import lightning.render.engine.EngineChoice;
 import lightning.render.engine.choice.Engines;
+import lightning.render.relight.paper.RatioMethod;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.UpdateMethod;
 import lightning.scene.effects.ViewEffects;
 
 /**
@@ -32,5 +34,13 @@ public record Options(Accuracy accuracy, Reflections reflections, MirrorStorage 
     /** All effects. */
     public Options(Accuracy accuracy, Reflections reflections, MirrorStorage storage, int threads) {
         this(accuracy, reflections, storage, threads, ViewEffects.ALL);
+    }
+
+    /** What carries out edits at this accuracy. */
+    public UpdateMethod method() {
+        return switch (accuracy) {
+            case EXACT -> new ExactMethod();
+            case RATIO -> new RatioMethod();
+        };
     }
 }

@@ -1,5 +1,7 @@
 package lightning.render.relight.tile;
 
+import lightning.render.relight.plan.LevelPlan;
+import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.BranchSums;
 
 /**
@@ -13,28 +15,47 @@ public final class RepeatedEdit {
      */
     public static final int LEAST_LIGHTS = 8;
 
-    /** Stands for the place of a light where several are edited, or what lights fall on. */
-    static final int MUCH = -2;
-
     private BranchSums.Key key;
+
+    /** Which light is edited again and again, in what the eye sees and in mirrors. */
+    public record Levels(RepeatedEdit top, RepeatedEdit mirrors) {
+        public Levels() {
+            this(new RepeatedEdit(), new RepeatedEdit());
+        }
+
+        /** The plan with the keys of sums to use and to keep. */
+        public UpdatePlan.Relight next(UpdatePlan.Relight plan) {
+            return plan.withKeys(next(top, plan.top(), plan), plan.mirrors() == null ? null : next(mirrors, plan.mirrors(), plan));
+        }
+
+        private static BranchSums.Key next(RepeatedEdit repeated, LevelPlan level, UpdatePlan.Relight plan) {
+            return repeated.next(plan.shapes().isEmpty() ? level.onlyChange() : LevelPlan.MUCH, level.layers().size());
+        }
+
+        /** Forgets which lights were edited last. */
+        public void end() {
+            top.end();
+            mirrors.end();
+        }
+    }
 
     /**
      * Hears of an update.
      *
-     * @param light  the only light that it changes, {@link BranchSums.Key#NO_LIGHT}, or {@link #MUCH}
+     * @param light  the only light that it changes, {@link BranchSums.Key#NO_LIGHT}, or {@link LevelPlan#MUCH}
      * @param lights how many lights there are
      * @return the key of sums to use and to keep, or null
      */
     BranchSums.Key next(int light, int lights) {
-        if (light != MUCH && lights >= LEAST_LIGHTS && key != null && key.light() == light) {
+        if (light != LevelPlan.MUCH && lights >= LEAST_LIGHTS && key != null && key.light() == light) {
             return key;
         }
-        key = light == MUCH ? null : new BranchSums.Key(light);
+        key = light == LevelPlan.MUCH ? null : new BranchSums.Key(light);
         return null;
     }
 
     /** Forgets which light was edited last. */
-    public void end() {
+    void end() {
         key = null;
     }
 }

@@ -6,7 +6,6 @@ import lightning.render.cache.CachedTile;
 import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.shading.EdgeCoder;
 import lightning.render.shading.EdgeCodes;
@@ -192,7 +191,7 @@ final class TileWorker {
     private CachedTile relight(SamplePlaces places, CachedTile of, BitSet anew, boolean codes, boolean fine) {
         CachedTile old = owned(places, of);
         TileLevel known = old.levels[0];
-        MaterialUpdate materials = job.top().plan().materials();
+        MaterialUpdate materials = job.top().materials();
         RowSplice order = !anew.isEmpty() || materials.mirrors().isIn(known.rows())
                 ? RowSplice.sorted(known.rows(), anew, job.shown().geometry().materials()) : null;
         TileLevel sorted = order == null ? known : eye.sorted(order, known);
@@ -239,7 +238,7 @@ final class TileWorker {
             boolean fine) {
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
-        boolean kept = !fine || job.options().accuracy() == Accuracy.RATIO;
+        boolean kept = !fine || !job.options().accuracy().isExact();
         if (!same) {
             colors = kept ? new float[3][Film.TILE_PIXELS] : samples();
             eye.composer.background(top.rows(), job.scene(), places, colors);
@@ -263,14 +262,6 @@ final class TileWorker {
         if (top.rows().reflective == 0) {
             return new LowerLevels.Kept(new TileLevel[] {top}, new int[0][], null);
         }
-        if (job.keepsRows()) {
-            return lower().updated(old, top, order, coded ? coder : null);
-        }
-        int[][] hitShapes = Arrays.stream(old.hitShapes).map(job.shapes()::now).toArray(int[][]::new);
-        boolean tree = job.mirrored().geometry().materials().clearCount() > 0;
-        // Of a tree of levels another depth leaves out some in the middle.
-        boolean stays = order == null && !lower().crosses(hitShapes) && !(tree && job.depth() != job.depthBefore());
-        int most = tree ? hitShapes.length : Math.min(hitShapes.length, job.depth());
-        return lower().traced(top, stays ? Arrays.copyOf(hitShapes, most) : new int[0][], coded ? coder : null);
+        return lower().updated(old, top, order, coded ? coder : null);
     }
 }

@@ -8,6 +8,7 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
+import lightning.render.relight.paper.RatioMethod;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ConeChange;
@@ -159,7 +160,7 @@ class DispatcherTest {
             try (Renderer renderer = rendered(Accuracy.RATIO, reflections, first)) {
                 renderer.render(second, Progress.NONE);
                 renderer.render(third, Progress.NONE);
-                UpdatePlan.Relight refresh = Dispatcher.refresh(renderer.cache());
+                UpdatePlan.Relight refresh = RatioMethod.refresh(renderer.cache());
                 assertThat(updates(refresh.top())).containsExactly(KEEP, REFRESH, KEEP, KEEP);
                 if (reflections == Reflections.STALE) {
                     assertThat(refresh.mirrors()).as("mirrors show another scene").isNull();

@@ -1,4 +1,4 @@
-package lightning.render.shading;
+package lightning.render.relight.paper;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -7,6 +7,9 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.engine.choice.Engines;
+import lightning.render.shading.Lamp;
+import lightning.render.shading.LightRows;
+import lightning.render.shading.Luminaire;
 import lightning.render.trace.HitRows;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;

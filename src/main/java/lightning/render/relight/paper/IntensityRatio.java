@@ -1,18 +1,20 @@
-package lightning.render.shading;
+package lightning.render.relight.paper;
+
+import lightning.render.shading.Luminaire;
 
 /**
  * The paper's update after a change of colour or intensity (§4.1): new over old weight, one factor for
  * each channel, by which all contributions are multiplied.
  */
-public record IntensityRatio(float red, float green, float blue) {
-    public static final IntensityRatio NONE = new IntensityRatio(1, 1, 1);
+record IntensityRatio(float red, float green, float blue) {
+    static final IntensityRatio NONE = new IntensityRatio(1, 1, 1);
 
     /**
      * The ratio between two weights; not usable, see {@link #isUsable}, where an old weight is 0 and the new is not, or
      * so small that contributions made with it have lost digits: these are not even scaled by falloffs, though their
      * weight stays.
      */
-    public static IntensityRatio between(Luminaire before, Luminaire after) {
+    static IntensityRatio between(Luminaire before, Luminaire after) {
         return new IntensityRatio(ratio(before.red(), after.red()), ratio(before.green(), after.green()),
                 ratio(before.blue(), after.blue()));
     }
@@ -27,11 +29,11 @@ public record IntensityRatio(float red, float green, float blue) {
     }
 
     /** Whether contributions can be scaled; if not, they must be computed anew (§4.1, the zero case). */
-    public boolean isUsable() {
+    boolean isUsable() {
         return red == red && green == green && blue == blue;
     }
 
-    public float channel(int c) {
+    float channel(int c) {
         return c == 0 ? red : c == 1 ? green : blue;
     }
 }

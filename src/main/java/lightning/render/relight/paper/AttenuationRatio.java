@@ -1,5 +1,10 @@
-package lightning.render.shading;
+package lightning.render.relight.paper;
 
+import java.util.Arrays;
+import lightning.render.shading.Lamp;
+import lightning.render.shading.LightRows;
+import lightning.render.shading.Shaping;
+import lightning.render.shading.Terms;
 import lightning.render.trace.HitRows;
 
 /**
@@ -46,7 +51,7 @@ final class AttenuationRatio {
 
     private void factors(HitRows rows, Lamp lamp, double[] to) {
         if (!lamp.type().hasPosition()) {
-            java.util.Arrays.fill(to, 0, rows.count, 1);
+            Arrays.fill(to, 0, rows.count, 1);
             return;
         }
         terms.aim(rows, lamp);

@@ -1,4 +1,4 @@
-package lightning.render.shading;
+package lightning.render.relight.paper;
 
 import java.util.EnumSet;
 import java.util.List;
@@ -6,6 +6,9 @@ import java.util.Set;
 import lightning.render.column.ColumnKind;
 import lightning.render.column.ColumnSet;
 import lightning.render.column.ElementType;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.LightRows;
+import lightning.render.shading.WeightedLayer;
 import lightning.scene.Light;
 
 /**
@@ -13,9 +16,9 @@ import lightning.scene.Light;
  * multiplied in, which edits scale by ratios. Rows that the light does not reach hold 0; the paper's
  * negative diffuse colour, its flag for them, is the state here.
  */
-public final class RatioRows implements LightLayer {
+public final class RatioRows extends WeightedLayer {
     /** All columns that there are: what makes, counts and splices layers knows no others. */
-    public enum Column implements ColumnKind {
+    enum Column implements ColumnKind {
         STATE(ElementType.BYTE),
         DIFFUSE_RED(ElementType.FLOAT),
         DIFFUSE_GREEN(ElementType.FLOAT),
@@ -57,13 +60,6 @@ public final class RatioRows implements LightLayer {
 
     private final byte[] states;
     private final int lit;
-    /** Diffuse contributions: red, green, blue columns; null where no row is lit. */
-    final float[][] diffuse;
-    /** Specular contributions; null where no row is lit or none is specular. */
-    final float[][] specular;
-    /** What metallic materials send besides; null where no row is lit or none is metallic. */
-    final float[][] grazing;
-
     /** To which samples of its light each row's ways are free; see {@link LightRows#seen}. */
     private final short[][] seen;
 
@@ -80,12 +76,11 @@ public final class RatioRows implements LightLayer {
     }
 
     RatioRows(ColumnSet<Column> columns, int lit) {
+        super(LightRows.colors(columns, Column.DIFFUSE), LightRows.colors(columns, Column.SPECULAR),
+                LightRows.colors(columns, Column.GRAZING));
         this.columns = columns;
         this.lit = lit;
         states = (byte[]) columns.get(Column.STATE);
-        diffuse = LightRows.colors(columns, Column.DIFFUSE);
-        specular = LightRows.colors(columns, Column.SPECULAR);
-        grazing = LightRows.colors(columns, Column.GRAZING);
         tint = LightRows.colors(columns, Column.TINT);
         seen = LightRows.seen(columns, Column.SEEN);
     }
@@ -96,7 +91,7 @@ public final class RatioRows implements LightLayer {
      * @param metallic whether any material is metallic
      * @param tinted   whether light passes any
      */
-    public static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
+    static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
         if (!tinted) {
             columns.removeAll(Column.TINT);

@@ -1,4 +1,4 @@
-package lightning.render.relight.plan;
+package lightning.render.relight.paper;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -14,6 +14,8 @@ import lightning.render.image.FilmAssert;
 import lightning.render.relight.FilmErrors;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.Update;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
@@ -40,7 +42,7 @@ class RatioBoundTest {
 
     @Test
     void layerThatWasNotScaled_losesNothing() {
-        LayerStamp before = new LayerStamp(ONE, 4, 1e-40, 1e-41);
+        ScaledStamp before = new ScaledStamp(ONE, 4, 1e-40, 1e-41);
         assertThat(RatioBound.scaled(before, ONE, false, false, 1)).isEqualTo(before);
     }
 
@@ -51,8 +53,8 @@ class RatioBoundTest {
     @Test
     void scaledWeight_costsTwoRoundingsAndAShareOfTheWeight() {
         Light wanted = light(4, 2, 1);
-        LayerStamp after = RatioBound.scaled(LayerStamp.fresh(ONE), wanted, true, false, 1);
-        assertThat(after).isEqualTo(new LayerStamp(wanted, 2, 0, 4 * ETA + 4 * ETA * 13 / 2));
+        ScaledStamp after = RatioBound.scaled(LayerStamp.fresh(ONE), wanted, true, false, 1);
+        assertThat(after).isEqualTo(new ScaledStamp(wanted, 2, 0, 4 * ETA + 4 * ETA * 13 / 2));
         assertThat(RatioBound.scaled(after, wanted, true, false, 1).lostOfWeight()).as("adds up")
                 .isEqualTo(4 * ETA + 4 * ETA * 13 / 2 + 4 * ETA * 20 / 2);
     }
@@ -62,15 +64,15 @@ class RatioBoundTest {
     void contributionsOfASmallWeight_haveLostAShareWhenTheyWereMade() {
         Light bright = light(4, 0x1p-101, 0);
         double lost = 2 * ETA * 9 * 0x1p100;
-        LayerStamp after = RatioBound.scaled(LayerStamp.fresh(bright), bright.withIntensity(1), true, false, 1);
+        ScaledStamp after = RatioBound.scaled(LayerStamp.fresh(bright), bright.withIntensity(1), true, false, 1);
         assertThat(after.lostOfWeight()).isEqualTo(lost + 4 * ETA * 16 * 0x1p101);
     }
 
     /** Rows that enter the cone now lost more than all that was scaled before; with no ray, no falloff and no weight changed. */
     @Test
     void layerThatGetsNewRows_isTakenForOneThatWasJustComputed() {
-        LayerStamp before = new LayerStamp(ONE, 4, 0x1p-120, 0);
-        LayerStamp after = RatioBound.scaled(before, ONE, true, false, 1);
+        ScaledStamp before = new ScaledStamp(ONE, 4, 0x1p-120, 0);
+        ScaledStamp after = RatioBound.scaled(before, ONE, true, false, 1);
         assertThat(after.lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 6);
         assertThat(after.lostOfContribution()).isEqualTo(0x1p-120);
     }
@@ -78,9 +80,9 @@ class RatioBoundTest {
     /** With the falloff down to 2⁻¹⁰ what was lost of the weight becomes a share of weight and falloff. */
     @Test
     void scaledFalloff_costsTwoRoundingsAndAShareOfTheContribution() {
-        LayerStamp before = new LayerStamp(ONE, 2, 0x1p-145, 0x1p-146);
-        LayerStamp after = RatioBound.scaled(before, ONE, false, true, 0x1p-10);
-        assertThat(after).isEqualTo(new LayerStamp(ONE, 4, 0x1p-145 + (0x1p-146 + 4 * ETA * 6) * 0x1p10, 0));
+        ScaledStamp before = new ScaledStamp(ONE, 2, 0x1p-145, 0x1p-146);
+        ScaledStamp after = RatioBound.scaled(before, ONE, false, true, 0x1p-10);
+        assertThat(after).isEqualTo(new ScaledStamp(ONE, 4, 0x1p-145 + (0x1p-146 + 4 * ETA * 6) * 0x1p10, 0));
         assertThat(RatioBound.scaled(LayerStamp.fresh(ONE), ONE, true, true, 1).roundings()).isEqualTo(4);
     }
 
@@ -100,9 +102,9 @@ class RatioBoundTest {
     @CsvSource({"1,0,0", "2,0,1", "3,0,2", "4,0,2", "5,0,3", "8,1,3", "9,10,4"})
     void relativePart_countsTheRoundingsOnTheWayToTheFilm(int lights, int mirrors, int levelsOfTheSum) {
         LayerStamp[] stamps = new LayerStamp[lights];
-        stamps[0] = new LayerStamp(ONE, 4, 0, 0);
+        stamps[0] = new ScaledStamp(ONE, 4, 0, 0);
         if (lights > 2) {
-            stamps[2] = new LayerStamp(ONE, 2, 0, 0);
+            stamps[2] = new ScaledStamp(ONE, 2, 0, 0);
         }
         double n = 6 + 4 + 2 * (levelsOfTheSum + 5 + 2 * mirrors);
         assertThat(RatioBound.relative(stamps, mirrors, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
@@ -111,7 +113,7 @@ class RatioBoundTest {
     /** The mean of 16 samples is four additions deep, and one division. */
     @Test
     void meanOfSamples_addsItsRoundingsInBothPictures() {
-        LayerStamp[] stamps = {new LayerStamp(ONE, 2, 0, 0)};
+        LayerStamp[] stamps = {new ScaledStamp(ONE, 2, 0, 0)};
         double n = 6 + 2 + 2 * (5 + 4 + 1);
         assertThat(RatioBound.relative(stamps, 0, 16)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
@@ -129,7 +131,7 @@ class RatioBoundTest {
     void absolutePart_isTwiceWhatTheScaledLightsLost() {
         Light four = light(2, 1, 0);
         LayerStamp[] stamps =
-                {new LayerStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new LayerStamp(four, 4, 0x1p-100, 0)};
+                {new ScaledStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new ScaledStamp(four, 4, 0x1p-100, 0)};
         double lost = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
         assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * lost);
     }
@@ -138,15 +140,15 @@ class RatioBoundTest {
     @Test
     void bound_showsFromHalfAStepOfEightBits() {
         double relative = 0.5 / 255 / (1.055 / 2.4);
-        assertThat(new ErrorBound(relative * 0.9999, 0, 1).shows(0, DisplayCurve.SRGB)).isFalse();
-        assertThat(new ErrorBound(relative * 1.0001, 0, 1).shows(0, DisplayCurve.SRGB)).isTrue();
+        assertThat(new ErrorBound(relative * 0.9999, 0).shows(0, DisplayCurve.SRGB)).isFalse();
+        assertThat(new ErrorBound(relative * 1.0001, 0).shows(0, DisplayCurve.SRGB)).isTrue();
         double absolute = 0.5 / 255 / 12.92;
         for (double exposure : new double[] {-3, 0, 7}) {
             double shown = absolute * Math.pow(2, -exposure);
-            assertThat(new ErrorBound(0, shown * 0.9999, 1).shows(exposure, DisplayCurve.SRGB)).isFalse();
-            assertThat(new ErrorBound(0, shown * 1.0001, 1).shows(exposure, DisplayCurve.SRGB)).isTrue();
-            assertThat(new ErrorBound(relative / 2, shown * 0.499, 1).shows(exposure, DisplayCurve.SRGB)).isFalse();
-            assertThat(new ErrorBound(relative / 2, shown * 0.501, 1).shows(exposure, DisplayCurve.SRGB)).isTrue();
+            assertThat(new ErrorBound(0, shown * 0.9999).shows(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(0, shown * 1.0001).shows(exposure, DisplayCurve.SRGB)).isTrue();
+            assertThat(new ErrorBound(relative / 2, shown * 0.499).shows(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(relative / 2, shown * 0.501).shows(exposure, DisplayCurve.SRGB)).isTrue();
         }
     }
 

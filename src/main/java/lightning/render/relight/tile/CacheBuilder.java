@@ -8,14 +8,23 @@ import lightning.base.work.Progress;
 import lightning.base.work.Workers;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
+import lightning.render.cache.KnownLight;
+import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.Crew;
+import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeCodes;
 import lightning.render.shading.EdgeMap;
+import lightning.render.shading.Luminaire;
+import lightning.render.shading.SeenScenes;
 import lightning.scene.Antialias;
+import lightning.scene.Light;
 
-/** Carries out a job on all tiles, by all workers: first the pixels' centres, then the finer samples, or either. */
-public final class TileRun {
+/**
+ * Makes what is kept of a picture, on all threads: all of it, its pixels' centres alone, or the finer samples of centres that are known.
+ * For one job.
+ */
+public final class CacheBuilder {
     /** Of a small picture each thread takes tiles so many times at least, so that all are ready at about the same time. */
     private static final int EACH = 8;
 
@@ -25,8 +34,8 @@ public final class TileRun {
     private final List<Crew<TileWorker>> threads;
     private final int[] order;
 
-    /** @param old what is known, or null for a first pass */
-    public TileRun(Job job, Workers workers, PixelCache old) {
+    /** @param old what is known, or null where all is made from nothing */
+    public CacheBuilder(Job job, Workers workers, PixelCache old) {
         this.job = job;
         this.workers = workers;
         this.old = old;
@@ -35,12 +44,50 @@ public final class TileRun {
     }
 
     /**
+     * What was made.
+     *
+     * @param work what that took
+     */
+    public record Built(PixelCache cache, Tally work) {}
+
+    /**
+     * The picture.
+     *
+     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     */
+    public Built build(boolean centersAlone) {
+        CachedTile[] centers = centers(centersAlone ? 0 : fineTiles());
+        FineTile[] fine = centersAlone ? new FineTile[0] : samples(centers, centers.length);
+        List<KnownLight> lights = job.plan() == null ? KnownLight.all(job.scene(), this::fresh) : after(job.top());
+        List<KnownLight> mirrored = job.plan() == null ? lights : job.mirrors() == null ? old.mirroredLights() : after(job.mirrors());
+        return new Built(new PixelCache(job.shown().geometry(), centers, fine, new SeenScenes(job.scene(), job.mirrored().scene()), lights,
+                mirrored), work());
+    }
+
+    private LayerStamp fresh(Light light) {
+        return Luminaire.of(light, job.scene()).isDark() ? null : LayerStamp.fresh(light);
+    }
+
+    private List<KnownLight> after(LevelPlan plan) {
+        return plan.after(job.options().method(), made().mapToDouble(TileWorker::leastFalloff).reduce(1, Math::min));
+    }
+
+    /**
+     * A picture of known centres with its finer samples.
+     *
+     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     */
+    public Built finish(PixelCache centers) {
+        return new Built(new PixelCache(centers.geometry(), centers.tiles(), samples(centers.tiles(), 0), centers.scenes(),
+                centers.lights(), centers.mirroredLights()), work());
+    }
+
+    /**
      * Makes the pixels' centres; none where all pixels have several samples.
      *
      * @param more how many tiles are made afterwards, for who hears of the progress
-     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */
-    public CachedTile[] centers(int more) {
+    private CachedTile[] centers(int more) {
         CachedTile[] tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
         Progress part = job.progress().part(0, tiles.length + more);
         if (old == null) {
@@ -72,7 +119,7 @@ public final class TileRun {
     }
 
     /** How many tiles of finer samples the picture has: none without anti-aliasing. */
-    public int fineTiles() {
+    private int fineTiles() {
         return job.sampling().isFine() ? job.tileCount() : 0;
     }
 
@@ -81,9 +128,8 @@ public final class TileRun {
      *
      * @param centers the pixels' centres as they are now; none where all pixels have several samples
      * @param before  how many tiles were made before, for who hears of the progress
-     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */
-    public FineTile[] samples(CachedTile[] centers, int before) {
+    private FineTile[] samples(CachedTile[] centers, int before) {
         FineTile[] fine = new FineTile[fineTiles()];
         if (fine.length == 0) {
             return fine;
@@ -113,12 +159,7 @@ public final class TileRun {
         return threads.stream().flatMap(crew -> crew.all().stream());
     }
 
-    public Tally work() {
+    private Tally work() {
         return made().map(TileWorker::work).reduce(Tally.NONE, Tally::plus);
-    }
-
-    /** The least falloff of rows whose falloff was scaled. */
-    public double leastFalloff() {
-        return made().mapToDouble(TileWorker::leastFalloff).reduce(1, Math::min);
     }
 }

@@ -1,9 +1,17 @@
-package lightning.render.shading;
+package lightning.render.relight.paper;
 
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.render.column.ColumnSet;
+import lightning.render.shading.Columns;
+import lightning.render.shading.ConeChange;
+import lightning.render.shading.LightKernel;
+import lightning.render.shading.LightRows;
+import lightning.render.shading.LightingEquation;
+import lightning.render.shading.Luminaire;
+import lightning.render.shading.ScratchColumns;
+import lightning.render.shading.Terms;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
@@ -31,13 +39,13 @@ public final class RatioKernel {
      * The least falloff, before or after, of any row whose contributions {@link #partial} scaled by a ratio of falloffs
      * since the start; where it is below the least normal float, that.
      */
-    public double leastFalloff() {
+    double leastFalloff() {
         return leastFalloff;
     }
 
-    /** Rows whose contributions were scaled since the start. */
-    public long rowsScaled() {
-        return rowsScaled;
+    /** Rows of layers that were looked at, written or scaled since the start. */
+    long rowsTouched() {
+        return exact.rowsTouched() + rowsScaled;
     }
 
     /** All contributions, shadow rays included: the worst case, and the paper's answer to an old value of 0. */
@@ -47,19 +55,19 @@ public final class RatioKernel {
     }
 
     /** All contributions anew for rows whose states are known: no shadow ray is cast. */
-    public RatioRows again(HitRows rows, Luminaire light, RatioRows before) {
+    RatioRows again(HitRows rows, Luminaire light, RatioRows before) {
         scratch.reset();
         return contributions(rows, light, exact.again(rows, light.lamp(), before, scratch), Columns.FRESH.states(rows.count));
     }
 
     /** The terms of rows whose states are known, in columns that are valid until the next call; no shadow ray is cast. */
-    public LightRows terms(HitRows rows, Luminaire light, RatioRows layer) {
+    LightRows terms(HitRows rows, Luminaire light, RatioRows layer) {
         scratch.reset();
         return exact.again(rows, light.lamp(), layer, scratch);
     }
 
     /** All contributions from terms that are known: the same as {@link #full} would give, and no ray is cast. */
-    public RatioRows of(HitRows rows, Luminaire light, LightRows layer) {
+    RatioRows of(HitRows rows, Luminaire light, LightRows layer) {
         rowsScaled += layer.lit;
         return contributions(rows, light, layer, Columns.FRESH.states(rows.count));
     }
@@ -70,12 +78,12 @@ public final class RatioKernel {
         }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
         if (layer.lit == 0) {
-            return new RatioRows(states, null, null, null, kept(rows, layer.seen), 0).withTint(kept(rows, layer.tint));
+            return new RatioRows(states, null, null, null, kept(rows, layer.seen()), 0).withTint(kept(rows, layer.tint()));
         }
         float[][] diffuse = weighted(rows, light, layer.cosine, layer);
         float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer);
         float[][] grazing = layer.grazing == null ? null : weighted(rows, light, layer.grazing, layer);
-        return new RatioRows(states, diffuse, specular, grazing, kept(rows, layer.seen), layer.lit).withTint(kept(rows, layer.tint));
+        return new RatioRows(states, diffuse, specular, grazing, kept(rows, layer.seen()), layer.lit).withTint(kept(rows, layer.tint()));
     }
 
     /** A copy that stays, just long enough. */
@@ -92,7 +100,7 @@ public final class RatioKernel {
 
     private static float[][] weighted(HitRows rows, Luminaire light, float[] term, LightRows layer) {
         float[][] out = columns(rows);
-        float[][] tint = layer.tint;
+        float[][] tint = layer.tint();
         for (int i = 0; i < rows.count && tint != null; i++) {
             float falloff = layer.falloff == null ? 1 : layer.falloff[i];
             out[0][i] = LightingEquation.contribution(light.red(), term[i], falloff, tint[0][i]);
@@ -204,20 +212,15 @@ public final class RatioKernel {
      *
      * @param light the light that the layer was computed for
      */
-    public RatioRows shadowed(HitRows rows, Luminaire light, RatioRows before, ShapeChange change) {
+    RatioRows shadowed(HitRows rows, Luminaire light, RatioRows before, ShapeChange change) {
         scratch.reset();
         LightRows known = known(before);
         LightRows now = exact.shadowed(rows, light.lamp(), known, change, scratch);
-        if (now != known && (now.tint != null || known.tint != null)) {
+        if (now != known && (now.tint() != null || known.tint() != null)) {
             return contributions(rows, light, exact.again(rows, light.lamp(), now, scratch), Columns.FRESH.states(rows.count));
         }
         return now == known ? before
                 : joined(rows, light, before, before, exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch));
-    }
-
-    /** What the kernel of terms, who knows whether ways are free, is asked of. */
-    public LightKernel exact() {
-        return exact;
     }
 
     /** Rows that were lit before and are so {@code now} from {@code scaled}, others from what is known now. */
@@ -247,7 +250,7 @@ public final class RatioKernel {
      * @param light   the light that the layer was computed for
      * @param changed materials whose shininess, roughness or model changed, or that got or lost their highlights
      */
-    public RatioRows speculars(HitRows rows, Luminaire light, RatioRows before, MaterialSet changed) {
+    RatioRows speculars(HitRows rows, Luminaire light, RatioRows before, MaterialSet changed) {
         if (before.lit() == 0 || !changed.isIn(rows)) {
             return before.grazing == null || exact.hasMetallic(rows) ? before
                     : new RatioRows(before.states(), before.diffuse, before.specular, null, before.seen(), before.lit())
@@ -286,7 +289,7 @@ public final class RatioKernel {
      * @param before over the old rows
      * @param added  over the added rows; null where there are none
      */
-    public RatioRows spliced(RowSplice splice, RatioRows before, RatioRows added) {
+    RatioRows spliced(RowSplice splice, RatioRows before, RatioRows added) {
         if (before.states() == LightRows.UNREACHED.state && (added == null || added.states() == LightRows.UNREACHED.state)) {
             return RatioRows.UNREACHED;
         }

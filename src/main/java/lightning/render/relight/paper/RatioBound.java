@@ -1,4 +1,4 @@
-package lightning.render.relight.plan;
+package lightning.render.relight.paper;
 
 import lightning.base.math.Rgb;
 import lightning.render.cache.LayerStamp;
@@ -61,11 +61,12 @@ final class RatioBound {
      * @param falloff      whether falloffs were scaled
      * @param leastFalloff the least falloff, old or new, of rows whose falloff was scaled
      */
-    static LayerStamp scaled(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
+    static ScaledStamp scaled(LayerStamp stamp, Light light, boolean weight, boolean falloff, double leastFalloff) {
+        ScaledStamp before = ScaledStamp.of(stamp);
         int scalings = (weight ? 1 : 0) + (falloff ? 1 : 0);
         double lost = scalings == 0 ? 0 : 4 * TINY * (weight(before.light()) + weight(light) + 4) / leastWeight(light);
         double ofWeight = Math.max(before.lostOfWeight(), lostAtOnce(before.light())) + lost;
-        return new LayerStamp(light, before.roundings() + 2 * scalings,
+        return new ScaledStamp(light, before.roundings() + 2 * scalings,
                 falloff ? before.lostOfContribution() + ofWeight / leastFalloff : before.lostOfContribution(),
                 falloff ? 0 : ofWeight);
     }
@@ -100,7 +101,7 @@ final class RatioBound {
     static double relative(LayerStamp[] stamps, int mirrors, int samples) {
         int most = 0;
         for (LayerStamp stamp : stamps) {
-            most = Math.max(most, stamp == null ? 0 : stamp.roundings());
+            most = Math.max(most, stamp instanceof ScaledStamp scaled ? scaled.roundings() : 0);
         }
         if (most == 0) {
             return 0;
@@ -129,8 +130,8 @@ final class RatioBound {
     static double absolute(LayerStamp[] stamps, int levels, double terms) {
         double sum = 0;
         for (LayerStamp stamp : stamps) {
-            if (stamp != null && stamp.roundings() > 0) {
-                sum += weight(stamp.light()) * (stamp.lostOfContribution() + stamp.lostOfWeight()) + 2 * Float.MIN_NORMAL;
+            if (stamp instanceof ScaledStamp scaled && scaled.roundings() > 0) {
+                sum += weight(scaled.light()) * (scaled.lostOfContribution() + scaled.lostOfWeight()) + 2 * Float.MIN_NORMAL;
             }
         }
         return levels * terms * sum;

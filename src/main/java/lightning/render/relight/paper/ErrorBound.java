@@ -1,4 +1,4 @@
-package lightning.render.relight.plan;
+package lightning.render.relight.paper;
 
 import java.util.List;
 import lightning.render.cache.KnownLight;
@@ -12,10 +12,9 @@ import lightning.scene.Sampling;
  *
  * @param relative by which share of itself a value may be off
  * @param absolute by how much it may be off besides, linear
- * @param largest  the bound for the brightest value of the film, linear: no value is off by more
  */
-public record ErrorBound(double relative, double absolute, double largest) {
-    private static final ErrorBound NONE = new ErrorBound(0, 0, 0);
+public record ErrorBound(double relative, double absolute) {
+    private static final ErrorBound NONE = new ErrorBound(0, 0);
     /** The largest slope of sRGB: near black. */
     private static final double SRGB_STEEPEST = 12.92;
     /** The largest change of a value displayed in sRGB for a relative change: x·d/dx of 1.055·x^(1/2.4), at 1. */
@@ -33,13 +32,17 @@ public record ErrorBound(double relative, double absolute, double largest) {
         if (relative == 0) {
             return NONE;
         }
-        double absolute = RatioBound.absolute(top, 1, RatioBound.terms(cache.geometry().materials()))
-                + RatioBound.absolute(mirrors, depth, RatioBound.terms(cache.mirroredGeometry().materials()));
-        return new ErrorBound(relative, absolute, relative * cache.brightest() + absolute);
+        return new ErrorBound(relative, RatioBound.absolute(top, 1, RatioBound.terms(cache.geometry().materials()))
+                + RatioBound.absolute(mirrors, depth, RatioBound.terms(cache.mirroredGeometry().materials())));
     }
 
     private static LayerStamp[] stamps(List<KnownLight> lights) {
         return lights.stream().map(KnownLight::stamp).toArray(LayerStamp[]::new);
+    }
+
+    /** The bound for the brightest value of the film, linear: no value is off by more. */
+    public double largest(PixelCache cache) {
+        return relative == 0 ? absolute : relative * cache.brightest() + absolute;
     }
 
     /** Whether an error of this size could change what is displayed at an exposure, in stops. */

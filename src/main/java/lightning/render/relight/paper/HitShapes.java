@@ -1,0 +1,75 @@
+package lightning.render.relight.paper;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialSet;
+
+/**
+ * The paper's list of hits of one tile: for each level below the first, in the order of a walk, the shape that every ray hit, −1
+ * for none. Points and lights follow from it without a search. Used for one tile after the other: one for each thread.
+ */
+public final class HitShapes {
+    /** Of a tile of which no level is known. */
+    public static final int[][] NONE = {};
+
+    private final List<int[]> hit = new ArrayList<>();
+    private int[][] known = NONE;
+    private int next;
+
+    /**
+     * What a tile's list still says after an update; nothing where its rays may go other ways.
+     *
+     * @param mirrored with the materials that mirrors show afterwards
+     */
+    public static int[][] after(int[][] before, UpdatePlan.Relight plan, Geometry mirrored) {
+        int[][] now = Arrays.stream(before).map(plan.shapes()::now).toArray(int[][]::new);
+        boolean tree = mirrored.materials().clearCount() > 0;
+        // Of a tree of levels another depth leaves out some in the middle.
+        if (tree && plan.depthFrom() != plan.depthTo()
+                || plan.mirrors() != null && areAny(plan.mirrors().materials().mirrors(), now, mirrored)) {
+            return NONE;
+        }
+        return Arrays.copyOf(now, tree ? now.length : Math.min(now.length, plan.depthTo()));
+    }
+
+    /** Whether any of the shapes is of one of the materials. */
+    private static boolean areAny(MaterialSet materials, int[][] shapes, Geometry geometry) {
+        return !materials.isEmpty() && Arrays.stream(shapes).flatMapToInt(Arrays::stream)
+                .anyMatch(shape -> shape >= 0 && materials.contains(geometry.materialOf(shape)));
+    }
+
+    /** Begins with another tile, of which these levels are known. */
+    public void begin(int[][] shapes) {
+        hit.clear();
+        known = shapes;
+        next = 0;
+    }
+
+    /** Whether the next level is known. */
+    public boolean hasNext() {
+        return next < known.length;
+    }
+
+    /** The shapes of the next level; null where it is not known. */
+    public int[] next() {
+        return hasNext() ? known[next++] : null;
+    }
+
+    /** Drops what is known of the levels to come. */
+    public void dropRest() {
+        next = known.length;
+    }
+
+    /** Adds the shapes of a level to the list that the tile keeps. */
+    public void add(int[] shapes) {
+        hit.add(shapes);
+    }
+
+    /** The list that the tile keeps. */
+    public int[][] list() {
+        return hit.toArray(int[][]::new);
+    }
+}

@@ -1,0 +1,91 @@
+package lightning.render.relight.paper;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.render.cache.KnownLight;
+import lightning.render.cache.LayerStamp;
+import lightning.render.cache.PixelCache;
+import lightning.render.column.ColumnKind;
+import lightning.render.image.DisplayCurve;
+import lightning.render.relight.plan.LayerPlan;
+import lightning.render.relight.plan.LayerUpdater;
+import lightning.render.relight.plan.LevelPlan;
+import lightning.render.relight.plan.LightDifference;
+import lightning.render.relight.plan.LightUpdate;
+import lightning.render.relight.plan.MaterialUpdate;
+import lightning.render.relight.plan.UpdateMethod;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.ConeChange;
+import lightning.render.shading.LightKernel;
+import lightning.render.shading.Luminaire;
+import lightning.render.trace.ShapeChange;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** The paper's own method: layers hold finished contributions, which edits scale by ratios, with a running bound of the error. */
+public record RatioMethod() implements UpdateMethod {
+
+    /**
+     * The paper's choice: a turned light is recomputed in full (§4.5), and so is one whose old weight is 0
+     * (§4.1), shadow rays included. The layers of a light that is off wait.
+     */
+    @Override
+    public LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene) {
+        if (!scene.shines(wanted.light())) {
+            return new LightUpdate.Keep();
+        }
+        LightDifference difference = LightDifference.between(before.light(), wanted.light());
+        LightUpdate least = difference.update(wanted.light());
+        if (least instanceof LightUpdate.Keep) {
+            return least;
+        }
+        boolean usable =
+                IntensityRatio.between(Luminaire.shining(before.light(), scene), Luminaire.shining(wanted.light(), scene)).isUsable();
+        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
+    }
+
+    @Override
+    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
+        return RatioBound.scaled(before, light, weight, falloff, leastFalloff);
+    }
+
+    @Override
+    public LayerUpdater updater(LightKernel kernel, int lights) {
+        return new RatioUpdater(new RatioKernel(kernel));
+    }
+
+    @Override
+    public long bytesPerRow(Light light, boolean metallic, boolean tinted) {
+        return ColumnKind.bytesPerRow(RatioRows.columns(light, metallic, tinted));
+    }
+
+    @Override
+    public double errorBound(PixelCache cache) {
+        return ErrorBound.of(cache).largest(cache);
+    }
+
+    @Override
+    public UpdatePlan refresh(PixelCache cache, double exposure, DisplayCurve curve) {
+        return ErrorBound.of(cache).shows(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
+    }
+
+    /** All contributions that were scaled anew, of the scene that is shown. */
+    public static UpdatePlan.Relight refresh(PixelCache cache) {
+        int depth = cache.scene().picture().depth();
+        MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());
+        return new UpdatePlan.Relight(refresh(cache.scene(), cache.lights(), materials),
+                cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredLights(), materials) : null,
+                depth, depth);
+    }
+
+    private static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialUpdate materials) {
+        List<LayerPlan> layers = new ArrayList<>();
+        for (KnownLight light : lights) {
+            boolean scaled =
+                    light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0 && scene.shines(light.light());
+            layers.add(LayerPlan.of(Luminaire.of(light.light(), scene), light,
+                    scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene));
+        }
+        return new LevelPlan(layers, List.of(), true, materials);
+    }
+}

@@ -1,0 +1,51 @@
+package lightning.render.relight.tile;
+
+import lightning.render.cache.LayerStamp;
+import lightning.render.cache.PixelCache;
+import lightning.render.column.ColumnKind;
+import lightning.render.image.DisplayCurve;
+import lightning.render.relight.plan.LayerUpdater;
+import lightning.render.relight.plan.LightDifference;
+import lightning.render.relight.plan.LightUpdate;
+import lightning.render.relight.plan.UpdateMethod;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.shading.LightKernel;
+import lightning.render.shading.LightRows;
+import lightning.render.shading.Luminaire;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** Updates that make the bits of a full trace: layers hold terms, and nothing is lost. */
+public record ExactMethod() implements UpdateMethod {
+
+    /** A dark light's layers wait. */
+    @Override
+    public LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene) {
+        return wanted.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), wanted.light()).update(wanted.light());
+    }
+
+    @Override
+    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
+        return LayerStamp.fresh(light);
+    }
+
+    @Override
+    public LayerUpdater updater(LightKernel kernel, int lights) {
+        return new ExactUpdater(kernel, lights >= RepeatedEdit.LEAST_LIGHTS);
+    }
+
+    @Override
+    public long bytesPerRow(Light light, boolean metallic, boolean tinted) {
+        return ColumnKind.bytesPerRow(LightRows.columns(light, metallic, tinted));
+    }
+
+    @Override
+    public double errorBound(PixelCache cache) {
+        return 0;
+    }
+
+    @Override
+    public UpdatePlan refresh(PixelCache cache, double exposure, DisplayCurve curve) {
+        return new UpdatePlan.Nothing();
+    }
+}
