@@ -117,7 +117,7 @@ final class Architecture {
             row("editor.loop", ENGINE + " bench.accuracy"),
             row("editor.document", ENGINE + " base.file scene.shot format.jen editor.loop"),
             row("editor.document.cue", "base.text base.math base.file scene render.image format.jen format.picture editor.document"),
-            row("editor.document.motion", ENGINE + " base.file scene.shot format.picture editor.document"),
+            row("editor.document.motion", ENGINE + " base.file scene.shot format.picture"),
             row("editor.window.widget", "base.text base.math scene render.image editor.document"),
             row("editor.window.model", DOCUMENT),
             row("editor.window.command",

@@ -7,7 +7,7 @@ import lightning.base.math.Vec3;
 import lightning.scene.Quantity;
 
 /** What lies between the numbers of two keys. */
-public final class Between {
+final class Between {
     private Between() {}
 
     /**
@@ -32,13 +32,7 @@ public final class Between {
         return within(from, to, from * (1 - share) + to * share);
     }
 
-    /** The same of a place. */
-    public static Vec3 position(Vec3 from, Vec3 to, double share) {
-        return new Vec3(linear(from.x(), to.x(), share), linear(from.y(), to.y(), share), linear(from.z(), to.z(), share));
-    }
-
-    /** The same of a direction. */
-    public static Vec3 direction(Vec3 from, Vec3 to, double share) {
+    private static Vec3 direction(Vec3 from, Vec3 to, double share) {
         double length = from.length() * (1 - share) + to.length() * share;
         return from.equals(to) ? from : Rotation.between(from, to, share).times(length);
     }

@@ -18,9 +18,9 @@ import lightning.scene.Shape;
 /** Makes the scene of one frame. All that goes together is set together, so that nothing in between is ever refused. */
 final class FrameScene {
     private final Map<Target, List<Track>> tracks;
-    private final int frame;
+    private final double frame;
 
-    FrameScene(List<Track> tracks, int frame) {
+    FrameScene(List<Track> tracks, double frame) {
         this.tracks = tracks.stream().collect(Collectors.groupingBy(Track::target));
         this.frame = frame;
     }

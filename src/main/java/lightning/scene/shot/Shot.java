@@ -1,5 +1,6 @@
 package lightning.scene.shot;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -93,15 +94,15 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
      * group has keys.
      *
      * @param scene one that {@link #check} takes
-     * @param frame any; before the first key and behind the last one things are as these say
+     * @param frame any, also between two frames; before the first key and behind the last one things are as these say
      * @throws IllegalArgumentException if what the keys say does not go together there, as a camera that stands where it looks; the
      *                                  message begins with the frame
      */
-    public Scene at(Scene scene, int frame) {
+    public Scene at(Scene scene, double frame) {
         try {
             return new FrameScene(tracks, frame).of(scene);
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("frame " + frame + ": " + e.getMessage(), e);
+            throw new IllegalArgumentException("frame " + new BigDecimal(frame).toPlainString() + ": " + e.getMessage(), e);
         }
     }
 }

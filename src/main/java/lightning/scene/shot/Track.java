@@ -35,6 +35,12 @@ public record Track(Target target, String attribute, List<Key> keys) {
         return new Track(other, attribute, keys);
     }
 
+    /** These keys some frames later, or earlier where the number is negative. */
+    public Track later(int frames) {
+        return new Track(target, attribute,
+                keys.stream().map(k -> new Key(Math.addExact(k.frame(), frames), k.setting(), k.passage())).toList());
+    }
+
     /** The key at a frame. */
     public Optional<Key> key(int frame) {
         return keys.stream().filter(k -> k.frame() == frame).findFirst();
@@ -111,9 +117,10 @@ public record Track(Target target, String attribute, List<Key> keys) {
     /**
      * The value at a frame: at a key the key's in every bit, before the first key and behind the last one theirs.
      *
-     * @param kind the attribute's
+     * @param frame may lie between two frames
+     * @param kind  the attribute's
      */
-    <V> V at(int frame, ValueKind<V> kind) {
+    <V> V at(double frame, ValueKind<V> kind) {
         int last = 0;
         int behind = keys.size();
         while (behind - last > 1) {
@@ -134,12 +141,12 @@ public record Track(Target target, String attribute, List<Key> keys) {
         return quantity.join().apply(numbers);
     }
 
-    private double share(int last, int frame) {
+    private double share(int last, double frame) {
         int start = keys.get(last).frame();
-        return (double) (frame - start) / (keys.get(last + 1).frame() - start);
+        return (frame - start) / (keys.get(last + 1).frame() - start);
     }
 
-    private List<Double> smooth(int last, int frame) {
+    private List<Double> smooth(int last, double frame) {
         List<Double> all = new ArrayList<>();
         for (int i = 0; i < numbers(last).size(); i++) {
             double slope = slope(last, i);

@@ -78,6 +78,14 @@ class ShotTest {
     }
 
     @Test
+    void betweenTwoFrames_itGoesEvenlyToo() {
+        Track track = new Track(Target.light("key"), "intensity", List.of(key(10, Passage.LINEAR, 1), key(14, Passage.LINEAR, 3)));
+        Shot shot = Shot.DEFAULT.withTracks(List.of(track));
+        assertThat(shot.at(SCENE, 11.5).light("key").orElseThrow().intensity()).isEqualTo(1.75);
+        assertThat(shot.at(SCENE, 13.75).light("key").orElseThrow().intensity()).isEqualTo(2.875);
+    }
+
+    @Test
     void stepped_holdsUntilTheNextKey() {
         Key[] keys = {key(10, Passage.STEPPED, 1), key(12, Passage.STEPPED, 3)};
         assertThat(IntStream.rangeClosed(9, 13).mapToDouble(f -> intensity(f, keys)).toArray()).containsExactly(1, 1, 1, 3, 3);

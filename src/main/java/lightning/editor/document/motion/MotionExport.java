@@ -5,33 +5,30 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.editor.document.LightEdits;
 import lightning.format.picture.PictureFile;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
 import lightning.render.warmup.LateWarmUp;
-import lightning.scene.Light;
 import lightning.scene.Limits;
 import lightning.scene.Scene;
 
 /**
- * Writes a motion path as numbered pictures, evenly spaced from its begin to its end. Each is exact, its mirrors too.
+ * Writes a recorded shot as numbered pictures, evenly spaced from its begin to its end. Each is exact, its mirrors too.
  *
  * @param scene    all but the moving light
- * @param light    the name of the light that moves; a light of the scene
- * @param path     its way
+ * @param recorded of a light of the scene
  * @param pictures how many, 1…{@value #MAX_PICTURES}
  * @param view     how linear light becomes display pixels
  */
-public record MotionExport(Scene scene, String light, MotionPath path, int pictures, ViewTransform view) {
+public record MotionExport(Scene scene, RecordedShot recorded, int pictures, ViewTransform view) {
     public static final int MAX_PICTURES = 100_000;
     private static final int LEAST_DIGITS = 4;
 
     public MotionExport {
         Limits.range("the number of pictures", pictures, 1, MAX_PICTURES);
-        LightEdits.light(scene, light);
+        recorded.shot().check(scene);
     }
 
     /** Hears how far the export is, and stops it. On the thread that exports. */
@@ -45,9 +42,8 @@ public record MotionExport(Scene scene, String light, MotionPath path, int pictu
 
     /** The scene of one picture, 0 ≤ {@code number} &lt; {@link #pictures}. */
     public Scene scene(int number) {
-        Light still = LightEdits.light(scene, light);
         double share = pictures == 1 ? 0 : (double) number / (pictures - 1);
-        return scene.withLight(path.at(still, share * (path.frames() - 1)));
+        return recorded.shot().at(scene, share * recorded.shot().last());
     }
 
     /** The name of one picture's file: {@code name-0001.png} for the first. */

@@ -10,13 +10,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import lightning.base.file.OrdinaryFile;
 import lightning.base.file.SafeFile;
 import lightning.base.math.Vec3;
 import lightning.base.text.Decimal;
 import lightning.base.text.Quote;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.shot.Key;
+import lightning.scene.shot.Setting;
 
-/** Motion paths as text; the format is described in {@code docs/motion-path.md}. */
+/** Recorded shots as text; the format is described in {@code docs/motion-path.md}. */
 public final class MotionPathFile {
     private static final String HEAD = "lightning-path 1";
     private static final int MAX_BYTES = 32 << 20;
@@ -25,26 +30,29 @@ public final class MotionPathFile {
 
     private MotionPathFile() {}
 
-    /** A path as text that reads back as an equal path. */
-    public static String write(MotionPath path) {
-        StringBuilder text = new StringBuilder(HEAD).append("\nevery ").append(path.every()).append('\n');
-        for (MotionPath.Key key : path.keys()) {
-            text.append("at ").append(text(key.position())).append("  direction ").append(text(key.direction())).append('\n');
+    /** Returns the text, which reads back as an equal shot of the same light. */
+    public static String write(RecordedShot recorded) {
+        StringBuilder text = new StringBuilder(HEAD).append("\nevery ").append(recorded.every()).append('\n');
+        List<Key> positions = recorded.shot().tracks().getFirst().keys();
+        List<Key> directions = recorded.shot().tracks().getLast().keys();
+        for (int i = 0; i < recorded.keys(); i++) {
+            text.append("at ").append(text(positions.get(i))).append("  direction ").append(text(directions.get(i))).append('\n');
         }
         return text.toString();
     }
 
-    /** Writes a path to a file, at once or not at all. */
-    public static void save(MotionPath path, Path file) throws IOException {
-        SafeFile.write(file, out -> out.write(write(path).getBytes(StandardCharsets.UTF_8)));
+    /** Writes a file completely or not at all. */
+    public static void save(RecordedShot recorded, Path file) throws IOException {
+        SafeFile.write(file, out -> out.write(write(recorded).getBytes(StandardCharsets.UTF_8)));
     }
 
     /**
-     * Reads a path from a file.
+     * Reads a file.
      *
+     * @param light the name of the light that shall move; the file names none
      * @throws IOException if it cannot be read or is no motion path: {@code file:line: what was expected and found}
      */
-    public static MotionPath load(Path file) throws IOException {
+    public static RecordedShot load(Path file, String light) throws IOException {
         byte[] bytes;
         try (InputStream in = OrdinaryFile.open(file, "a motion path")) {
             bytes = in.readNBytes(MAX_BYTES + 1);
@@ -53,22 +61,23 @@ public final class MotionPathFile {
             throw new IOException(Quote.path(file) + ": a motion path may have at most " + MAX_BYTES + " bytes");
         }
         try {
-            return read(StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString(), file.toString());
+            return read(StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString(), file.toString(), light);
         } catch (CharacterCodingException e) {
             throw new IOException(Quote.path(file) + ": must be UTF-8 text", e);
         }
     }
 
     /**
-     * Reads a path from a text.
+     * Reads a text.
      *
-     * @param name how complaints call it
+     * @param name  the file's name in error messages
+     * @param light as in {@link #load}
      * @throws IOException as {@link #load}
      */
-    public static MotionPath read(String text, String name) throws IOException {
+    public static RecordedShot read(String text, String name, String light) throws IOException {
         String file = Quote.path(name);
-        List<MotionPath.Key> keys = new ArrayList<>();
-        int every = MotionPath.DEFAULT_EVERY;
+        List<Light> samples = new ArrayList<>();
+        int every = RecordedShot.DEFAULT_EVERY;
         boolean headed = false;
         int number = 0;
         int end;
@@ -86,17 +95,17 @@ public final class MotionPathFile {
             if (!headed) {
                 require(content.equals(HEAD), place, HEAD, content);
                 headed = true;
-            } else if (keys.isEmpty() && words[0].equals("every")) {
+            } else if (samples.isEmpty() && words[0].equals("every")) {
                 require(words.length == 2, place, "every and a whole number", content);
                 every = every(place, words[1]);
             } else {
-                keys.add(key(place, words, content));
-                require(keys.size() <= MotionPath.MAX_KEYS, place, "at most " + MotionPath.MAX_KEYS + " keys", "more");
+                samples.add(sample(light, place, words, content));
+                require(samples.size() <= RecordedShot.MAX_KEYS, place, "at most " + RecordedShot.MAX_KEYS + " keys", "more");
             }
         }
         require(headed, file + ": ", HEAD, "nothing");
-        require(!keys.isEmpty(), file + ": ", "at least one key, as in 'at 0 3 2  direction 0 -1 0'", "none");
-        return new MotionPath(every, keys);
+        require(!samples.isEmpty(), file + ": ", "at least one key, as in 'at 0 3 2  direction 0 -1 0'", "none");
+        return RecordedShot.of(every, samples);
     }
 
     /** A line without its comment, its line end and the spaces around. */
@@ -122,16 +131,16 @@ public final class MotionPathFile {
 
     private static int every(String place, String word) throws IOException {
         double value = number(place, word);
-        require(value == Math.rint(value) && value >= 1 && value <= MotionPath.MAX_EVERY, place,
-                "a whole number from 1 to " + MotionPath.MAX_EVERY, word);
+        require(value == Math.rint(value) && value >= 1 && value <= RecordedShot.MAX_EVERY, place,
+                "a whole number from 1 to " + RecordedShot.MAX_EVERY, word);
         return (int) value;
     }
 
-    private static MotionPath.Key key(String place, String[] words, String content) throws IOException {
+    private static Light sample(String light, String place, String[] words, String content) throws IOException {
         require(words.length == WORDS && words[0].equals("at") && words[4].equals("direction"), place,
                 "at x y z direction x y z", content);
         try {
-            return new MotionPath.Key(vector(place, words, 1), vector(place, words, 5));
+            return Light.of(light, LightType.SPOT).withPosition(vector(place, words, 1)).withDirection(vector(place, words, 5));
         } catch (IllegalArgumentException e) {
             throw new IOException(place + e.getMessage(), e);
         }
@@ -153,7 +162,7 @@ public final class MotionPathFile {
         }
     }
 
-    private static String text(Vec3 v) {
-        return Decimal.text(v.x()) + " " + Decimal.text(v.y()) + " " + Decimal.text(v.z());
+    private static String text(Key key) {
+        return ((Setting.Numbers) key.setting()).all().stream().map(Decimal::text).collect(Collectors.joining(" "));
     }
 }

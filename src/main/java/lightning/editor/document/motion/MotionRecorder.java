@@ -6,22 +6,22 @@ import java.util.Optional;
 import lightning.scene.Light;
 import lightning.scene.Limits;
 
-/** Records a motion path while the light is moved: every so many frames of the preview (paper §3.7). */
+/** Records a shot of a light while it is moved: a key every so many frames of the preview (paper §3.7). */
 public final class MotionRecorder {
     private final int every;
-    private final List<MotionPath.Key> keys = new ArrayList<>();
+    private final List<Light> samples = new ArrayList<>();
     private int frames;
 
-    /** @param every the resolution number, 1…{@value MotionPath#MAX_EVERY} */
+    /** @param every the resolution number, 1…{@value RecordedShot#MAX_EVERY} */
     public MotionRecorder(int every) {
-        Limits.range("resolution", every, 1, MotionPath.MAX_EVERY);
+        Limits.range("resolution", every, 1, RecordedShot.MAX_EVERY);
         this.every = every;
     }
 
-    /** The preview drew a frame with the light as it is; the first frame is always kept, none beyond the longest path. */
+    /** The preview drew a frame with the light as it is. The first frame is always recorded, none after the last key that fits. */
     public void frame(Light light) {
-        if (frames++ % every == 0 && keys.size() < MotionPath.MAX_KEYS) {
-            keys.add(MotionPath.Key.of(light));
+        if (frames++ % every == 0 && samples.size() < RecordedShot.MAX_KEYS) {
+            samples.add(light);
         }
     }
 
@@ -31,7 +31,7 @@ public final class MotionRecorder {
     }
 
     /** What was recorded; empty before the first frame. */
-    public Optional<MotionPath> path() {
-        return keys.isEmpty() ? Optional.empty() : Optional.of(new MotionPath(every, keys));
+    public Optional<RecordedShot> shot() {
+        return samples.isEmpty() ? Optional.empty() : Optional.of(RecordedShot.of(every, samples));
     }
 }

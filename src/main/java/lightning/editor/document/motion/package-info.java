@@ -1,4 +1,4 @@
 /**
- * The way of a light across the frames of an animation: recorded, kept as text, and written as pictures (paper §3.7).
+ * The shot of one light that an animation records: its keys, its file, and its pictures (paper §3.7).
  */
 package lightning.editor.document.motion;

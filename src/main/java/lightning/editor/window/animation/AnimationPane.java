@@ -18,7 +18,7 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
 import lightning.editor.document.motion.MotionExport;
-import lightning.editor.document.motion.MotionPath;
+import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.Obstacle;
@@ -39,7 +39,7 @@ final class AnimationPane extends VBox {
     private final PathAsk ask;
     private final String sceneName;
     private final WholeNumber resolution = new WholeNumber("resolution", Texts.of("Resolution: preview frames from key to key"),
-            "resolution", MotionPath.MAX_EVERY, MotionPath.DEFAULT_EVERY);
+            "resolution", RecordedShot.MAX_EVERY, RecordedShot.DEFAULT_EVERY);
     private final WholeNumber pictures = new WholeNumber("pictures", Texts.of("Pictures to export"), Texts.of("the number of pictures"),
             MotionExport.MAX_PICTURES, 1);
     private final Slider scrub = new Slider(0, 1, 0);
@@ -68,21 +68,22 @@ final class AnimationPane extends VBox {
         getChildren().addAll(transport(), scrub(), resolution.widget(), pictures.widget(), files(), bar, status,
                 bottom(close, toKeys));
         obstacles.add(() -> pictures.widget().setObstacle(needsPath()));
-        obstacles.add(() -> resolution.widget().setObstacle(unless(!is(Motion.State.RECORDING), Texts.of("it is recording"))));
-        motion.stateProperty().subscribe(this::tell);
+        obstacles.add(() -> resolution.widget().setObstacle(unless(!motion.isRecording(), Texts.of("it is recording"))));
+        motion.recordingProperty().subscribe(_ -> tell());
+        motion.playingProperty().subscribe(_ -> tell());
         motion.frameProperty().subscribe(_ -> showFrame());
-        motion.pathProperty().subscribe(this::showPath);
+        motion.recordedProperty().subscribe(this::show);
     }
 
     private HBox transport() {
         return tools(
                 button("record", Texts.of("Record"), MaterialDesignR.RECORD,
                         Texts.of("Records position and direction while you move the light"),
-                        () -> motion.record(resolution.get()), () -> unless(!is(Motion.State.RECORDING), Texts.of("it is recording"))),
+                        () -> motion.record(resolution.get()), () -> unless(!motion.isRecording(), Texts.of("it is recording"))),
                 button("stop", Texts.of("Stop"), MaterialDesignS.STOP, Texts.of("Stops recording or playing"), motion::stop,
-                        () -> unless(!is(Motion.State.RESTING), Texts.of("nothing is recording or playing"))),
+                        () -> unless(motion.isRecording() || motion.isPlaying(), Texts.of("nothing is recording or playing"))),
                 button("play", Texts.of("Play"), MaterialDesignP.PLAY, Texts.of("Renders the picture again and again as the light moves"),
-                        motion::play, () -> is(Motion.State.PLAYING) ? Optional.of(Texts.of("it is playing")) : needsPath()));
+                        motion::play, () -> motion.isPlaying() ? Optional.of(Texts.of("it is playing")) : needsPath()));
     }
 
     private Node scrub() {
@@ -143,48 +144,41 @@ final class AnimationPane extends VBox {
         return around;
     }
 
-    private boolean is(Motion.State state) {
-        return motion.state() == state;
-    }
-
     private Optional<String> needsPath() {
-        return is(Motion.State.RECORDING) ? Optional.of(Texts.of("it is recording"))
-                : unless(motion.path().isPresent(), Texts.of("nothing is recorded or loaded yet"));
+        return motion.isRecording() ? Optional.of(Texts.of("it is recording"))
+                : unless(motion.recorded().isPresent(), Texts.of("nothing is recorded or loaded yet"));
     }
 
     private static Optional<String> unless(boolean possible, String reason) {
         return possible ? Optional.empty() : Optional.of(reason);
     }
 
-    private void tell(Motion.State now) {
+    private void tell() {
         obstacles.forEach(Runnable::run);
-        status.setText(switch (now) {
-            case RECORDING -> Texts.of("Move {0} in the preview, then press Stop.", motion.light());
-            case PLAYING -> Texts.of("Playing");
-            case RESTING -> motion.path().map(p -> Texts.of("{0} keys over {1} frames", p.keys().size(), p.frames()))
-                    .orElse(Texts.of("Press Record, then move {0} in the preview.", motion.light()));
-        });
+        status.setText(motion.isRecording() ? Texts.of("Move {0} in the preview, then press Stop.", motion.light())
+                : motion.isPlaying() ? Texts.of("Playing")
+                : motion.recorded().map(r -> Texts.of("{0} keys over {1} frames", r.keys(), r.frames()))
+                        .orElse(Texts.of("Press Record, then move {0} in the preview.", motion.light())));
     }
 
-    private void showPath(MotionPath path) {
-        if (path != null) {
-            pictures.set(Math.min(path.frames(), MotionExport.MAX_PICTURES));
+    private void show(RecordedShot recorded) {
+        if (recorded != null) {
+            pictures.set(Math.min(recorded.frames(), MotionExport.MAX_PICTURES));
             showing = true;
-            scrub.setMax(Math.max(1, path.frames() - 1));
+            scrub.setMax(Math.max(1, recorded.frames() - 1));
             showing = false;
         }
         showFrame();
-        tell(motion.state());
+        tell();
     }
 
     private void showFrame() {
-        switch (motion.state()) {
-            case RECORDING -> status.setText(Texts.of("Recording: {0} frames", motion.recorded()));
-            case PLAYING, RESTING -> {
-                showing = true;
-                scrub.setValue(motion.frameProperty().get());
-                showing = false;
-            }
+        if (motion.isRecording()) {
+            status.setText(Texts.of("Recording: {0} frames", motion.frameProperty().get() + 1));
+        } else {
+            showing = true;
+            scrub.setValue(motion.frameProperty().get());
+            showing = false;
         }
     }
 

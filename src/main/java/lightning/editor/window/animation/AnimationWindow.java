@@ -1,7 +1,6 @@
 package lightning.editor.window.animation;
 
 import java.util.function.Supplier;
-import javafx.animation.AnimationTimer;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
@@ -9,7 +8,7 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
-import lightning.editor.document.motion.PathKeys;
+import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.command.PathAsk;
@@ -33,7 +32,7 @@ public final class AnimationWindow extends Stage {
     public static void addTo(EditorModel model, Supplier<Window> owner) {
         model.commands().setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
         model.commands().setAction(Command.KEYS_TO_WAY,
-                () -> model.moment().flatMap(m -> PathKeys.path(m.shot(), model.selectedLight().name()))
+                () -> model.moment().flatMap(m -> RecordedShot.of(m.shot(), model.selectedLight().name()))
                         .ifPresentOrElse(way -> {
                             var window = new AnimationWindow(model, owner.get());
                             window.show();
@@ -61,21 +60,13 @@ public final class AnimationWindow extends Stage {
         CommandKeys.take(content, model);
         setScene(content);
         setResizable(false);
-        AnimationTimer timer = new AnimationTimer() {
-            @Override
-            public void handle(long now) {
-                motion.pulse();
-            }
-        };
         setOnShown(_ -> {
             // Over the properties, so that both pictures can be seen.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
             OnScreen.fit(this);
-            timer.start();
         });
         setOnHidden(_ -> {
-            timer.stop();
             pane.stopExport();
             motion.close();
         });

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.beans.property.IntegerProperty;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleIntegerProperty;
@@ -11,59 +13,53 @@ import javafx.beans.value.ChangeListener;
 import lightning.editor.document.KeyEdits;
 import lightning.editor.document.Moment;
 import lightning.editor.document.motion.MotionExport;
-import lightning.editor.document.motion.MotionPath;
 import lightning.editor.document.motion.MotionPathFile;
 import lightning.editor.document.motion.MotionRecorder;
-import lightning.editor.document.motion.PathKeys;
+import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.model.EditorModel;
-import lightning.scene.Light;
-import lightning.scene.Scene;
+import lightning.editor.window.model.FramePlayer;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 
 /** The animation of one light, from Make Animation to Close: what it does, without a window. */
 final class Motion {
-    /** What it does now. */
-    enum State {
-        RESTING, RECORDING, PLAYING
-    }
-
     private final EditorModel model;
     private final String light;
-    private final ReadOnlyObjectWrapper<State> state = new ReadOnlyObjectWrapper<>(State.RESTING);
-    private final ReadOnlyObjectWrapper<MotionPath> path = new ReadOnlyObjectWrapper<>();
+    private final ReadOnlyBooleanWrapper recording = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyObjectWrapper<RecordedShot> recorded = new ReadOnlyObjectWrapper<>();
     private final IntegerProperty frame = new SimpleIntegerProperty();
     private final ChangeListener<Number> drawn = (_, _, _) -> recordFrame();
+    private final FramePlayer player;
     private MotionRecorder recorder;
-    private Scene awaited;
     private boolean closed;
 
     /** Begins an animation of the selected light, which must be there. */
     Motion(EditorModel model) {
         this.model = model;
         light = model.selectedLight().name();
+        player = new FramePlayer(model, () -> model.renderingProperty().get().cancelled(),
+                _ -> show(frame.get() >= last() ? 0 : frame.get() + 1));
         model.beginAnimation();
         model.previewFramesProperty().addListener(drawn);
-        path.addListener((_, _, now) -> model.workbench().setWay(now != null));
+        recorded.addListener((_, _, now) -> model.workbench().setWay(now != null));
     }
 
-    /** Takes the way that a light goes in the shot. */
-    void take(MotionPath way) {
+    /** Takes another recorded shot of the light, and shows its begin. */
+    void take(RecordedShot other) {
         stop();
-        path.set(way);
+        recorded.set(other);
         show(0);
     }
 
-    /** Ends, and lets the light go its way in the shot, which then has all of its frames; the message says why not. */
+    /** Ends, and adds what was recorded to the document's shot from the frame that is shown on; the message says why not. */
     void toKeys() {
-        MotionPath way = path.get();
+        RecordedShot added = recorded.get();
         close();
         model.editAll(scene -> {
             AnimatedScene begun = KeyEdits.begin(scene);
             Shot shot = begun.shot().orElseThrow();
             int first = model.moment().map(Moment::frame).orElse(shot.first());
-            Shot with = PathKeys.of(shot, light, way, first);
-            return begun.withShot(with.withFrames(shot.first(), Math.max(shot.last(), Math.addExact(first, way.frames() - 1))));
+            return begun.withShot(added.addTo(shot, first));
         }, null).ifPresentOrElse(model::say, () -> model.arrangement().timelineShownProperty().set(true));
     }
 
@@ -71,21 +67,29 @@ final class Motion {
         return light;
     }
 
-    ReadOnlyObjectProperty<State> stateProperty() {
-        return state.getReadOnlyProperty();
+    ReadOnlyBooleanProperty recordingProperty() {
+        return recording.getReadOnlyProperty();
     }
 
-    State state() {
-        return state.get();
+    boolean isRecording() {
+        return recording.get();
     }
 
-    /** The way recorded or loaded; null before. */
-    ReadOnlyObjectProperty<MotionPath> pathProperty() {
-        return path.getReadOnlyProperty();
+    ReadOnlyBooleanProperty playingProperty() {
+        return player.playingProperty();
     }
 
-    Optional<MotionPath> path() {
-        return Optional.ofNullable(path.get());
+    boolean isPlaying() {
+        return player.isPlaying();
+    }
+
+    /** The shot recorded or loaded; null before. */
+    ReadOnlyObjectProperty<RecordedShot> recordedProperty() {
+        return recorded.getReadOnlyProperty();
+    }
+
+    Optional<RecordedShot> recorded() {
+        return Optional.ofNullable(recorded.get());
     }
 
     /** The frame that is shown, from 0. */
@@ -93,21 +97,16 @@ final class Motion {
         return frame;
     }
 
-    /** Frames recorded so far. */
-    int recorded() {
-        return recorder == null ? 0 : recorder.frames();
-    }
-
-    /** @param every the resolution number: frames of the preview from one key to the next, within the path's limits */
+    /** @param every the resolution number: frames of the preview from one key to the next, 1…{@value RecordedShot#MAX_EVERY} */
     void record(int every) {
         stop();
         recorder = new MotionRecorder(every);
-        state.set(State.RECORDING);
+        recording.set(true);
         recordFrame();
     }
 
     private void recordFrame() {
-        if (state.get() == State.RECORDING) {
+        if (recording.get()) {
             model.scene().light(light).ifPresent(recorder::frame);
             frame.set(recorder.frames() - 1);
         }
@@ -116,59 +115,42 @@ final class Motion {
     /** From the begin if it stands at the end. */
     void play() {
         stop();
-        if (path.get() != null) {
-            state.set(State.PLAYING);
+        if (recorded.get() != null) {
             show(frame.get() >= last() ? 0 : frame.get());
+            player.play();
         }
     }
 
     void stop() {
-        if (state.get() == State.RECORDING) {
-            path.set(recorder.path().orElse(null));
+        player.stop();
+        if (recording.get()) {
+            recorded.set(recorder.shot().orElse(null));
             frame.set(last());
-        }
-        awaited = null;
-        state.set(State.RESTING);
-    }
-
-    /** A frame of the window passed: shows the next frame of the path, once the picture shows the last. */
-    void pulse() {
-        if (state.get() != State.PLAYING) {
-            return;
-        }
-        if (model.renderingProperty().get().cancelled() || model.renderingProperty().get().problem() != null) {
-            stop();
-        } else if (model.frame() != null && model.frame().scene().equals(awaited)) {
-            show(frame.get() >= last() ? 0 : frame.get() + 1);
+            recording.set(false);
         }
     }
 
-    /** Shows one frame of the path; nothing without a path. */
-    void show(int number) {
+    /** Shows one frame of what was recorded; returns false if there is nothing to show. */
+    boolean show(int number) {
         frame.set(number);
-        if (path.get() != null) {
-            still().ifPresent(l -> {
-                awaited = model.scene().withLight(path.get().at(l, number));
-                model.animate(awaited);
-            });
+        boolean shows = recorded.get() != null && model.scene().light(light).isPresent();
+        if (shows) {
+            model.animate(recorded.get().shot().at(model.scene(), number));
         }
-    }
-
-    private Optional<Light> still() {
-        return model.scene().light(light);
+        return shows;
     }
 
     private int last() {
-        return path.get() == null ? 0 : path.get().frames() - 1;
+        return recorded.get() == null ? 0 : recorded.get().shot().last();
     }
 
     /**
-     * Writes the path.
+     * Writes what was recorded.
      *
      * @param failed hears why the file could not be written
      */
     void save(Path file, Runnable saved, Consumer<Throwable> failed) {
-        MotionPath written = path.get();
+        RecordedShot written = recorded.get();
         model.files().inTurn(() -> {
             MotionPathFile.save(written, file);
             return file;
@@ -176,23 +158,21 @@ final class Motion {
     }
 
     /**
-     * Takes a path from a file.
+     * Takes a recorded shot from a file.
      *
      * @param failed hears why it cannot be read or is no motion path; nothing changes then
      */
     void load(Path file, Consumer<Throwable> failed) {
-        model.files().beside(() -> MotionPathFile.load(file), loaded -> {
+        model.files().beside(() -> MotionPathFile.load(file, light), loaded -> {
             if (!closed) {
-                stop();
-                path.set(loaded);
-                show(0);
+                take(loaded);
             }
         }, failed);
     }
 
-    /** The pictures of the path. */
+    /** The pictures of what was recorded. */
     MotionExport export(int pictures) {
-        return new MotionExport(model.scene(), light, path.get(), pictures, model.viewProperty().get().ofPicture());
+        return new MotionExport(model.scene(), recorded.get(), pictures, model.viewProperty().get().ofPicture());
     }
 
     /** Restores the scene as it was. */
@@ -201,7 +181,8 @@ final class Motion {
             return;
         }
         closed = true;
-        state.set(State.RESTING);
+        player.stop();
+        recording.set(false);
         model.previewFramesProperty().removeListener(drawn);
         model.endAnimation();
     }

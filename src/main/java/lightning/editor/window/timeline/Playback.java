@@ -1,7 +1,5 @@
 package lightning.editor.window.timeline;
 
-import javafx.animation.AnimationTimer;
-import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.base.text.Decimal;
@@ -9,7 +7,7 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.Moment;
 import lightning.editor.window.model.EditorModel;
-import lightning.scene.Scene;
+import lightning.editor.window.model.FramePlayer;
 import lightning.scene.shot.AnimatedScene;
 
 /**
@@ -20,16 +18,9 @@ public final class Playback {
     private static final double SECOND = 1e9;
 
     private final EditorModel model;
-    private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper();
+    private final FramePlayer player;
     private final ReadOnlyStringWrapper pace = new ReadOnlyStringWrapper("");
-    private final AnimationTimer timer = new AnimationTimer() {
-        @Override
-        public void handle(long now) {
-            pulse(now);
-        }
-    };
     private AnimatedScene content;
-    private Scene awaited;
     private int firstFrame;
     private long begun;
     private long counted;
@@ -38,12 +29,14 @@ public final class Playback {
     /** Says what Play Shot does. */
     public Playback(EditorModel model) {
         this.model = model;
-        model.commands().setSwitch(Command.PLAY_SHOT, playing.getReadOnlyProperty(), this::toggle);
+        player = new FramePlayer(model, () -> model.document().content() != content || model.isAnimating(), this::showDue);
+        player.playingProperty().subscribe(_ -> pace.set(""));
+        model.commands().setSwitch(Command.PLAY_SHOT, player.playingProperty(), this::toggle);
     }
 
     private void toggle() {
-        if (playing.get()) {
-            stop();
+        if (player.isPlaying()) {
+            player.stop();
         } else {
             begin();
         }
@@ -57,29 +50,13 @@ public final class Playback {
     private void begin() {
         Moment now = model.moment().orElseThrow();
         content = model.document().content();
-        awaited = model.scene();
         model.go();
         firstFrame = now.frame() < now.shot().last() ? now.frame() : now.shot().first();
         begun = -1;
-        playing.set(true);
-        timer.start();
+        player.play();
     }
 
-    /** Stays at the frame that is shown. */
-    public void stop() {
-        timer.stop();
-        playing.set(false);
-        pace.set("");
-    }
-
-    private void pulse(long now) {
-        if (model.document().content() != content || model.isAnimating() || model.renderingProperty().get().problem() != null) {
-            stop();
-            return;
-        }
-        if (model.frame() == null || !model.frame().scene().equals(awaited)) {
-            return;
-        }
+    private boolean showDue(long now) {
         if (begun < 0) {
             begun = now;
             counted = now;
@@ -89,9 +66,9 @@ public final class Playback {
         int frames = moment.shot().last() - moment.shot().first() + 1;
         long passed = (long) ((now - begun) / SECOND * moment.shot().rate());
         int due = moment.shot().first() + (int) ((firstFrame - moment.shot().first() + passed) % frames);
-        if (due != moment.frame()) {
+        boolean isDue = due != moment.frame();
+        if (isDue) {
             model.showFrame(due);
-            awaited = model.scene();
             shown++;
         }
         if (now - counted > SECOND) {
@@ -100,5 +77,6 @@ public final class Playback {
             counted = now;
             shown = 0;
         }
+        return isDue;
     }
 }

@@ -15,15 +15,14 @@ import lightning.editor.document.Desk;
 import lightning.format.picture.PictureFile;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.ViewTransform;
+import lightning.scene.Light;
+import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class MotionExportTest {
-    private static final Vec3 DOWN = new Vec3(0, -1, 0);
-
-    private final MotionPath path = new MotionPath(10,
-            List.of(new MotionPath.Key(new Vec3(0, 5, 2), DOWN), new MotionPath.Key(new Vec3(4, 5, 2), DOWN)));
+    private final RecordedShot recorded = RecordedShot.of(10, List.of(light(0), light(4)));
 
     @TempDir
     private Path folder;
@@ -85,7 +84,11 @@ class MotionExportTest {
         assertThatThrownBy(() -> export(0)).hasMessage("the number of pictures must be from 1 to 100000, was 0");
     }
 
+    private static Light light(double x) {
+        return Light.of("key", LightType.SPOT).withPosition(new Vec3(x, 5, 2)).withDirection(new Vec3(0, -1, 0));
+    }
+
     private MotionExport export(int pictures) {
-        return new MotionExport(Desk.scene(), "key", path, pictures, ViewTransform.DEFAULT);
+        return new MotionExport(Desk.scene(), recorded, pictures, ViewTransform.DEFAULT);
     }
 }

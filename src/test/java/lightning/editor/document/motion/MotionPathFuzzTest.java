@@ -33,9 +33,9 @@ class MotionPathFuzzTest {
         for (int i = 0; i < TRIES; i++) {
             byte[] bytes = Fuzz.mutated(PATHS, Fuzz.random(i), BITS);
             try {
-                MotionPath path = i % 16 == 0 ? MotionPathFile.load(Files.write(file, bytes))
-                        : MotionPathFile.read(new String(bytes, StandardCharsets.UTF_8), file.toString());
-                assertThat(MotionPathFile.read(MotionPathFile.write(path), "again")).isEqualTo(path);
+                RecordedShot path = i % 16 == 0 ? MotionPathFile.load(Files.write(file, bytes), "key")
+                        : MotionPathFile.read(new String(bytes, StandardCharsets.UTF_8), file.toString(), "key");
+                assertThat(MotionPathFile.read(MotionPathFile.write(path), "again", "key")).isEqualTo(path);
                 right++;
             } catch (IOException e) {
                 assertThat(e.getMessage()).startsWith(file + ":").matches(Visible::is, "is visible").hasSizeLessThan(1000);

@@ -18,8 +18,8 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Wait;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
-import lightning.editor.document.motion.MotionPath;
 import lightning.editor.document.motion.MotionPathFile;
+import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
 import lightning.editor.window.OpenEditor;
@@ -94,9 +94,10 @@ class AnimationWindowTest {
         record(robot, 5);
         robot.clickOn("#save-animation");
         OpenEditor.await(() -> status(robot).startsWith("Saved to "));
-        MotionPath path = MotionPathFile.load(folder.resolve("way.path"));
-        assertThat(path.every()).isEqualTo(2);
-        assertThat(path.keys()).extracting(key -> key.position().x()).containsExactly(3.0, 5.0, 7.0);
+        RecordedShot recorded = MotionPathFile.load(folder.resolve("way.path"), "key");
+        assertThat(recorded.every()).isEqualTo(2);
+        assertThat(recorded.keys()).isEqualTo(3);
+        assertThat(Stream.of(0, 2, 4).map(frame -> x(recorded.shot().at(before, frame)))).containsExactly(3.0, 5.0, 7.0);
     }
 
     @Test

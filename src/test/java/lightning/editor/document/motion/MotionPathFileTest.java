@@ -2,7 +2,6 @@ package lightning.editor.document.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIOException;
-import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -13,9 +12,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
 import lightning.base.math.Vec3;
-import lightning.editor.document.PreviewCameraTest;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.shot.Setting;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -29,23 +28,24 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class MotionPathTest {
+class MotionPathFileTest {
     private static final Light LIGHT = Light.of("key", LightType.SPOT);
 
     @TempDir
     private Path folder;
 
     @Provide
-    Arbitrary<MotionPath> paths() {
+    Arbitrary<RecordedShot> paths() {
         Arbitrary<Double> coordinate = Arbitraries.doubles().between(-1e6, 1e6);
         Arbitrary<Vec3> points = Combinators.combine(coordinate, coordinate, coordinate).as(Vec3::new);
-        Arbitrary<MotionPath.Key> keys = Combinators.combine(points, points.filter(v -> v.maxAbs() > 1e-6)).as(MotionPath.Key::new);
+        Arbitrary<Light> keys = Combinators.combine(points, points.filter(v -> v.maxAbs() > 1e-6))
+                .as((at, to) -> LIGHT.withPosition(at).withDirection(to));
         return Combinators.combine(Arbitraries.integers().between(1, 10000), keys.list().ofMinSize(1).ofMaxSize(20))
-                .as(MotionPath::new);
+                .as(RecordedShot::of);
     }
 
-    private static MotionPath.Key key(double x) {
-        return new MotionPath.Key(new Vec3(x, 0, 0), new Vec3(0, -1, 0));
+    private static Light key(double x) {
+        return LIGHT.withPosition(new Vec3(x, 0, 0)).withDirection(new Vec3(0, -1, 0));
     }
 
     @Test
@@ -53,82 +53,20 @@ class MotionPathTest {
     void pipeAsPath_isRefusedAtOnce() throws Exception {
         Path pipe = folder.resolve("pipe.path");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
-        assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe))
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe, "key"))
                 .withMessageContaining("pipe.path: is no file but a pipe or a device");
     }
 
-    @Test
-    void recorder_keepsEveryTenthFrameFromTheFirst() {
-        var recorder = new MotionRecorder(MotionPath.DEFAULT_EVERY);
-        for (int frame = 0; frame <= 25; frame++) {
-            recorder.frame(LIGHT.withPosition(new Vec3(frame, 0, 0)));
-        }
-        assertThat(recorder.path()).contains(new MotionPath(10, List.of(key(0), key(10), key(20))));
-        assertThat(recorder.frames()).isEqualTo(26);
-    }
-
-    @Test
-    void recorderBeforeTheFirstFrame_hasNoPath() {
-        assertThat(new MotionRecorder(1).path()).isEmpty();
-    }
-
-    @Test
-    void path_endsAtItsLastKey() {
-        assertThat(new MotionPath(10, List.of(key(0), key(1), key(2))).frames()).isEqualTo(21);
-        assertThat(new MotionPath(10, List.of(key(0))).frames()).isEqualTo(1);
-    }
-
-    @Test
-    void betweenKeys_theLightMovesStraightAndTurnsEvenly() {
-        MotionPath path = new MotionPath(10, List.of(
-                new MotionPath.Key(Vec3.ZERO, new Vec3(1, 0, 0)), new MotionPath.Key(new Vec3(4, 2, 0), new Vec3(0, 0, 3))));
-        Light half = path.at(LIGHT, 5);
-        assertThat(half.position()).isEqualTo(new Vec3(2, 1, 0));
-        PreviewCameraTest.assertClose(half.direction(), new Vec3(Math.sqrt(2), 0, Math.sqrt(2)), 1e-12);
-    }
-
-    @Test
-    void oppositeDirections_turnThroughADirection() {
-        MotionPath path = new MotionPath(1, List.of(
-                new MotionPath.Key(Vec3.ZERO, new Vec3(0, 1, 0)), new MotionPath.Key(Vec3.ZERO, new Vec3(0, -1, 0))));
-        Vec3 half = path.at(LIGHT, 0.5).direction();
-        assertThat(half.length()).isCloseTo(1, within(1e-12));
-        assertThat(half.y()).isCloseTo(0, within(1e-12));
-    }
-
-    @Test
-    void outsideThePath_theLightStandsAtItsEnds() {
-        MotionPath path = new MotionPath(10, List.of(key(1), key(2)));
-        assertThat(path.at(LIGHT, -5).position().x()).isEqualTo(1);
-        assertThat(path.at(LIGHT, 99).position().x()).isEqualTo(2);
-    }
-
     @Property
-    void atItsKeys_theLightIsTheKeysInEveryBit(@ForAll("paths") MotionPath path) {
-        for (int i = 0; i < path.keys().size(); i++) {
-            Light there = path.at(LIGHT, (double) i * path.every());
-            assertThat(new MotionPath.Key(there.position(), there.direction())).isEqualTo(path.keys().get(i));
-        }
-    }
-
-    @Property
-    void everyFrame_isALightThatASceneMayHold(@ForAll("paths") MotionPath path) {
-        for (int i = 0; i <= 50; i++) {
-            Light there = path.at(LIGHT, path.frames() * i / 50.0);
-            assertThat(there.withPosition(LIGHT.position()).withDirection(LIGHT.direction())).isEqualTo(LIGHT);
-        }
-    }
-
-    @Property
-    void writtenAndRead_thePathIsEqual(@ForAll("paths") MotionPath path) throws IOException {
-        assertThat(MotionPathFile.read(MotionPathFile.write(path), "a.path")).isEqualTo(path);
+    void writtenAndRead_thePathIsEqual(@ForAll("paths") RecordedShot path) throws IOException {
+        assertThat(MotionPathFile.read(MotionPathFile.write(path), "a.path", "key")).isEqualTo(path);
     }
 
     @Test
     void savedFile_isLoadedAgain() throws IOException {
-        MotionPath path = new MotionPath(7, List.of(key(-0.0), key(1e-300)));
+        RecordedShot path = RecordedShot.of(7, List.of(key(-0.0), key(1e-300)));
         MotionPathFile.save(path, folder.resolve("a.path"));
-        assertThat(MotionPathFile.load(folder.resolve("a.path"))).isEqualTo(path);
+        assertThat(MotionPathFile.load(folder.resolve("a.path"), "key")).isEqualTo(path);
     }
 
     @Test
@@ -136,18 +74,19 @@ class MotionPathTest {
         String page = Files.readString(Path.of("docs/motion-path.md"));
         var example = Pattern.compile("```path\n(.*?)```", Pattern.DOTALL).matcher(page);
         assertThat(example.find()).isTrue();
-        MotionPath path = MotionPathFile.read(example.group(1), "docs/motion-path.md");
+        RecordedShot path = MotionPathFile.read(example.group(1), "docs/motion-path.md", "key");
         assertThat(path.every()).isEqualTo(10);
         assertThat(path.frames()).isEqualTo(21);
-        assertThat(path.keys().getFirst()).isEqualTo(new MotionPath.Key(new Vec3(-2.3, 3.6, 2.6), new Vec3(0, -1, 0)));
-        assertThat(page).contains("1 to " + MotionPath.MAX_EVERY, "1 to " + MotionPath.MAX_KEYS);
-        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\n\nat high", "sunset.path"))
+        assertThat(path.shot().tracks().stream().map(t -> t.keys().getFirst().setting()))
+                .containsExactly(new Setting.Numbers(List.of(-2.3, 3.6, 2.6)), new Setting.Numbers(List.of(0.0, -1.0, 0.0)));
+        assertThat(page).contains("1 to " + RecordedShot.MAX_EVERY, "1 to " + RecordedShot.MAX_KEYS);
+        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\n\nat high", "sunset.path", "key"))
                 .withMessageStartingWith("sunset.path:3: expected ");
     }
 
     @Test
     void withoutEvery_itIsTen() throws IOException {
-        assertThat(MotionPathFile.read("lightning-path 1\nat 0 0 0 direction 0 -1 0", "a").every()).isEqualTo(10);
+        assertThat(MotionPathFile.read("lightning-path 1\nat 0 0 0 direction 0 -1 0", "a", "key").every()).isEqualTo(10);
     }
 
     @Test
@@ -161,12 +100,12 @@ class MotionPathTest {
         refuses("lightning-path 1\nat 0 high 0 direction 0 -1 0", "a.path:2: expected a number, found 'high'");
         refuses("lightning-path 1\nat 0 0 0", "a.path:2: expected at x y z direction x y z, found 'at 0 0 0'");
         refuses("lightning-path 1\nat 0 0 0 direction 0 0 0", "a.path:2: direction must not be zero, was 0 0 0");
-        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 2e12 0 0 direction 0 1 0", "a.path"))
+        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 2e12 0 0 direction 0 1 0", "a.path", "key"))
                 .withMessageStartingWith("a.path:2: position x must be from ").withMessageEndingWith(", was 2e12");
     }
 
     private static void refuses(String text, String sentence) {
-        String told = assertThrows(IOException.class, () -> MotionPathFile.read(text, "a.path")).getMessage();
+        String told = assertThrows(IOException.class, () -> MotionPathFile.read(text, "a.path", "key")).getMessage();
         assertThat(told.substring(0, Math.min(told.length(), 1000))).isEqualTo(sentence);
     }
 
@@ -179,9 +118,10 @@ class MotionPathTest {
     @ParameterizedTest
     @ValueSource(strings = {"\u2028", "\u0085", "\u3000", "\f", "\u000b", "\r"})
     void onlySpacesTabsAndLineEnds_areSpaces(String space) {
-        assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 0 0 0" + space + "direction 0 1 0", "a.path"));
+        assertThatIOException()
+                .isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 0 0 0" + space + "direction 0 1 0", "a.path", "key"));
         assertThatIOException().isThrownBy(
-                () -> MotionPathFile.read("lightning-path 1\n# one" + space + "at 0 0 0 direction 0 1 0\n", "a.path"))
+                () -> MotionPathFile.read("lightning-path 1\n# one" + space + "at 0 0 0 direction 0 1 0\n", "a.path", "key"))
                 .withMessageContaining("at least one key");
     }
 
@@ -201,7 +141,7 @@ class MotionPathTest {
         try (var sparse = new RandomAccessFile(file.toFile(), "rw")) {
             sparse.setLength((32 << 20) + 1);
         }
-        assertThatIOException().isThrownBy(() -> MotionPathFile.load(file))
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(file, "key"))
                 .withMessage(file + ": a motion path may have at most 33554432 bytes");
     }
 
@@ -209,18 +149,18 @@ class MotionPathTest {
     void deviceThatNeverEnds_isRefused() {
         Path zeros = Path.of("/dev/zero");
         assumeTrue(Files.exists(zeros));
-        assertThatIOException().isThrownBy(() -> MotionPathFile.load(zeros))
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(zeros, "key"))
                 .withMessage("/dev/zero: is no file but a pipe or a device, expected a motion path");
     }
 
     @Test
     void byteOrderMark_isPassedOver() throws IOException {
-        assertThat(MotionPathFile.read("\uFEFFlightning-path 1\nat 0 0 0 direction 0 1 0", "a.path").keys()).hasSize(1);
+        assertThat(MotionPathFile.read("\uFEFFlightning-path 1\nat 0 0 0 direction 0 1 0", "a.path", "key").keys()).isEqualTo(1);
     }
 
     @Test
     void bytesThatAreNoText_areRefused() throws IOException {
         Path file = Files.write(folder.resolve("a.path"), new byte[] {(byte) 0xC3, 0x28});
-        assertThatIOException().isThrownBy(() -> MotionPathFile.load(file)).withMessage(file + ": must be UTF-8 text");
+        assertThatIOException().isThrownBy(() -> MotionPathFile.load(file, "key")).withMessage(file + ": must be UTF-8 text");
     }
 }

@@ -1,0 +1,62 @@
+package lightning.editor.window.model;
+
+import java.util.function.BooleanSupplier;
+import java.util.function.LongPredicate;
+import javafx.animation.AnimationTimer;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import lightning.scene.Scene;
+
+/** Plays frames: shows the next one when the traced picture of the one before is finished. Stops where a picture fails. */
+public final class FramePlayer {
+    private final EditorModel model;
+    private final BooleanSupplier ends;
+    private final LongPredicate next;
+    private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper();
+    private final AnimationTimer timer = new AnimationTimer() {
+        @Override
+        public void handle(long now) {
+            pulse(now);
+        }
+    };
+    private Scene awaited;
+
+    /**
+     * @param ends whether to stop playing
+     * @param next shows another frame if one is due at a time in nanoseconds; returns whether one was
+     */
+    public FramePlayer(EditorModel model, BooleanSupplier ends, LongPredicate next) {
+        this.model = model;
+        this.ends = ends;
+        this.next = next;
+    }
+
+    public ReadOnlyBooleanProperty playingProperty() {
+        return playing.getReadOnlyProperty();
+    }
+
+    public boolean isPlaying() {
+        return playing.get();
+    }
+
+    /** Starts when the picture of the scene that is shown now is finished. */
+    public void play() {
+        awaited = model.scene();
+        playing.set(true);
+        timer.start();
+    }
+
+    /** Stays at the frame that is shown. */
+    public void stop() {
+        timer.stop();
+        playing.set(false);
+    }
+
+    private void pulse(long now) {
+        if (ends.getAsBoolean() || model.renderingProperty().get().problem() != null) {
+            stop();
+        } else if (model.frame() != null && model.frame().scene().equals(awaited) && next.test(now)) {
+            awaited = model.scene();
+        }
+    }
+}

@@ -1,0 +1,185 @@
+package lightning.editor.document.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import lightning.base.math.Vec3;
+import lightning.editor.document.PreviewCameraTest;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Picture;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.shot.Key;
+import lightning.scene.shot.Passage;
+import lightning.scene.shot.Setting;
+import lightning.scene.shot.Shot;
+import lightning.scene.shot.Target;
+import lightning.scene.shot.Track;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** A shot recorded of a light, as keys of another shot, and back. */
+class RecordedShotTest {
+    private static final Light LIGHT = Light.of("key", LightType.SPOT);
+    private static final Scene SCENE =
+            new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of(LIGHT));
+
+    /** A light at keys that lie so many frames apart. */
+    record Case(int every, List<Light> samples) {
+        RecordedShot shot() {
+            return RecordedShot.of(every, samples);
+        }
+    }
+
+    @Provide
+    Arbitrary<Case> cases() {
+        Arbitrary<Double> coordinate = Arbitraries.doubles().between(-1e6, 1e6);
+        Arbitrary<Vec3> points = Combinators.combine(coordinate, coordinate, coordinate).as(Vec3::new);
+        Arbitrary<Light> lights = Combinators.combine(points, points.filter(v -> v.maxAbs() > 1e-6))
+                .as((at, to) -> LIGHT.withPosition(at).withDirection(to));
+        return Combinators.combine(Arbitraries.integers().between(1, 10000), lights.list().ofMinSize(1).ofMaxSize(20)).as(Case::new);
+    }
+
+    private static Light light(double x) {
+        return LIGHT.withPosition(new Vec3(x, 0, 0));
+    }
+
+    private static Light at(Shot shot, double frame) {
+        return shot.at(SCENE, frame).light("key").orElseThrow();
+    }
+
+    @Test
+    void recorder_keepsEveryTenthFrameFromTheFirst() {
+        var recorder = new MotionRecorder(RecordedShot.DEFAULT_EVERY);
+        for (int frame = 0; frame <= 25; frame++) {
+            recorder.frame(light(frame));
+        }
+        assertThat(recorder.shot()).contains(RecordedShot.of(10, List.of(light(0), light(10), light(20))));
+        assertThat(recorder.frames()).isEqualTo(26);
+    }
+
+    @Test
+    void recorderBeforeTheFirstFrame_hasNoShot() {
+        assertThat(new MotionRecorder(1).shot()).isEmpty();
+    }
+
+    @Test
+    void keys_areThoseOfATrackOfPositionAndOneOfDirection() {
+        RecordedShot recorded = RecordedShot.of(10, List.of(light(1), light(2)));
+        assertThat(recorded.shot().tracks()).containsExactly(
+                new Track(Target.light("key"), "at", List.of(key(0, 1, 0, 0), key(10, 2, 0, 0))),
+                new Track(Target.light("key"), "direction", List.of(key(0, 0, -1, 0), key(10, 0, -1, 0))));
+    }
+
+    private static Key key(int frame, double x, double y, double z) {
+        return new Key(frame, new Setting.Numbers(List.of(x, y, z)), Passage.LINEAR);
+    }
+
+    @Test
+    void shot_endsAtItsLastKey() {
+        assertThat(RecordedShot.of(10, List.of(light(0), light(1), light(2))).frames()).isEqualTo(21);
+        assertThat(RecordedShot.of(10, List.of(light(0))).frames()).isEqualTo(1);
+    }
+
+    @Test
+    void betweenKeys_theLightMovesStraightAndTurnsEvenly() {
+        RecordedShot recorded = RecordedShot.of(10, List.of(LIGHT.withDirection(new Vec3(1, 0, 0)),
+                LIGHT.withPosition(new Vec3(4, 2, 0)).withDirection(new Vec3(0, 0, 3))));
+        Light half = at(recorded.shot(), 5);
+        assertThat(half.position()).isEqualTo(new Vec3(2, 1, 0));
+        PreviewCameraTest.assertClose(half.direction(), new Vec3(Math.sqrt(2), 0, Math.sqrt(2)), 1e-12);
+    }
+
+    @Test
+    void oppositeDirections_turnThroughADirection() {
+        RecordedShot recorded =
+                RecordedShot.of(1, List.of(LIGHT.withDirection(new Vec3(0, 1, 0)), LIGHT.withDirection(new Vec3(0, -1, 0))));
+        Vec3 half = at(recorded.shot(), 0.5).direction();
+        assertThat(half.length()).isCloseTo(1, within(1e-12));
+        assertThat(half.y()).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void outsideTheShot_theLightStandsAtItsEnds() {
+        RecordedShot recorded = RecordedShot.of(10, List.of(light(1), light(2)));
+        assertThat(at(recorded.shot(), -5).position().x()).isEqualTo(1);
+        assertThat(at(recorded.shot(), 99).position().x()).isEqualTo(2);
+    }
+
+    @Property
+    void atItsKeys_theLightIsTheKeysInEveryBit(@ForAll("cases") Case c) {
+        for (int i = 0; i < c.samples.size(); i++) {
+            assertThat(at(c.shot().shot(), (double) i * c.every)).isEqualTo(c.samples.get(i));
+        }
+    }
+
+    @Property
+    void everyFrame_isALightThatASceneMayHold(@ForAll("cases") Case c) {
+        RecordedShot recorded = c.shot();
+        for (int i = 0; i <= 50; i++) {
+            Light there = at(recorded.shot(), recorded.frames() * i / 50.0);
+            assertThat(there.withPosition(LIGHT.position()).withDirection(LIGHT.direction())).isEqualTo(LIGHT);
+        }
+    }
+
+    @Property
+    void addedToAShotAndBack_isTheSame(@ForAll("cases") Case c, @ForAll @IntRange(max = 99) int first) {
+        Shot shot = c.shot().addTo(Shot.DEFAULT, first);
+        RecordedShot expected = c.samples.size() > 1 ? c.shot() : RecordedShot.of(RecordedShot.DEFAULT_EVERY, c.samples);
+        assertThat(RecordedShot.of(shot, "key")).contains(expected);
+    }
+
+    @Property
+    void lightAtEveryFrame_isWhereItWasRecordedInEveryBit(@ForAll("cases") Case c, @ForAll @IntRange(max = 99) int first,
+            @ForAll @IntRange(min = 1, max = 20) int every) {
+        RecordedShot recorded = RecordedShot.of(every, c.samples);
+        Shot shot = recorded.addTo(Shot.DEFAULT, first);
+        shot.check(SCENE);
+        for (int frame = -1; frame <= recorded.frames(); frame++) {
+            assertThat(at(shot, first + frame)).isEqualTo(at(recorded.shot(), frame));
+        }
+    }
+
+    @Test
+    void addedToAShot_replacesKeysAndKeepsAllFrames() {
+        RecordedShot recorded = RecordedShot.of(10, List.of(light(1), light(2)));
+        Track intensity =
+                new Track(Target.light("key"), "intensity", List.of(new Key(3, new Setting.Numbers(List.of(2.0)), Passage.LINEAR)));
+        Shot shot = recorded.addTo(new Shot(1, 12, 24, List.of(intensity)), 5);
+        assertThat(shot.first()).isEqualTo(1);
+        assertThat(shot.last()).isEqualTo(15);
+        assertThat(shot.tracks()).contains(intensity).hasSize(3);
+        assertThat(recorded.addTo(shot, 0).track(Target.light("key"), "at").orElseThrow().keys())
+                .containsExactly(key(0, 1, 0, 0), key(10, 2, 0, 0));
+        assertThatThrownBy(() -> recorded.addTo(shot, Shot.MAX_FRAME))
+                .hasMessage("the frame of a key must be from 0 to 1e9, was 1.00000001e9");
+    }
+
+    @Test
+    void keysThatAreUneven_giveNothing() {
+        Shot shot = RecordedShot.of(5, List.of(LIGHT, LIGHT, LIGHT)).addTo(Shot.DEFAULT, 1);
+        assertThat(RecordedShot.of(shot, "key")).isPresent();
+        assertThat(RecordedShot.of(shot, "fill")).isEmpty();
+        assertNone(shot, new Key(11, key(11, 0, 0, 0).setting(), Passage.SMOOTH));
+        assertNone(shot, key(12, 0, 0, 0));
+        assertNone(shot, key(16, 0, 0, 0));
+        assertThat(RecordedShot.of(shot.withTracks(shot.tracks().subList(0, 1)), "key")).isEmpty();
+        assertThat(RecordedShot.of(RecordedShot.of(1, List.of(LIGHT)).addTo(Shot.DEFAULT, 0)
+                .with(new Track(Target.light("key"), "at", List.of(key(0, 0, 0, 0), key(10_001, 0, 0, 0))))
+                .with(new Track(Target.light("key"), "direction", List.of(key(0, 0, 1, 0), key(10_001, 0, 1, 0)))), "key")).isEmpty();
+    }
+
+    private static void assertNone(Shot shot, Key other) {
+        assertThat(RecordedShot.of(shot.with(shot.tracks().getFirst().with(other)), "key")).isEmpty();
+    }
+}
