@@ -1,5 +1,6 @@
 package lightning.editor.window.animation;
 
+import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -29,6 +30,7 @@ final class Motion {
     }
 
     private final EditorModel model;
+    private final SceneEditor editor;
     private final String light;
     private final ReadOnlyObjectWrapper<State> state = new ReadOnlyObjectWrapper<>(State.RESTING);
     private final ReadOnlyObjectWrapper<MotionPath> path = new ReadOnlyObjectWrapper<>();
@@ -41,9 +43,10 @@ final class Motion {
     /** Begins an animation of the selected light, which must be there. */
     Motion(EditorModel model) {
         this.model = model;
-        light = model.selectedLight().name();
-        model.beginAnimation();
-        model.previewFramesProperty().addListener(drawn);
+        editor = model.editor();
+        light = editor.selection().lightName();
+        editor.beginAnimation();
+        model.previewLook().framesProperty().addListener(drawn);
         path.addListener((_, _, now) -> model.workbench().setWay(now != null));
     }
 
@@ -58,13 +61,16 @@ final class Motion {
     void toKeys() {
         MotionPath way = path.get();
         close();
-        model.editAll(scene -> {
+        Optional<String> refusal = editor.editAllOrReport(scene -> {
             AnimatedScene begun = KeyEdits.begin(scene);
             Shot shot = begun.shot().orElseThrow();
-            int first = model.moment().map(Moment::frame).orElse(shot.first());
+            int first = editor.document().moment().map(Moment::frame).orElse(shot.first());
             Shot with = PathKeys.of(shot, light, way, first);
             return begun.withShot(with.withFrames(shot.first(), Math.max(shot.last(), Math.addExact(first, way.frames() - 1))));
-        }, null).ifPresentOrElse(model::say, () -> model.arrangement().timelineShownProperty().set(true));
+        }, null);
+        if (refusal.isEmpty()) {
+            model.arrangement().timelineShownProperty().set(true);
+        }
     }
 
     String light() {
@@ -108,7 +114,7 @@ final class Motion {
 
     private void recordFrame() {
         if (state.get() == State.RECORDING) {
-            model.scene().light(light).ifPresent(recorder::frame);
+            editor.scene().light(light).ifPresent(recorder::frame);
             frame.set(recorder.frames() - 1);
         }
     }
@@ -136,9 +142,9 @@ final class Motion {
         if (state.get() != State.PLAYING) {
             return;
         }
-        if (model.renderingProperty().get().cancelled() || model.renderingProperty().get().problem() != null) {
+        if (model.picture().renderingProperty().get().cancelled() || model.picture().renderingProperty().get().problem() != null) {
             stop();
-        } else if (model.frame() != null && model.frame().scene().equals(awaited)) {
+        } else if (model.picture().frame() != null && model.picture().frame().scene().equals(awaited)) {
             show(frame.get() >= last() ? 0 : frame.get() + 1);
         }
     }
@@ -148,14 +154,14 @@ final class Motion {
         frame.set(number);
         if (path.get() != null) {
             still().ifPresent(l -> {
-                awaited = model.scene().withLight(path.get().at(l, number));
-                model.animate(awaited);
+                awaited = editor.scene().withLight(path.get().at(l, number));
+                editor.animate(awaited);
             });
         }
     }
 
     private Optional<Light> still() {
-        return model.scene().light(light);
+        return editor.scene().light(light);
     }
 
     private int last() {
@@ -192,7 +198,7 @@ final class Motion {
 
     /** The pictures of the path. */
     MotionExport export(int pictures) {
-        return new MotionExport(model.scene(), light, path.get(), pictures, model.viewProperty().get().ofPicture());
+        return new MotionExport(editor.scene(), light, path.get(), pictures, model.picture().viewProperty().get().ofPicture());
     }
 
     /** Restores the scene as it was. */
@@ -202,7 +208,7 @@ final class Motion {
         }
         closed = true;
         state.set(State.RESTING);
-        model.previewFramesProperty().removeListener(drawn);
-        model.endAnimation();
+        model.previewLook().framesProperty().removeListener(drawn);
+        editor.endAnimation();
     }
 }

@@ -1,5 +1,8 @@
 package lightning.editor.window.timeline;
 
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.TracedPicture;
+import lightning.editor.window.model.SceneEditor;
 import javafx.animation.AnimationTimer;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
@@ -8,7 +11,6 @@ import lightning.base.text.Decimal;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.Moment;
-import lightning.editor.window.model.EditorModel;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 
@@ -19,7 +21,8 @@ import lightning.scene.shot.AnimatedScene;
 public final class Playback {
     private static final double SECOND = 1e9;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture picture;
     private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper();
     private final ReadOnlyStringWrapper pace = new ReadOnlyStringWrapper("");
     private final AnimationTimer timer = new AnimationTimer() {
@@ -36,9 +39,10 @@ public final class Playback {
     private int shown;
 
     /** Says what Play Shot does. */
-    public Playback(EditorModel model) {
-        this.model = model;
-        model.commands().setSwitch(Command.PLAY_SHOT, playing.getReadOnlyProperty(), this::toggle);
+    public Playback(SceneEditor editor, TracedPicture picture, Commands commands) {
+        this.editor = editor;
+        this.picture = picture;
+        commands.setSwitch(Command.PLAY_SHOT, playing.getReadOnlyProperty(), this::toggle);
     }
 
     private void toggle() {
@@ -55,10 +59,10 @@ public final class Playback {
     }
 
     private void begin() {
-        Moment now = model.moment().orElseThrow();
-        content = model.document().content();
-        awaited = model.scene();
-        model.go();
+        Moment now = editor.document().moment().orElseThrow();
+        content = editor.document().content();
+        awaited = editor.scene();
+        editor.go();
         firstFrame = now.frame() < now.shot().last() ? now.frame() : now.shot().first();
         begun = -1;
         playing.set(true);
@@ -73,11 +77,11 @@ public final class Playback {
     }
 
     private void pulse(long now) {
-        if (model.document().content() != content || model.isAnimating() || model.renderingProperty().get().problem() != null) {
+        if (editor.document().content() != content || editor.isAnimating() || picture.renderingProperty().get().problem() != null) {
             stop();
             return;
         }
-        if (model.frame() == null || !model.frame().scene().equals(awaited)) {
+        if (picture.frame() == null || !picture.frame().scene().equals(awaited)) {
             return;
         }
         if (begun < 0) {
@@ -85,13 +89,13 @@ public final class Playback {
             counted = now;
             shown = 0;
         }
-        Moment moment = model.moment().orElseThrow();
+        Moment moment = editor.document().moment().orElseThrow();
         int frames = moment.shot().last() - moment.shot().first() + 1;
         long passed = (long) ((now - begun) / SECOND * moment.shot().rate());
         int due = moment.shot().first() + (int) ((firstFrame - moment.shot().first() + passed) % frames);
         if (due != moment.frame()) {
-            model.showFrame(due);
-            awaited = model.scene();
+            editor.showFrame(due);
+            awaited = editor.scene();
             shown++;
         }
         if (now - counted > SECOND) {
