@@ -1,7 +1,5 @@
 package lightning.editor.window;
 
-import lightning.editor.document.Workbench;
-import lightning.editor.window.model.Commands;
 import java.util.concurrent.Executor;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
@@ -14,6 +12,8 @@ import lightning.editor.document.DiskNews;
 import lightning.editor.document.DiskWatch;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.Presence;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.widget.Obstacle;
 
 /**

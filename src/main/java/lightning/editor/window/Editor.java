@@ -52,7 +52,8 @@ public final class Editor implements AutoCloseable {
         window = new EditorWindow(sight.frame(), model, files, notices);
         disk = new DiskBar(model.workbench(), model.commands(), thread.window(), files::compareWithDisk);
         window.addLine(disk);
-        model.editor().situationProperty().subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.editor().document().name() + " – Lightning"));
+        model.editor().situationProperty()
+                .subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.editor().document().name() + " – Lightning"));
         stage.focusedProperty().subscribe(_ -> disk.look());
         stage.setOnCloseRequest(e -> {
             e.consume();
@@ -78,7 +79,8 @@ public final class Editor implements AutoCloseable {
 
     /** Whether the picture is there, and nothing is being done about another. */
     boolean rests() {
-        return model.picture().frame() != null && model.fileWork().file() == null && model.editor().situationProperty().get().inWork().isEmpty();
+        return model.picture().frame() != null && model.fileWork().file() == null
+                && model.editor().situationProperty().get().inWork().isEmpty();
     }
 
     public FileActions files() {
@@ -114,8 +116,10 @@ public final class Editor implements AutoCloseable {
     /** Choices are kept at once, for the case of a crash. */
     private void keepChoices() {
         PreviewLook look = model.previewLook();
-        for (Observable choice : List.of(model.precisionProperty(), model.picture().viewProperty().map(ViewTransform::curve), look.glowingProperty(),
-                look.sizeProperty(), model.commands().keys().changesProperty(), model.arrangement().canvasesProperty(), model.speechProperty(),
+        for (Observable choice : List.of(model.precisionProperty(), model.picture().viewProperty().map(ViewTransform::curve),
+                look.glowingProperty(),
+                look.sizeProperty(), model.commands().keys().changesProperty(), model.arrangement().canvasesProperty(),
+                model.speechProperty(),
                 model.machineChoice().hostsProperty(), model.machineChoice().certificateProperty(),
                 model.commands().switched(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> remember());

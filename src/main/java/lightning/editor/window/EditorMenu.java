@@ -129,7 +129,8 @@ final class EditorMenu extends MenuBar {
         light.addListener((_, _, on) -> (on ? Looks.LIGHT : Looks.DARK).wear());
         model.commands().setSwitch(Command.LIGHT_THEME, light);
         Menu view = menu(Texts.of("View"), Command.ONLY_SELECTED, Command.SCOPES);
-        view.getItems().add(new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
+        view.getItems().add(
+                new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
         add(view, LINE, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 LINE, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, LINE);
         view.getItems().addAll(PreviewItems.of(model.previewLook(), items));

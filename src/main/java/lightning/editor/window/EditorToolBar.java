@@ -1,8 +1,6 @@
 package lightning.editor.window;
 
 import javafx.beans.property.Property;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -25,7 +23,9 @@ import lightning.editor.document.Dial;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
 import lightning.editor.window.command.SizeMenu;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.traced.SamplingMenu;
 import lightning.scene.Limits;
 import org.kordamp.ikonli.javafx.FontIcon;

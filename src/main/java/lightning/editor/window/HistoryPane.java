@@ -1,7 +1,5 @@
 package lightning.editor.window;
 
-import lightning.editor.document.Workbench;
-import lightning.editor.window.model.SceneEditor;
 import java.util.List;
 import java.util.stream.IntStream;
 import javafx.css.PseudoClass;
@@ -18,6 +16,8 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Texts;
 import lightning.editor.document.History;
 import lightning.editor.document.Situation;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.WhileSeen;
 
 /**
@@ -74,20 +74,17 @@ final class HistoryPane extends VBox {
         WhileSeen.follow(this, () -> editor.situationProperty().subscribe(this::show));
     }
 
-    private boolean isOfLight() {
-        return light.isSelected();
-    }
-
     private void show(Situation now) {
         History history = editor.document().history();
         long id = now.selected().map(l -> history.id(l.name())).orElse(-1L);
-        List<String> steps = isOfLight() ? history.lightSteps(id) : history.steps();
-        int position = isOfLight() ? history.lightPosition(id) : history.position();
+        List<String> steps = light.isSelected() ? history.lightSteps(id) : history.steps();
+        int position = light.isSelected() ? history.lightPosition(id) : history.position();
         String name = now.selected().map(l -> l.name()).orElse(Texts.of("no light is selected"));
-        about.setText(isOfLight() ? name : "");
+        about.setText(light.isSelected() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
                 .mapToObj(i -> new Row(i,
-                        i == 0 ? isOfLight() ? Texts.of("As it first was") : Texts.of("As it was opened") : steps.get(i - 1), i > position))
+                        i == 0 ? light.isSelected() ? Texts.of("As it first was") : Texts.of("As it was opened") : steps.get(i - 1),
+                        i > position))
                 .toList();
         if (!list.getItems().equals(rows)) {
             list.getItems().setAll(rows);
@@ -104,7 +101,7 @@ final class HistoryPane extends VBox {
             editor.message().show(Texts.of("An animation is open; close it first"));
         } else if (row.done() == list.getItems().stream().filter(r -> !r.undone()).count() - 1) {
             return;
-        } else if (isOfLight()) {
+        } else if (light.isSelected()) {
             workbench.goToOfLight(row.done()).ifPresent(editor.message()::show);
         } else {
             workbench.goTo(row.done());

@@ -1,7 +1,5 @@
 package lightning.editor.window;
 
-import lightning.editor.window.model.Keys;
-import lightning.editor.window.model.Commands;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.scene.control.Button;
@@ -13,6 +11,8 @@ import javafx.scene.layout.Region;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.KeyButton;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.Keys;
 import lightning.editor.window.widget.Slices;
 
 /** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */

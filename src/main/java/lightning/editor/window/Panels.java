@@ -1,6 +1,5 @@
 package lightning.editor.window;
 
-import lightning.editor.window.model.Commands;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Function;
@@ -18,14 +17,17 @@ import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
 import lightning.editor.window.measure.ScopesPane;
 import lightning.editor.window.mixer.MixerPane;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
 /** The windows beside the editor's, each open at most once and called as the command that opens it. */
 final class Panels implements AutoCloseable {
     private static final Map<Command, Panel> PANELS = Map.of(
-            Command.ACCURACY_PANEL, new Panel(960, 760, m -> new AccuracyPane(m.workbench(), m.editor().situationProperty(), m.picture().viewProperty())),
-            Command.EFFECTS_PANEL, new Panel(760, 680, m -> new EffectsPane(m.editor(), m.workbench(), m.precisionProperty(), m.look().effectsProperty())),
+            Command.ACCURACY_PANEL,
+            new Panel(960, 760, m -> new AccuracyPane(m.workbench(), m.editor().situationProperty(), m.picture().viewProperty())),
+            Command.EFFECTS_PANEL,
+            new Panel(760, 680, m -> new EffectsPane(m.editor(), m.workbench(), m.precisionProperty(), m.look().effectsProperty())),
             Command.KEYS, new Panel(880, 720, m -> new KeysPane(m.commands())),
             Command.SCOPES, new Panel(540, 540, m -> new ScopesPane(m.picture(), m.files().window())),
             Command.HISTORY_PANEL, new Panel(380, 560, m -> new HistoryPane(m.editor(), m.workbench())),

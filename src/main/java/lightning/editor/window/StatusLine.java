@@ -1,8 +1,5 @@
 package lightning.editor.window;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
@@ -12,8 +9,11 @@ import javafx.scene.layout.Region;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.loop.RenderState;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.model.StatusText;
+import lightning.editor.window.model.TracedPicture;
 
 /** What the picture is and how long it took, in a few words that open all that is known of it; and what the artist should read next. */
 final class StatusLine extends HBox {

@@ -1,6 +1,5 @@
 package lightning.editor.window;
 
-import lightning.editor.window.model.UpdateLog;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.function.Function;
@@ -12,6 +11,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Texts;
 import lightning.editor.window.model.StatusText;
+import lightning.editor.window.model.UpdateLog;
 import lightning.editor.window.model.UpdateLog.Entry;
 
 /** What the last updates did: plan, rows, rays, time, and what the picture is; the latest at the top. */

@@ -189,7 +189,8 @@ class GoTest extends EditorDesk {
         size(200, 200);
         waitForPicture();
         assertThat(model().picture().frame().film().width()).isEqualTo(200);
-        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(model().picture().viewProperty().get().toPixels(model().picture().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels())
+                .isEqualTo(model().picture().viewProperty().get().toPixels(model().picture().frame().film()));
     }
 
     @Test

@@ -38,7 +38,8 @@ public final class AnimationWindow extends Stage {
                             var window = new AnimationWindow(model, owner.get());
                             window.show();
                             window.motion.take(way);
-                        }, () -> model.editor().message().show(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+                        }, () -> model.editor().message()
+                                .show(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
     }
 
     AnimationWindow(EditorModel model, Window owner, PathAsk ask) {

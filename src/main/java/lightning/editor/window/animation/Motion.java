@@ -1,6 +1,5 @@
 package lightning.editor.window.animation;
 
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -17,6 +16,7 @@ import lightning.editor.document.motion.MotionPathFile;
 import lightning.editor.document.motion.MotionRecorder;
 import lightning.editor.document.motion.PathKeys;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;

@@ -1,11 +1,11 @@
 package lightning.editor.window.command;
 
 import java.util.concurrent.Executor;
-import lightning.editor.document.Situation;
-import lightning.editor.window.model.SceneEditor;
 import javafx.scene.Node;
 import javafx.stage.Window;
 import javafx.util.Subscription;
+import lightning.editor.document.Situation;
+import lightning.editor.window.model.SceneEditor;
 
 /** Edits that are in the traced picture as soon as that can be, with or without Live: those of the mixer and of cues. */
 public final class AtOnce {

@@ -1,6 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
@@ -10,6 +9,7 @@ import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**

@@ -1,6 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
@@ -12,6 +11,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.SpokenKey;
 import org.kordamp.ikonli.javafx.FontIcon;
 
@@ -60,7 +60,8 @@ public final class CommandItems {
         item.setId(prefix + command.id());
         item.setGraphic(new FontIcon(command.icon()));
         if (keys) {
-            commands.keys().changesProperty().subscribe(_ -> item.setAccelerator(commands.keys().of(command).map(SpokenKey::new).orElse(null)));
+            commands.keys().changesProperty()
+                    .subscribe(_ -> item.setAccelerator(commands.keys().of(command).map(SpokenKey::new).orElse(null)));
         }
         commands.situation().subscribe(now -> {
             item.setText(command.title(now));

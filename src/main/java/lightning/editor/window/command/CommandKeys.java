@@ -1,11 +1,11 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 
 /** The commands' keys: in a window that has no menu bar all that no text and no control there takes for itself. */
 public final class CommandKeys {

@@ -1,7 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Keys;
-import lightning.editor.window.model.Commands;
 import java.util.List;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
@@ -22,6 +20,8 @@ import javafx.stage.Stage;
 import javafx.stage.StageStyle;
 import javafx.stage.Window;
 import lightning.base.text.Texts;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.Keys;
 import lightning.editor.window.widget.Looks;
 import org.kordamp.ikonli.javafx.FontIcon;
 

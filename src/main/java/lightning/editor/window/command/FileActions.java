@@ -1,7 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.StatusMessage;
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,6 +18,8 @@ import lightning.editor.document.Recovery;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.StatusMessage;
 import lightning.format.exchange.Import;
 import lightning.format.exchange.Importer;
 import lightning.format.exchange.LightUnits;

@@ -1,6 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -14,6 +13,7 @@ import javafx.scene.control.MenuItem;
 import lightning.base.text.Fuzzy;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 
 /**
  * One thing that the editor can do now, as the palette of commands lists it.
@@ -44,7 +44,8 @@ record Offer(Command command, String title, String place, Optional<String> reaso
             if (item instanceof Menu inner) {
                 collect(inner, place + " › " + inner.getText(), commands, all);
             } else {
-                CommandItems.command(item).ifPresent(c -> all.add(new Offer(c, item.getText(), place, reason(item, c, commands), item::fire)));
+                CommandItems.command(item)
+                        .ifPresent(c -> all.add(new Offer(c, item.getText(), place, reason(item, c, commands), item::fire)));
             }
         }
     }

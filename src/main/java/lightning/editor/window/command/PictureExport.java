@@ -1,6 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.StatusMessage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -14,6 +13,7 @@ import lightning.base.work.Workers;
 import lightning.editor.document.Command;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.StatusMessage;
 import lightning.format.exr.ExrType;
 import lightning.format.layer.LayerFile;
 import lightning.format.picture.PictureFile;
@@ -84,7 +84,7 @@ final class PictureExport {
         }
         var layers = new LayerFile(known, Options.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
         try (var workers = new Workers(Workers.available())) {
-            layers.write(file, Memory.available() - MemoryNeed.of(known), workers, 
+            layers.write(file, Memory.available() - MemoryNeed.of(known), workers,
                     new ReadingLine(file, model.fileWork(), model.files().window(), message));
         }
     }

@@ -1,12 +1,12 @@
 package lightning.editor.window.command;
 
-import java.util.concurrent.Executor;
-import lightning.editor.window.model.StatusMessage;
-import lightning.editor.window.model.FileWork;
 import java.nio.file.Path;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
+import lightning.editor.window.model.FileWork;
+import lightning.editor.window.model.StatusMessage;
 
 /** Tells in the status line how much of a file is read or written; stops that when nobody waits for it any more. Any thread may call. */
 final class ReadingLine implements Progress {

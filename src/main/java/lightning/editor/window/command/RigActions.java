@@ -1,8 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.document.FileThread;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -10,7 +7,10 @@ import lightning.base.text.Quote;
 import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
+import lightning.editor.document.FileThread;
 import lightning.editor.document.cue.Lighting;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 
@@ -73,7 +73,8 @@ final class RigActions {
 
     private void write(Path file) {
         if (file.toAbsolutePath().normalize().equals(editor.document().file().toAbsolutePath().normalize())) {
-            editor.message().show(Texts.of("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
+            editor.message().show(
+                    Texts.of("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
             return;
         }
         Lighting lighting = Lighting.of(editor.scene());

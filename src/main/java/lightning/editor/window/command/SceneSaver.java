@@ -1,7 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.StatusMessage;
-import lightning.editor.window.model.SceneEditor;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -19,6 +17,8 @@ import lightning.editor.document.Consent;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.TextDifference;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.StatusMessage;
 import lightning.format.jen.JenLimits;
 import lightning.scene.shot.AnimatedScene;
 

@@ -1,8 +1,8 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 
 /** The keys of a selected shape or group, in the list of shapes and in the preview. */
 public final class ShapeKeys {

@@ -1,7 +1,5 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -16,6 +14,8 @@ import lightning.base.text.Quote;
 import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.scene.Limits;
 import lightning.scene.Picture;

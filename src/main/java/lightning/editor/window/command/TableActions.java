@@ -32,7 +32,8 @@ public final class TableActions {
     /** Does the command. */
     static void addTo(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences) {
         var actions = new TableActions(model, prompt, notices, preferences);
-        model.commands().setSwitch(Command.COLOR_TABLE, model.picture().viewProperty().map(view -> view.cube().isPresent()), actions::change);
+        model.commands().setSwitch(Command.COLOR_TABLE, model.picture().viewProperty().map(view -> view.cube().isPresent()),
+                actions::change);
     }
 
     private void change() {

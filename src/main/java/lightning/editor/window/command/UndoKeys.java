@@ -1,11 +1,11 @@
 package lightning.editor.window.command;
 
-import lightning.editor.window.model.Commands;
 import javafx.event.EventTarget;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 
 /**
  * The keys of undo and redo wherever the keyboard is. A text has an undo of its own, which would swallow the keys: it

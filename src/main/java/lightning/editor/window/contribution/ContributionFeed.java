@@ -1,8 +1,8 @@
 package lightning.editor.window.contribution;
 
-import java.util.concurrent.Executor;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;

@@ -1,7 +1,5 @@
 package lightning.editor.window.contribution;
 
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,7 +27,9 @@ import lightning.editor.document.Change;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PicturePart;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Obstacle;
 import lightning.editor.window.widget.Percent;
 import lightning.editor.window.widget.WhileSeen;

@@ -1,7 +1,5 @@
 package lightning.editor.window.cue;
 
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -33,7 +31,9 @@ import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.AtOnce;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Obstacle;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.render.image.Film;
@@ -123,7 +123,8 @@ public final class CuePane extends VBox {
     /** Lists the cues and follows the editor. */
     private Subscription follow() {
         return Subscription.combine(editor.documentProperty().subscribe(_ -> list()),
-                editor.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))), AtOnce.whileFocused(this, editor, files.window()));
+                editor.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))),
+                AtOnce.whileFocused(this, editor, files.window()));
     }
 
     private static Optional<String> obstacle(Situation now) {

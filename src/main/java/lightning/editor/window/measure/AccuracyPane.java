@@ -1,9 +1,7 @@
 package lightning.editor.window.measure;
 
-import javafx.beans.value.ObservableValue;
-import lightning.editor.document.Situation;
-import lightning.editor.document.Workbench;
 import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -22,6 +20,8 @@ import lightning.bench.accuracy.Ladder;
 import lightning.bench.accuracy.LadderMeter;
 import lightning.bench.accuracy.Rung;
 import lightning.editor.document.LastEdit;
+import lightning.editor.document.Situation;
+import lightning.editor.document.Workbench;
 import lightning.editor.window.widget.PictureView;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.render.image.DifferencePicture;

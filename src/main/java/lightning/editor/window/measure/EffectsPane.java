@@ -1,9 +1,5 @@
 package lightning.editor.window.measure;
 
-import javafx.beans.value.ObservableValue;
-import lightning.editor.document.Workbench;
-import lightning.editor.window.model.Precision;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javafx.beans.property.ObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -25,6 +22,9 @@ import lightning.base.text.Texts;
 import lightning.bench.accuracy.EffectCosts;
 import lightning.bench.accuracy.PaperCases;
 import lightning.editor.document.LastEdit;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.widget.Obstacle;
 import lightning.editor.window.widget.WhileSeen;

@@ -1,8 +1,7 @@
 package lightning.editor.window.measure;
 
-import java.util.concurrent.Executor;
-import lightning.editor.window.model.TracedPicture;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.VBox;
@@ -10,6 +9,7 @@ import javafx.util.Subscription;
 import lightning.base.text.Texts;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.PaneFeed;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.PixelImage;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.render.image.Scopes;

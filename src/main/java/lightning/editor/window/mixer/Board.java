@@ -1,6 +1,5 @@
 package lightning.editor.window.mixer;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -16,6 +15,7 @@ import lightning.editor.document.Change;
 import lightning.editor.document.Channel;
 import lightning.editor.document.ChannelEdits;
 import lightning.editor.window.command.AtOnce;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 

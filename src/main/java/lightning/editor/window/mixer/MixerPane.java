@@ -1,14 +1,11 @@
 package lightning.editor.window.mixer;
 
-import java.util.concurrent.Executor;
-import lightning.editor.document.Workbench;
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
@@ -26,8 +23,11 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Texts;
 import lightning.editor.document.Channel;
+import lightning.editor.document.Workbench;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.AtOnce;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Slices;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.scene.Scene;

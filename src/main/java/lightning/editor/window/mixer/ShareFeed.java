@@ -1,9 +1,9 @@
 package lightning.editor.window.mixer;
 
-import javafx.beans.property.ObjectProperty;
 import java.util.concurrent.Executor;
-import lightning.editor.document.Workbench;
 import java.util.function.Consumer;
+import javafx.beans.property.ObjectProperty;
+import lightning.editor.document.Workbench;
 import lightning.editor.window.model.PaneFeed;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.SmallShares;

@@ -36,7 +36,8 @@ public final class PictureLook {
         editor.situationProperty().subscribe(_ -> look());
     }
 
-    private void effect(Commands commands, Command command, Predicate<ViewEffects> shown, BiFunction<ViewEffects, Boolean, ViewEffects> with) {
+    private void effect(Commands commands, Command command, Predicate<ViewEffects> shown,
+            BiFunction<ViewEffects, Boolean, ViewEffects> with) {
         commands.setSwitch(command, effects.map(shown::test),
                 () -> effects.set(with.apply(effects.get(), !shown.test(effects.get()))));
     }

@@ -1,10 +1,7 @@
 package lightning.editor.window.preview;
 
-import java.util.concurrent.Executor;
-import lightning.editor.document.PreviewCamera;
-import lightning.editor.window.command.ShapeMenu;
-import lightning.editor.window.model.SceneEditor;
 import java.util.List;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
@@ -22,11 +19,14 @@ import javafx.util.Duration;
 import lightning.base.text.Texts;
 import lightning.editor.document.GroupBox;
 import lightning.editor.document.LightGizmo;
+import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Viewport;
+import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Grip;
 import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.editor.window.widget.PixelImage;

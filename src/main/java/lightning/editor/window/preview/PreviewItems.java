@@ -1,12 +1,12 @@
 package lightning.editor.window.preview;
 
-import lightning.editor.window.model.PreviewLook;
 import java.util.List;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
 import lightning.editor.window.model.GizmoSize;
+import lightning.editor.window.model.PreviewLook;
 
 /** The choices of how the preview looks. */
 public final class PreviewItems {

@@ -1,9 +1,7 @@
 package lightning.editor.window.preview;
 
-import javafx.beans.property.ObjectProperty;
 import java.util.List;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
+import javafx.beans.property.ObjectProperty;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.CameraDrag;
 import lightning.editor.document.Command;
@@ -12,6 +10,8 @@ import lightning.editor.document.LightManipulation;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeKeys;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 
 /**

@@ -1,12 +1,9 @@
 package lightning.editor.window.preview;
 
-import javafx.beans.property.ObjectProperty;
-import lightning.editor.window.model.PreviewLook;
-import lightning.editor.window.model.SceneSelection;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 import lightning.editor.document.CameraDrag;
 import lightning.editor.document.LightDrag;
 import lightning.editor.document.LightEdits;
@@ -15,6 +12,9 @@ import lightning.editor.document.NodeEdits;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
+import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.SceneSelection;
 import lightning.scene.Light;
 
 /**

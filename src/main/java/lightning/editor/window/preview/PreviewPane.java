@@ -1,8 +1,5 @@
 package lightning.editor.window.preview;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.PreviewLook;
-import lightning.editor.window.model.SceneEditor;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
@@ -14,7 +11,10 @@ import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.SizeMenu;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */

@@ -1,15 +1,15 @@
 package lightning.editor.window.preview;
 
-import javafx.beans.property.ObjectProperty;
 import java.util.concurrent.Executor;
-import lightning.editor.window.model.SceneEditor;
 import java.util.function.Consumer;
+import javafx.beans.property.ObjectProperty;
 import javafx.scene.Node;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.ScenePicker;
 import lightning.editor.document.Viewport;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.ShapeMenu;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 
 /** Finds the shape under the mouse in the preview, beside the window's thread, and offers what to do with it. */

@@ -1,10 +1,10 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.SceneEditor;
 import javafx.css.PseudoClass;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 import lightning.editor.document.BankEdits;
+import lightning.editor.window.model.SceneEditor;
 
 /** Drags a light from its line to that of a bank or of a light in one, which it joins; anywhere else it leaves its bank. */
 final class BankDrop {

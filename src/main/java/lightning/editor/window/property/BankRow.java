@@ -1,6 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.function.UnaryOperator;
 import javafx.collections.ObservableSet;
 import javafx.scene.control.Button;
@@ -10,6 +9,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import lightning.base.text.Texts;
 import lightning.editor.document.BankEdits;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Paints;
 import lightning.scene.Bank;

@@ -1,6 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -17,6 +16,7 @@ import lightning.editor.document.BankEdits;
 import lightning.editor.document.Hsv;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;

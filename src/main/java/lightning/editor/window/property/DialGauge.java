@@ -1,12 +1,12 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
 import lightning.base.text.Measure;
 import lightning.editor.document.Dial;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.Gauge;
 import lightning.scene.Light;

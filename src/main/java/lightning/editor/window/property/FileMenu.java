@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.FileBringer;
-import lightning.editor.window.model.Commands;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +12,8 @@ import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
 import lightning.format.jen.FileKind;
 
 /** Offers the files of a kind that lie beside the scene, pictures with what they show, none, and to bring one from elsewhere; what lies there is seen a moment after the menu opens. */

@@ -1,8 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.FileBringer;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.beans.value.ObservableValue;
@@ -12,6 +9,9 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.Situation;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.Obstacle;
 import lightning.format.jen.FileKind;
@@ -96,7 +96,8 @@ final class FilePart<F extends FromFile> extends StackPane {
         }
     }
 
-    private FilePart(SceneEditor editor, Commands commands, FileBringer files, Owner<F> owner, FileUse use, ObservableValue<Situation> seen) {
+    private FilePart(SceneEditor editor, Commands commands, FileBringer files, Owner<F> owner, FileUse use,
+            ObservableValue<Situation> seen) {
         this.editor = editor;
         this.files = files;
         this.owner = owner;

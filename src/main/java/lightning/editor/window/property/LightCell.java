@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.collections.ObservableSet;
@@ -14,6 +12,8 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Paints;
 import lightning.scene.Light;

@@ -1,10 +1,10 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import lightning.editor.document.Dial;
 import lightning.editor.document.Hsv;
 import lightning.editor.document.LightEdits;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
 import lightning.scene.LightAttribute;

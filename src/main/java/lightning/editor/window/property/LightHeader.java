@@ -1,8 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneSelection;
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.control.ComboBox;
@@ -21,6 +18,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.SceneSelection;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Obstacle;
 import lightning.scene.Light;

@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.List;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableSet;
@@ -26,6 +24,8 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Obstacle;
 import lightning.scene.LightType;

@@ -1,6 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.function.Supplier;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
@@ -13,6 +12,7 @@ import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
 import lightning.base.text.Texts;
 import lightning.editor.document.LightEdits;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.LightAttribute;
 import lightning.scene.Links;
 
@@ -93,7 +93,8 @@ final class LinkDrop {
     /** @param shadows whether it is the shadow of the shape, and not the light on it */
     static void drop(String light, String shape, boolean shadows, SceneEditor editor) {
         LightAttribute<Links> attribute = shadows ? LightAttribute.SHADOWED_BY : LightAttribute.ILLUMINATES;
-        if (editor.editOrReport(scene -> LightEdits.with(scene, light, l -> attribute.with(l, flipped(attribute.of(l), shape)))).isEmpty()) {
+        if (editor.editOrReport(scene -> LightEdits.with(scene, light, l -> attribute.with(l, flipped(attribute.of(l), shape))))
+                .isEmpty()) {
             editor.scene().light(light).map(attribute::of).ifPresent(
                     links -> editor.message().show(told(light, shape, shadows, links.only() == links.names().contains(shape))));
         }

@@ -1,10 +1,10 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import lightning.base.text.Texts;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 
 /** What the scene holds: its lights, and its shapes and groups. The list of what is selected comes in front. */
 public final class ListTabs extends TabPane {

@@ -1,8 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.FileBringer;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -26,7 +23,10 @@ import lightning.editor.document.Command;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
 import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;

@@ -1,11 +1,11 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import lightning.editor.document.Command;
+import lightning.editor.window.model.Commands;
 
 /** A line of a list that shows a name, which is renamed in its place; the list can be edited only meanwhile. */
 abstract class NamedCell<T> extends ListCell<T> {

@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +20,8 @@ import lightning.editor.document.NodeEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.VectorField;

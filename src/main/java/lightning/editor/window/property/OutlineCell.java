@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.Map;
 import java.util.Optional;
 import javafx.css.PseudoClass;
@@ -12,6 +10,8 @@ import javafx.scene.layout.HBox;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Shape;

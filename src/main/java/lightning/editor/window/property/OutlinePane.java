@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.text.NumberFormat;
 import java.util.HashSet;
 import java.util.Optional;
@@ -23,6 +21,8 @@ import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
 import lightning.editor.window.command.ShapeKeys;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Stage;

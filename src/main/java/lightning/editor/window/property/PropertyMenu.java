@@ -1,8 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Arrangement;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.Node;
@@ -17,6 +14,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.KeyEdits;
 import lightning.editor.document.Moment;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Arrangement;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Track;

@@ -1,12 +1,12 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.MaterialChoice;
-import lightning.editor.window.model.SceneSelection;
 import java.util.Optional;
 import lightning.editor.document.Change;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.NodeEdits;
+import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.window.model.SceneSelection;
 import lightning.format.jen.NameText;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Attribute;

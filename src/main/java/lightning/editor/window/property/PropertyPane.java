@@ -1,8 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.FileBringer;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -20,6 +17,9 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.VectorField;

@@ -1,14 +1,14 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.scene.Node;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import lightning.base.text.Texts;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 
 /** The properties of what the artist works on: the selected light, a material, or the selected shape. */
 public final class SidePane extends TabPane {

@@ -1,7 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.MaterialChoice;
-import lightning.editor.window.model.SceneEditor;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -10,13 +8,16 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Hsv;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.Steps;
+import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Quantity;
 
 /** A colour of the edited material. */
-record SurfaceColor<V>(SceneEditor editor, MaterialChoice materials, MaterialAttribute<V> attribute, Quantity<V> quantity) implements ColorSliders.Target {
+record SurfaceColor<V>(SceneEditor editor, MaterialChoice materials, MaterialAttribute<V> attribute, Quantity<V> quantity)
+        implements ColorSliders.Target {
 
     /** The sliders of the colour; whoever made them shows it. */
     ColorSliders sliders() {

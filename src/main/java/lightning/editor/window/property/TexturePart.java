@@ -1,8 +1,5 @@
 package lightning.editor.window.property;
 
-import lightning.editor.window.model.FileBringer;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.css.PseudoClass;
@@ -18,6 +15,9 @@ import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.Steps;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.Gauge;

@@ -1,9 +1,9 @@
 package lightning.editor.window.timeline;
 
 import java.util.concurrent.Executor;
-import lightning.editor.window.model.SceneEditor;
 import java.util.function.BiConsumer;
 import lightning.editor.document.Situation;
+import lightning.editor.window.model.SceneEditor;
 import lightning.render.image.Film;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;

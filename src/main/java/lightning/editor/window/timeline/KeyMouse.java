@@ -1,8 +1,5 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.document.Workbench;
-import lightning.editor.window.model.KeyChoice;
-import lightning.editor.window.model.SceneEditor;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -14,6 +11,9 @@ import javafx.scene.input.MouseEvent;
 import lightning.editor.document.KeyEdits;
 import lightning.editor.document.KeyPlace;
 import lightning.editor.document.Selection;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.KeyChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Target;
 

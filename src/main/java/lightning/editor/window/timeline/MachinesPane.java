@@ -1,7 +1,5 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.document.FileThread;
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -13,8 +11,10 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Texts;
 import lightning.base.work.OwnThread;
+import lightning.editor.document.FileThread;
 import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.model.MachineChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.scene.shot.Shot;
 import lightning.shot.cluster.HostPort;

@@ -1,10 +1,10 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.window.model.Commands;
 import java.util.function.Consumer;
 import javafx.stage.Window;
 import lightning.base.text.Texts;
 import lightning.editor.window.command.CommandKeys;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.widget.PanelWindow;
 
 /** Asks which other machines shall hold the frames. */

@@ -1,8 +1,5 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import javafx.animation.AnimationTimer;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
@@ -11,6 +8,9 @@ import lightning.base.text.Decimal;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.Moment;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.TracedPicture;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 

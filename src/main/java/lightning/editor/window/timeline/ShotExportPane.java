@@ -1,12 +1,10 @@
 package lightning.editor.window.timeline;
 
-import javafx.beans.property.ObjectProperty;
-import lightning.editor.document.FileThread;
-import lightning.editor.window.model.SceneEditor;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 import javafx.concurrent.Worker;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -18,9 +16,11 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
+import lightning.editor.document.FileThread;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.model.Remaining;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;

@@ -1,10 +1,10 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.window.model.Commands;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 

@@ -1,11 +1,5 @@
 package lightning.editor.window.timeline;
 
-import javafx.stage.WindowEvent;
-import lightning.scene.Scene;
-import lightning.render.image.Film;
-import javafx.stage.Window;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.SceneEditor;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,13 +14,19 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 import lightning.base.text.Texts;
 import lightning.base.work.Memory;
 import lightning.editor.document.Situation;
+import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PixelImage;
+import lightning.render.image.Film;
 import lightning.scene.Picture;
+import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
 

@@ -1,12 +1,12 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.window.model.KeyChoice;
-import lightning.editor.window.model.SceneEditor;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.editor.document.Situation;
+import lightning.editor.window.model.KeyChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.Shot;
 
 /** What the parts of the timeline share: the shot, and where its frames stand. */

@@ -1,7 +1,5 @@
 package lightning.editor.window.timeline;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -30,7 +28,9 @@ import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
 import lightning.scene.Limits;

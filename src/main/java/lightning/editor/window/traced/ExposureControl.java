@@ -1,10 +1,8 @@
 package lightning.editor.window.traced;
 
-import lightning.render.image.ViewTransform;
-import javafx.beans.property.ObjectProperty;
-import lightning.editor.window.model.StatusMessage;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Slider;
@@ -14,8 +12,10 @@ import lightning.base.text.Measure;
 import lightning.base.text.Texts;
 import lightning.editor.document.Steps;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
+import lightning.render.image.ViewTransform;
 import lightning.scene.Limits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;

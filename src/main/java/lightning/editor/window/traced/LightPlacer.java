@@ -1,7 +1,5 @@
 package lightning.editor.window.traced;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
@@ -16,6 +14,8 @@ import lightning.editor.document.ScenePicker;
 import lightning.editor.document.Snap;
 import lightning.editor.document.Viewport;
 import lightning.editor.loop.Frame;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;

@@ -1,8 +1,5 @@
 package lightning.editor.window.traced;
 
-import lightning.editor.window.model.FileWork;
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.Commands;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.control.ProgressBar;
@@ -14,7 +11,10 @@ import lightning.editor.document.Command;
 import lightning.editor.document.Situation;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileWork;
 import lightning.editor.window.model.Remaining;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Lasting;
 
 /** How far the picture or its verification is, with Cancel; not there for work too short to read it. */

@@ -1,6 +1,5 @@
 package lightning.editor.window.traced;
 
-import lightning.editor.window.model.SceneEditor;
 import java.util.Locale;
 import java.util.function.UnaryOperator;
 import javafx.scene.control.Menu;
@@ -9,6 +8,7 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;

@@ -1,10 +1,10 @@
 package lightning.editor.window.traced;
 
-import lightning.render.image.ViewTransform;
 import javafx.beans.value.ObservableValue;
 import lightning.base.text.Texts;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.FalseColor;
+import lightning.render.image.ViewTransform;
 
 /** Which color stands for which stop, while the picture is shown in such colors. */
 final class StopLegend extends Legend {

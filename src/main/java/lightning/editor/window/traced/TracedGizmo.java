@@ -1,7 +1,5 @@
 package lightning.editor.window.traced;
 
-import lightning.editor.window.model.PreviewLook;
-import lightning.editor.window.model.SceneEditor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -23,6 +21,8 @@ import lightning.editor.document.Snap;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.model.GizmoPaint;
 import lightning.editor.window.model.Grip;
+import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
 

@@ -1,8 +1,6 @@
 package lightning.editor.window.traced;
 
 import java.util.concurrent.Executor;
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
@@ -24,7 +22,9 @@ import lightning.editor.loop.Frame;
 import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PicturePart;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.relight.Contributions;

@@ -1,8 +1,5 @@
 package lightning.editor.window.traced;
 
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.model.SceneEditor;
 import java.util.Optional;
 import javafx.application.Platform;
 import javafx.geometry.Insets;
@@ -25,8 +22,11 @@ import lightning.editor.document.Situation;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.widget.Lasting;
 import lightning.editor.window.widget.Obstacle;
@@ -174,8 +174,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private Node header() {
         var zoom = new HBox(CommandButton.icon(commands, Command.TRACED_FIT), CommandButton.icon(commands, Command.TRACED_ONE_TO_ONE));
         zoom.setAlignment(Pos.CENTER);
-        return new PaneHeader(Texts.of("Ray traced"), difference, CommandButton.icon(commands, Command.ONLY_SELECTED), snapshot(), compareBox,
-                new ExposureControl(traced.viewProperty(), editor.message()), viewMenu(), CommandButton.icon(commands, Command.REGION), zoom);
+        return new PaneHeader(Texts.of("Ray traced"), difference, CommandButton.icon(commands, Command.ONLY_SELECTED), snapshot(),
+                compareBox,
+                new ExposureControl(traced.viewProperty(), editor.message()), viewMenu(), CommandButton.icon(commands, Command.REGION),
+                zoom);
     }
 
     private MenuButton viewMenu() {

@@ -1,15 +1,15 @@
 package lightning.editor.window.traced;
 
-import lightning.render.image.ViewTransform;
-import javafx.beans.property.ObjectProperty;
 import java.util.ArrayList;
 import java.util.List;
+import javafx.beans.property.ObjectProperty;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
 import lightning.render.image.DisplayCurve;
+import lightning.render.image.ViewTransform;
 
 /** The choices of how the traced picture is looked at, none of which is a part of the scene. */
 public final class ViewItems {

@@ -206,11 +206,13 @@ class PreviewTest extends EditorDesk {
                 model().previewLook().cameraProperty().get().panned(-400, 0, preview().viewport())));
         assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
                 .hasSize(3);
-        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()).getLast();
+        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())
+                .getLast();
         robot.clickOn(preview().onScreen(marker.at()));
         assertThat(model().editor().selection().light()).isIn(model().editor().scene().lights());
         click("view-all");
-        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())).isEmpty();
+        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+                .isEmpty();
     }
 
     @Test
@@ -232,7 +234,8 @@ class PreviewTest extends EditorDesk {
     void hiddenMarker_isNotTaken() {
         robot.interact(() -> model().previewLook().cameraProperty().set(
                 model().previewLook().cameraProperty().get().panned(-400, 0, preview().viewport())));
-        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()).getLast();
+        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())
+                .getLast();
         robot.interact(() -> {
             model().editor().selection().selectLight("lamp");
             preview().requestFocus();
@@ -265,7 +268,8 @@ class PreviewTest extends EditorDesk {
         waitFor("the scene is open", () -> model().editor().document().name().equals("high.jen"));
         waitForPicture();
         assertThat(model().previewLook().cameraProperty().get().distance()).isGreaterThan(own.distance());
-        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())).isEmpty();
+        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+                .isEmpty();
         assertThat(model().picture().frame().scene().camera()).as("of the traced picture").isEqualTo(model().editor().scene().camera());
         assertThat(model().editor().document().isDirty()).isFalse();
     }

@@ -103,7 +103,8 @@ class LinksPartTest extends EditorDesk {
         assertThat(offered("illuminates")).contains("many", "few", "few_2", "others").doesNotContain("many_0", "others_0")
                 .last().isEqualTo("More can be named in the file");
         String light = model().editor().selection().light().name();
-        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, light, l -> l.withIlluminates(Links.except("others_7")))));
+        robot.interact(
+                () -> model().editor().edit(scene -> LightEdits.with(scene, light, l -> l.withIlluminates(Links.except("others_7")))));
         assertThat(offered("illuminates")).contains("others_7", "others_194").doesNotContain("few_2");
     }
 }

@@ -97,7 +97,8 @@ class MaterialPaneTest extends EditorDesk {
         robot.interact(() -> model().materials().choose("mirror"));
         chooseProperty("#shininess", "Paste Shininess '20'");
         assertThat(material("mirror").shininess()).isEqualTo(20);
-        assertThat(model().editor().situationProperty().get().undo()).hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
+        assertThat(model().editor().situationProperty().get().undo())
+                .hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
         chooseProperty("#shininess", "Reset Shininess");
         assertThat(material("mirror").shininess()).isEqualTo(MaterialAttribute.SHININESS.initial());
         assertGoShowsTheScene();

@@ -68,7 +68,8 @@ class StripPaneTest extends EditorDesk {
     private void assertExact(int frame) {
         var scene = FilmStrip.small(model().editor().document().content().at(frame));
         int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(frame)));
-        assertThat(shown).as("frame " + frame).isEqualTo(model().picture().viewProperty().get().toPixels(new ReferenceTracer(scene).trace()));
+        assertThat(shown).as("frame " + frame)
+                .isEqualTo(model().picture().viewProperty().get().toPixels(new ReferenceTracer(scene).trace()));
     }
 
     @Test

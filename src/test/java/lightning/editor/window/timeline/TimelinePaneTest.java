@@ -64,7 +64,8 @@ class TimelinePaneTest extends EditorDesk {
     private Point2D onRuler(int frame) {
         Node ruler = node("timeline-ruler");
         Bounds bounds = ruler.getBoundsInLocal();
-        return ruler.localToScreen(FrameScale.of(model().editor().document().content().shot().orElseThrow(), bounds.getWidth()).x(frame), 8);
+        return ruler.localToScreen(FrameScale.of(model().editor().document().content().shot().orElseThrow(), bounds.getWidth()).x(frame),
+                8);
     }
 
     private void dial(double intensity) {

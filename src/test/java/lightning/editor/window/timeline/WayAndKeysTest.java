@@ -28,7 +28,8 @@ class WayAndKeysTest extends EditorDesk {
             """;
 
     private List<Key> keys(String attribute) {
-        return model().editor().document().content().shot().orElseThrow().track(Target.light("stage"), attribute).map(Track::keys).orElse(List.of());
+        return model().editor().document().content().shot().orElseThrow().track(Target.light("stage"), attribute).map(Track::keys)
+                .orElse(List.of());
     }
 
     @Test

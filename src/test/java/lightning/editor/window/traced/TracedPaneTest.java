@@ -243,7 +243,8 @@ class TracedPaneTest extends EditorDesk {
         choose("view-color-table");
         waitFor("the table is read", () -> model().picture().viewProperty().get().cube().isPresent());
         ViewTransform inverse = ViewTransform.DEFAULT.withCube(Optional.of(CubeReader.read(answer)));
-        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().picture().frame().film())).isNotEqualTo(before);
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().picture().frame().film()))
+                .isNotEqualTo(before);
         assertThat(model().editor().message().textProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
         waitFor("it is kept", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
         choose("view-color-table");
@@ -339,7 +340,8 @@ class TracedPaneTest extends EditorDesk {
         click("redo");
         click("go");
         waitForPicture();
-        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(model().picture().raster().view().toPixels(model().picture().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels())
+                .isEqualTo(model().picture().raster().view().toPixels(model().picture().frame().film()));
     }
 
     @Test
