@@ -77,11 +77,6 @@ public final class Workbench implements AutoCloseable {
         return document;
     }
 
-    /** The document's scene as it is at the frame that is shown. */
-    public Scene scene() {
-        return document.scene();
-    }
-
     /** The picture, and how far the next one is. */
     public RenderState rendering() {
         return rendering;
@@ -121,7 +116,7 @@ public final class Workbench implements AutoCloseable {
 
     /** The edit made last; empty where there is none, or it made another picture of it. */
     public Optional<LastEdit> lastEdit() {
-        return LastEdit.of(scene(), frame().map(Frame::scene), previous);
+        return LastEdit.of(document.scene(), frame().map(Frame::scene), previous);
     }
 
     /** What decides which commands are enabled. */
@@ -178,10 +173,10 @@ public final class Workbench implements AutoCloseable {
 
     /** Makes an edit of the scene with its shot: see {@link OpenDocument#applyToAll}. */
     public Optional<String> editAll(Supplier<AnimatedScene> edit, Object gesture) {
-        Scene before = scene();
+        Scene before = document.scene();
         Optional<String> refusal = document.applyToAll(edit, gesture);
         if (refusal.isEmpty()) {
-            boolean same = scene().equals(before);
+            boolean same = document.scene().equals(before);
             autosave.changed(document);
             if (!same) {
                 renderIfLive();
@@ -257,7 +252,7 @@ public final class Workbench implements AutoCloseable {
     public Optional<String> pasteSettings() {
         Optional<Light> selected = document.selectedLight();
         return selected.isEmpty() || copied.isEmpty() ? Command.PASTE_SETTINGS.obstacle(situation())
-                : edit(LightEdits.paste(scene(), selected.get().name(), copied.get()));
+                : edit(LightEdits.paste(document.scene(), selected.get().name(), copied.get()));
     }
 
     /**
@@ -333,7 +328,7 @@ public final class Workbench implements AutoCloseable {
 
     /** Renders the document's scene. */
     public void go() {
-        show(scene());
+        show(document.scene());
     }
 
     /** Renders a scene that is not the document's, as an animation's frame. */
@@ -344,7 +339,7 @@ public final class Workbench implements AutoCloseable {
     }
 
     public void updateReflections() {
-        inWork = Optional.of(inWork.orElseGet(() -> frame().map(Frame::scene).orElse(scene())));
+        inWork = Optional.of(inWork.orElseGet(() -> frame().map(Frame::scene).orElse(document.scene())));
         loop.updateReflections();
         changed.run();
     }
@@ -366,8 +361,8 @@ public final class Workbench implements AutoCloseable {
 
     /** Another accuracy: what is known of the picture serves on. */
     public void reopen(Options options) {
-        inWork = Optional.of(scene());
-        loop.reopen(options, scene());
+        inWork = Optional.of(document.scene());
+        loop.reopen(options, document.scene());
         changed.run();
     }
 
@@ -415,8 +410,8 @@ public final class Workbench implements AutoCloseable {
 
     private void renderIfLive() {
         if (live && Command.GO.isEnabled(situation())) {
-            inWork = Optional.of(scene());
-            loop.render(scene());
+            inWork = Optional.of(document.scene());
+            loop.render(document.scene());
         }
     }
 

@@ -5,8 +5,8 @@ import lightning.scene.Scene;
 
 /** One work of a queue after the other, until it is closed: what the thread of a render loop does. Knows no renderer. */
 final class RenderTurns implements Runnable {
-    /** What does the works. Called on the thread alone. */
-    interface Hands extends AutoCloseable {
+    /** Does the work of the queue. Called on the thread alone. */
+    interface WorkHandler extends AutoCloseable {
         /**
          * Does one work and tells of what came of it.
          *
@@ -25,18 +25,18 @@ final class RenderTurns implements Runnable {
     }
 
     private final RenderQueue queue;
-    private final Hands hands;
+    private final WorkHandler handler;
     private final RenderListener listener;
 
-    RenderTurns(RenderQueue queue, Hands hands, RenderListener listener) {
+    RenderTurns(RenderQueue queue, WorkHandler handler, RenderListener listener) {
         this.queue = queue;
-        this.hands = hands;
+        this.handler = handler;
         this.listener = listener;
     }
 
     @Override
     public void run() {
-        try (hands) {
+        try (handler) {
             while (true) {
                 var stop = new RenderQueue.Stop(listener::progress);
                 RenderQueue.Work work = queue.take(stop);
@@ -44,9 +44,9 @@ final class RenderTurns implements Runnable {
                     return;
                 }
                 attempt(work, stop);
-                if (queue.done(hands.rendered())) {
+                if (queue.done(handler.rendered())) {
                     listener.idle();
-                    hands.rest();
+                    handler.rest();
                 } else {
                     listener.goesOn();
                 }
@@ -58,7 +58,7 @@ final class RenderTurns implements Runnable {
 
     private void attempt(RenderQueue.Work work, RenderQueue.Stop stop) {
         try {
-            hands.work(work, stop);
+            handler.work(work, stop);
         } catch (CancellationException e) {
             if (!stop.gaveWay()) {
                 listener.cancelled();

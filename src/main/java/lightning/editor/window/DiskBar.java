@@ -12,7 +12,8 @@ import lightning.editor.document.DiskNews;
 import lightning.editor.document.DiskWatch;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.Presence;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.widget.Obstacle;
 
 /**
@@ -22,7 +23,8 @@ import lightning.editor.window.widget.Obstacle;
 final class DiskBar extends HBox implements AutoCloseable {
     private static final double GAP = 8;
 
-    private final EditorModel model;
+    private final Workbench workbench;
+    private final Commands commands;
     private final DiskWatch watch;
     private final Label text = new Label();
     private final Button reload = button(Texts.of("Reload"), "disk-reload");
@@ -37,10 +39,11 @@ final class DiskBar extends HBox implements AutoCloseable {
      * @param hops  runs tasks in turn on the window's thread
      * @param both  shows the open scene beside the file, and asks
      */
-    DiskBar(EditorModel model, Executor hops, Runnable both) {
-        this.model = model;
+    DiskBar(Workbench workbench, Commands commands, Executor hops, Runnable both) {
+        this.workbench = workbench;
+        this.commands = commands;
         watch = new DiskWatch(new Presence(Folders.data().resolve("open")), DiskWatch.DEFAULT_PERIOD,
-                news -> hops.execute(() -> model.workbench().hear(news)));
+                news -> hops.execute(() -> workbench.hear(news)));
         setId("disk-bar");
         getStyleClass().add("disk-bar");
         setAlignment(Pos.CENTER_LEFT);
@@ -50,16 +53,16 @@ final class DiskBar extends HBox implements AutoCloseable {
         text.setMaxWidth(Double.MAX_VALUE);
         text.setWrapText(true);
         HBox.setHgrow(text, Priority.ALWAYS);
-        reload.setOnAction(_ -> model.commands().run(Command.RELOAD));
+        reload.setOnAction(_ -> commands.run(Command.RELOAD));
         keep.setOnAction(_ -> {
             dismiss();
-            model.workbench().keepAgainstNews();
+            workbench.keepAgainstNews();
         });
         compare.setOnAction(_ -> both.run());
         read.setOnAction(_ -> dismiss());
         getChildren().addAll(text, reload, keep, compare, read);
         // Every look at the document is told so, one that finds all as it was too.
-        model.situationProperty().addListener(_ -> update());
+        commands.situation().addListener(_ -> update());
         update();
     }
 
@@ -76,13 +79,13 @@ final class DiskBar extends HBox implements AutoCloseable {
     }
 
     private void dismiss() {
-        dismissed = model.document().news();
+        dismissed = workbench.document().news();
         update();
     }
 
     private void update() {
-        model.situationProperty().get();
-        OpenDocument document = model.document();
+        commands.situation().get();
+        OpenDocument document = workbench.document();
         watch.watch(document.file(), document.known());
         DiskNews news = document.news();
         boolean told = (news.isChanged() || news.isGone() || news.elsewhere()) && !news.equals(dismissed);
@@ -93,7 +96,7 @@ final class DiskBar extends HBox implements AutoCloseable {
         show(keep, news.isChanged());
         show(compare, news.isChanged());
         show(read, !news.isChanged());
-        reloading.set(model.commands().reason(Command.RELOAD));
+        reloading.set(commands.reason(Command.RELOAD));
     }
 
     private static void show(Button button, boolean shown) {

@@ -50,9 +50,10 @@ public final class Editor implements AutoCloseable {
         model = sight.model();
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
         window = new EditorWindow(sight.frame(), model, files, notices);
-        disk = new DiskBar(model, thread.window(), files::compareWithDisk);
+        disk = new DiskBar(model.workbench(), model.commands(), thread.window(), files::compareWithDisk);
         window.addLine(disk);
-        model.situationProperty().subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.document().name() + " – Lightning"));
+        model.editor().situationProperty()
+                .subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.editor().document().name() + " – Lightning"));
         stage.focusedProperty().subscribe(_ -> disk.look());
         stage.setOnCloseRequest(e -> {
             e.consume();
@@ -62,7 +63,7 @@ public final class Editor implements AutoCloseable {
                 stage.hide();
             });
         });
-        preferences.opened(model.document().file());
+        preferences.opened(model.editor().document().file());
         keepChoices();
         EditorStage.show(stage, sight.frame(), preferences, mostWidth, mostHeight);
         window.focus();
@@ -78,7 +79,8 @@ public final class Editor implements AutoCloseable {
 
     /** Whether the picture is there, and nothing is being done about another. */
     boolean rests() {
-        return model.frame() != null && model.fileWork().file() == null && model.situationProperty().get().inWork().isEmpty();
+        return model.picture().frame() != null && model.fileWork().file() == null
+                && model.editor().situationProperty().get().inWork().isEmpty();
     }
 
     public FileActions files() {
@@ -114,8 +116,10 @@ public final class Editor implements AutoCloseable {
     /** Choices are kept at once, for the case of a crash. */
     private void keepChoices() {
         PreviewLook look = model.previewLook();
-        for (Observable choice : List.of(model.precisionProperty(), model.viewProperty().map(ViewTransform::curve), look.glowingProperty(),
-                look.sizeProperty(), model.keys().changesProperty(), model.arrangement().canvasesProperty(), model.speechProperty(),
+        for (Observable choice : List.of(model.precisionProperty(), model.picture().viewProperty().map(ViewTransform::curve),
+                look.glowingProperty(),
+                look.sizeProperty(), model.commands().keys().changesProperty(), model.arrangement().canvasesProperty(),
+                model.speechProperty(),
                 model.machineChoice().hostsProperty(), model.machineChoice().certificateProperty(),
                 model.commands().switched(Command.LIGHT_THEME).orElseThrow())) {
             choice.addListener(_ -> remember());
@@ -127,9 +131,9 @@ public final class Editor implements AutoCloseable {
         preferences.set("height", stage.getScene().getHeight());
         preferences.set("theme", Looks.worn().name());
         model.speechProperty().get().remember(preferences);
-        preferences.set("curve", model.viewProperty().get().curve().name());
+        preferences.set("curve", model.picture().viewProperty().get().curve().name());
         model.previewLook().remember(preferences);
-        model.keys().remember(preferences);
+        model.commands().keys().remember(preferences);
         model.arrangement().remember(preferences);
         model.machineChoice().remember(preferences);
         preferences.set("precision", model.precisionProperty().get().name());

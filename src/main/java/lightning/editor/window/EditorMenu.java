@@ -37,7 +37,7 @@ final class EditorMenu extends MenuBar {
     /** Every command that is not about a menu itself does something by now. */
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
-        items = CommandItems.ofBar(model);
+        items = CommandItems.ofBar(model.commands());
         Menu file = menu(Texts.of("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.RELOAD, LINE, Command.SAVE_SCENE,
                 Command.SAVE_SCENE_AS,
                 Command.SAVE_IMAGE,
@@ -67,7 +67,7 @@ final class EditorMenu extends MenuBar {
                 Command.EXPORT_SHOT);
         Menu render = menu(Texts.of("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,
                 Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, LINE);
-        render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model, items));
+        render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model.editor(), items));
         getMenus().setAll(file, edit, light, shape, shot, render, view(),
                 menu(Texts.of("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
     }
@@ -129,10 +129,11 @@ final class EditorMenu extends MenuBar {
         light.addListener((_, _, on) -> (on ? Looks.LIGHT : Looks.DARK).wear());
         model.commands().setSwitch(Command.LIGHT_THEME, light);
         Menu view = menu(Texts.of("View"), Command.ONLY_SELECTED, Command.SCOPES);
-        view.getItems().add(new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model, items).toArray(MenuItem[]::new)));
+        view.getItems().add(
+                new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
         add(view, LINE, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 LINE, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, LINE);
-        view.getItems().addAll(PreviewItems.of(model, items));
+        view.getItems().addAll(PreviewItems.of(model.previewLook(), items));
         view.getItems().addAll(new SeparatorMenuItem(), canvases());
         add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, LINE, Command.LIGHT_THEME);
         view.getItems().add(languages());
@@ -156,7 +157,7 @@ final class EditorMenu extends MenuBar {
             menu.getItems()
                     .add(items.choice(Command.LANGUAGE, "language-" + value.name(), value.toString(), chosen.map(c -> c == value), () -> {
                         chosen.set(value);
-                        model.say(Texts.of("The editor speaks it from its next start on"));
+                        model.editor().message().show(Texts.of("The editor speaks it from its next start on"));
                     }));
         }
         return menu;
@@ -174,7 +175,7 @@ final class EditorMenu extends MenuBar {
 
     private Menu sizes() {
         Menu menu = items.menu(Command.PICTURE_SIZE);
-        menu.getItems().setAll(List.copyOf(SizeMenu.ofPicture(model, items)));
+        menu.getItems().setAll(List.copyOf(SizeMenu.ofPicture(model.editor(), items)));
         return menu;
     }
 }

@@ -1,5 +1,6 @@
 package lightning.editor.window;
 
+import javafx.beans.property.Property;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -22,8 +23,9 @@ import lightning.editor.document.Dial;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
 import lightning.editor.window.command.SizeMenu;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.traced.SamplingMenu;
 import lightning.scene.Limits;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -38,26 +40,28 @@ final class EditorToolBar extends ToolBar {
     /** Between a control and its name, pixels. */
     private static final double NAME_GAP = 6;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Commands commands;
 
-    EditorToolBar(EditorModel model) {
-        this.model = model;
+    EditorToolBar(SceneEditor editor, Commands commands, Property<Precision> precision) {
+        this.editor = editor;
+        this.commands = commands;
         setId("toolbar");
         add(Command.LOAD_FILE, Command.RELOAD, Command.SAVE_SCENE, Command.SAVE_IMAGE);
         getItems().add(gap());
         add(Command.UNDO, Command.REDO);
         getItems().add(gap());
-        var go = CommandButton.titled(model, Command.GO);
+        var go = CommandButton.titled(commands, Command.GO);
         go.button().getStyleClass().add("accent");
-        getItems().addAll(go, CommandButton.titled(model, Command.LIVE));
+        getItems().addAll(go, CommandButton.titled(commands, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(gap(), precision(), size(), labelled(Texts.of("Depth"), depth()), gap());
+        getItems().addAll(gap(), precision(precision), size(), labelled(Texts.of("Depth"), depth()), gap());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
-    private void add(Command... commands) {
-        for (Command command : commands) {
-            getItems().add(CommandButton.icon(model, command));
+    private void add(Command... added) {
+        for (Command command : added) {
+            getItems().add(CommandButton.icon(commands, command));
         }
     }
 
@@ -75,11 +79,11 @@ final class EditorToolBar extends ToolBar {
         return both;
     }
 
-    private ChoiceBox<Precision> precision() {
+    private static ChoiceBox<Precision> precision(Property<Precision> precision) {
         var choice = new ChoiceBox<Precision>();
         choice.setId("precision");
         choice.getItems().setAll(Precision.values());
-        choice.valueProperty().bindBidirectional(model.precisionProperty());
+        choice.valueProperty().bindBidirectional(precision);
         choice.setPrefWidth(widest(choice) + ARROW);
         choice.setMinWidth(Region.USE_PREF_SIZE);
         choice.setAccessibleText(Texts.of("Accuracy"));
@@ -104,10 +108,10 @@ final class EditorToolBar extends ToolBar {
         sizes.setAccessibleText(Texts.of("Size and anti-aliasing of the traced picture"));
         sizes.setTooltip(new Tooltip(Texts.of("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
                 + "other anti-aliasing is an edit, and Go computes what is missing.")));
-        CommandItems items = CommandItems.of(model);
-        sizes.getItems().setAll(SizeMenu.ofPicture(model, items));
-        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(model, items));
-        model.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
+        CommandItems items = CommandItems.of(commands);
+        sizes.getItems().setAll(SizeMenu.ofPicture(editor, items));
+        sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items));
+        editor.sceneProperty().subscribe(s -> sizes.setText(s.picture().width() + " × " + s.picture().height() + SamplingMenu.text(s)));
         return sizes;
     }
 
@@ -116,10 +120,10 @@ final class EditorToolBar extends ToolBar {
         depth.setId("depth");
         depth.setAccessibleText(Texts.of("Recursion depth of mirrors"));
         depth.setTooltip(new Tooltip(Texts.of("Recursion depth\nHow many mirror bounces are followed, 0 to {0}.", Limits.MAX_DEPTH)));
-        model.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
+        editor.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
         depth.valueProperty().subscribe(v -> {
-            if (v != model.scene().picture().depth()) {
-                model.edit(scene -> Dial.DEPTH.set(scene, "", v)).ifPresent(model::say);
+            if (v != editor.scene().picture().depth()) {
+                editor.editOrReport(scene -> Dial.DEPTH.set(scene, "", v));
             }
         });
         return depth;

@@ -52,20 +52,21 @@ public final class EditorWindow implements AutoCloseable {
         this.files = files;
         preview = new PreviewPane(model);
         panels = new Panels(model, this::window);
-        panels.addTo(model);
+        panels.addTo(model.commands());
         model.commands().setAction(Command.ABOUT, () -> About.show(notices));
         AnimationWindow.addTo(model, this::window);
         model.commands().setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
-        var playback = new Playback(model);
+        var playback = new Playback(model.editor(), model.picture(), model.commands());
         model.commands().setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
         menu = new EditorMenu(model, files);
-        model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model));
-        var tools = new EditorToolBar(model);
+        model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model.commands()));
+        var tools = new EditorToolBar(model.editor(), model.commands(), model.precisionProperty());
         tools.visibleProperty().bind(model.arrangement().panelsHiddenProperty().not());
         tools.managedProperty().bind(tools.visibleProperty());
         bars = new VBox(menu, tools);
         side = new SidePane(model);
-        frame.fill(bars, preview, new ListTabs(model), side, new StatusLine(model));
+        frame.fill(bars, preview, new ListTabs(model.editor(), model.commands()), side,
+                new StatusLine(model.editor(), model.picture(), model.commands()));
         frame.follow(model.arrangement());
         makeTimeline = frame.addTimeline(model.arrangement(), () -> {
             timeline = new TimelinePane(model, playback);
@@ -77,8 +78,8 @@ public final class EditorWindow implements AutoCloseable {
                 e.consume();
             }
         });
-        UndoKeys.take(frame, model);
-        CommandKeys.explain(frame, model);
+        UndoKeys.take(frame, model.commands());
+        CommandKeys.explain(frame, model.commands());
         frame.setOnDragOver(this::dragOver);
         frame.setOnDragDropped(this::dropped);
     }

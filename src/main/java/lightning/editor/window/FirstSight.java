@@ -32,7 +32,7 @@ final class FirstSight implements AutoCloseable {
         model.precisionProperty().set(preferences.choice("precision", Precision.EXACT));
         TableActions.restore(model, preferences);
         model.previewLook().restore(preferences);
-        model.keys().restore(preferences);
+        model.commands().keys().restore(preferences);
         model.arrangement().restore(preferences);
         model.machineChoice().restore(preferences);
         model.speechProperty().set(Speech.of(preferences));

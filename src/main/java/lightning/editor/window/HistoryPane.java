@@ -16,7 +16,8 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Texts;
 import lightning.editor.document.History;
 import lightning.editor.document.Situation;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.WhileSeen;
 
 /**
@@ -26,7 +27,8 @@ import lightning.editor.window.widget.WhileSeen;
 final class HistoryPane extends VBox {
     private static final PseudoClass UNDONE = PseudoClass.getPseudoClass("undone");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Workbench workbench;
     private final ListView<Row> list = new ListView<>();
     private final ToggleButton document = new ToggleButton(Texts.of("Document"));
     private final ToggleButton light = new ToggleButton(Texts.of("Selected light"));
@@ -35,8 +37,9 @@ final class HistoryPane extends VBox {
     /** @param done how many steps are done there */
     private record Row(int done, String text, boolean undone) {}
 
-    HistoryPane(EditorModel model) {
-        this.model = model;
+    HistoryPane(SceneEditor editor, Workbench workbench) {
+        this.editor = editor;
+        this.workbench = workbench;
         setId("history");
         getStyleClass().add("history");
         var of = new ToggleGroup();
@@ -49,7 +52,7 @@ final class HistoryPane extends VBox {
             if (now == null) {
                 of.selectToggle(before);
             } else {
-                show(model.situationProperty().get());
+                show(editor.situationProperty().get());
             }
         });
         about.setId("history-about");
@@ -68,23 +71,20 @@ final class HistoryPane extends VBox {
         });
         setVgrow(list, Priority.ALWAYS);
         getChildren().addAll(head, list);
-        WhileSeen.follow(this, () -> model.situationProperty().subscribe(this::show));
-    }
-
-    private boolean isOfLight() {
-        return light.isSelected();
+        WhileSeen.follow(this, () -> editor.situationProperty().subscribe(this::show));
     }
 
     private void show(Situation now) {
-        History history = model.document().history();
+        History history = editor.document().history();
         long id = now.selected().map(l -> history.id(l.name())).orElse(-1L);
-        List<String> steps = isOfLight() ? history.lightSteps(id) : history.steps();
-        int position = isOfLight() ? history.lightPosition(id) : history.position();
+        List<String> steps = light.isSelected() ? history.lightSteps(id) : history.steps();
+        int position = light.isSelected() ? history.lightPosition(id) : history.position();
         String name = now.selected().map(l -> l.name()).orElse(Texts.of("no light is selected"));
-        about.setText(isOfLight() ? name : "");
+        about.setText(light.isSelected() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
                 .mapToObj(i -> new Row(i,
-                        i == 0 ? isOfLight() ? Texts.of("As it first was") : Texts.of("As it was opened") : steps.get(i - 1), i > position))
+                        i == 0 ? light.isSelected() ? Texts.of("As it first was") : Texts.of("As it was opened") : steps.get(i - 1),
+                        i > position))
                 .toList();
         if (!list.getItems().equals(rows)) {
             list.getItems().setAll(rows);
@@ -97,16 +97,16 @@ final class HistoryPane extends VBox {
         if (row == null) {
             return;
         }
-        if (model.isAnimating()) {
-            model.say(Texts.of("An animation is open; close it first"));
+        if (editor.isAnimating()) {
+            editor.message().show(Texts.of("An animation is open; close it first"));
         } else if (row.done() == list.getItems().stream().filter(r -> !r.undone()).count() - 1) {
             return;
-        } else if (isOfLight()) {
-            model.workbench().goToOfLight(row.done()).ifPresent(model::say);
+        } else if (light.isSelected()) {
+            workbench.goToOfLight(row.done()).ifPresent(editor.message()::show);
         } else {
-            model.workbench().goTo(row.done());
+            workbench.goTo(row.done());
         }
-        show(model.situationProperty().get());
+        show(editor.situationProperty().get());
     }
 
     private final class Cell extends ListCell<Row> {

@@ -11,7 +11,8 @@ import javafx.scene.layout.Region;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.KeyButton;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.Keys;
 import lightning.editor.window.widget.Slices;
 
 /** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */
@@ -66,7 +67,7 @@ final class KeysPane extends GridPane {
     /** What is told of a key that is pressed, pixels wide. */
     private static final double TOLD = 300;
 
-    KeysPane(EditorModel model) {
+    KeysPane(Commands commands) {
         setId("keys");
         // It has the keyboard first: else the window would open scrolled to the first key that can be changed.
         setFocusTraversable(true);
@@ -82,28 +83,28 @@ final class KeysPane extends GridPane {
         section(Texts.of("Shapes, in their list and in the preview"), SHAPES);
         section(Texts.of("Numbers"), NUMBERS);
         addRow(getRowCount(), label(Texts.of("Commands"), "keys-title"), label(Texts.of("Click a key to change it"), "caption"),
-                resetAll(model));
+                resetAll(commands.keys()));
         // They are below what is seen first, and so many that all together would hold up the window.
         Slices.whileSeen(this,
-                Stream.of(Command.values()).filter(model.commands()::isDone).<Runnable>map(c -> () -> add(c, model)).toList().iterator());
+                Stream.of(Command.values()).filter(commands::isDone).<Runnable>map(c -> () -> add(c, commands.keys())).toList().iterator());
     }
 
-    private void add(Command command, EditorModel model) {
+    private void add(Command command, Keys keys) {
         var what = label(command.plainTitle(), "keys-what");
         var told = label("", "keys-how");
         told.setWrapText(true);
         told.setMaxWidth(TOLD);
-        var key = new KeyButton(model.keys(), command, told);
+        var key = new KeyButton(keys, command, told);
         addRow(getRowCount(), what, told, key);
         List.of(what, told, key).forEach(Slices::style);
     }
 
-    private static Button resetAll(EditorModel model) {
+    private static Button resetAll(Keys keys) {
         var reset = new Button(Texts.of("Reset All Keys"));
         reset.setId("reset-keys");
         reset.getStyleClass().add("small");
-        reset.setOnAction(_ -> model.keys().reset());
-        model.keys().changesProperty().subscribe(_ -> reset.setDisable(Stream.of(Command.values()).noneMatch(model.keys()::isChanged)));
+        reset.setOnAction(_ -> keys.reset());
+        keys.changesProperty().subscribe(_ -> reset.setDisable(Stream.of(Command.values()).noneMatch(keys::isChanged)));
         return reset;
     }
 

@@ -17,20 +17,23 @@ import lightning.editor.window.measure.AccuracyPane;
 import lightning.editor.window.measure.EffectsPane;
 import lightning.editor.window.measure.ScopesPane;
 import lightning.editor.window.mixer.MixerPane;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
 /** The windows beside the editor's, each open at most once and called as the command that opens it. */
 final class Panels implements AutoCloseable {
     private static final Map<Command, Panel> PANELS = Map.of(
-            Command.ACCURACY_PANEL, new Panel(960, 760, AccuracyPane::new),
-            Command.EFFECTS_PANEL, new Panel(760, 680, EffectsPane::new),
-            Command.KEYS, new Panel(880, 720, KeysPane::new),
-            Command.SCOPES, new Panel(540, 540, ScopesPane::new),
-            Command.HISTORY_PANEL, new Panel(380, 560, HistoryPane::new),
-            Command.UPDATES_PANEL, new Panel(1200, 420, UpdatesPane::new),
-            Command.MIXER, new Panel(1000, 460, MixerPane::new),
-            Command.CUES, new Panel(820, 640, CuePane::new),
+            Command.ACCURACY_PANEL,
+            new Panel(960, 760, m -> new AccuracyPane(m.workbench(), m.editor().situationProperty(), m.picture().viewProperty())),
+            Command.EFFECTS_PANEL,
+            new Panel(760, 680, m -> new EffectsPane(m.editor(), m.workbench(), m.precisionProperty(), m.look().effectsProperty())),
+            Command.KEYS, new Panel(880, 720, m -> new KeysPane(m.commands())),
+            Command.SCOPES, new Panel(540, 540, m -> new ScopesPane(m.picture(), m.files().window())),
+            Command.HISTORY_PANEL, new Panel(380, 560, m -> new HistoryPane(m.editor(), m.workbench())),
+            Command.UPDATES_PANEL, new Panel(1200, 420, m -> new UpdatesPane(m.updates())),
+            Command.MIXER, new Panel(1000, 460, m -> new MixerPane(m.editor(), m.picture(), m.workbench(), m.files().window())),
+            Command.CUES, new Panel(820, 640, m -> new CuePane(m.editor(), m.picture(), m.files())),
             Command.CONTRIBUTIONS, new Panel(680, 480, ContributionPane::new));
 
     private final EditorModel model;
@@ -51,8 +54,8 @@ final class Panels implements AutoCloseable {
     }
 
     /** Does the commands that open them. */
-    void addTo(EditorModel editor) {
-        PANELS.keySet().forEach(command -> editor.commands().setAction(command, () -> open(command)));
+    void addTo(Commands commands) {
+        PANELS.keySet().forEach(command -> commands.setAction(command, () -> open(command)));
     }
 
     /** For each window the steps that make it before it is wanted, each of which takes a moment of the window's thread. */
@@ -78,7 +81,7 @@ final class Panels implements AutoCloseable {
     /** The commands' keys work in it as in the editor's window. */
     private Stage window(Command command, Panel panel) {
         var stage = new PanelWindow(owner.get(), command.plainTitle(), panel.pane().apply(model), panel.width(), panel.height());
-        CommandKeys.take(stage.getScene(), model);
+        CommandKeys.take(stage.getScene(), model.commands());
         return stage;
     }
 

@@ -40,7 +40,7 @@ public final class Rehearsal extends LightningApp {
                 Platform.exit();
             }
         });
-        editor.model().renderingProperty().subscribe(state -> {
+        editor.model().picture().renderingProperty().subscribe(state -> {
             if (state.frame() != null) {
                 look.play();
             }
@@ -56,8 +56,9 @@ public final class Rehearsal extends LightningApp {
         // An open animation holds back the commands that change the document.
         steps.add(() -> List.copyOf(Window.getWindows()).stream().filter(AnimationWindow.class::isInstance).forEach(Window::hide));
         steps.add(() -> model.commands().run(Command.NEW_SHOT));
-        steps.add(() -> model.materials().inFrontProperty().set(true));
-        steps.add(() -> model.scene().placedShapes().stream().findFirst().ifPresent(s -> model.selectNode(s.shape().name())));
+        steps.add(() -> model.editor().materialInFrontProperty().set(true));
+        steps.add(() -> model.editor().scene().placedShapes().stream().findFirst()
+                .ifPresent(s -> model.editor().selection().selectNode(s.shape().name())));
         menus().forEach(menu -> {
             steps.add(menu::show);
             steps.add(menu::hide);

@@ -9,19 +9,23 @@ import javafx.scene.layout.Region;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.loop.RenderState;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.model.StatusText;
+import lightning.editor.window.model.TracedPicture;
 
 /** What the picture is and how long it took, in a few words that open all that is known of it; and what the artist should read next. */
 final class StatusLine extends HBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture picture;
     private final Button status = new Button();
     private final Tooltip whole = new Tooltip();
     private final Label message = new Label();
 
-    StatusLine(EditorModel model) {
-        this.model = model;
+    StatusLine(SceneEditor editor, TracedPicture picture, Commands commands) {
+        this.editor = editor;
+        this.picture = picture;
         getStyleClass().add("status-line");
         status.setId("status");
         message.setId("message");
@@ -33,20 +37,20 @@ final class StatusLine extends HBox {
         status.setMnemonicParsing(false);
         status.getStyleClass().add("status-button");
         status.setAccessibleText(Texts.of("What the last update did"));
-        status.setOnAction(_ -> model.commands().run(Command.UPDATES_PANEL));
+        status.setOnAction(_ -> commands.run(Command.UPDATES_PANEL));
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         getChildren().addAll(status, gap, message);
-        model.messageProperty().subscribe(text -> {
+        editor.message().textProperty().subscribe(text -> {
             message.setText(text);
             message.setManaged(!text.isEmpty());
         });
-        model.renderingProperty().subscribe(_ -> update());
-        model.situationProperty().map(s -> s.inWork().isPresent() ? model.document().name() : "").subscribe(_ -> update());
+        picture.renderingProperty().subscribe(_ -> update());
+        editor.situationProperty().map(s -> s.inWork().isPresent() ? editor.document().name() : "").subscribe(_ -> update());
     }
 
     private void update() {
-        RenderState state = model.renderingProperty().get();
+        RenderState state = picture.renderingProperty().get();
         status.setText(text(state));
         status.setAccessibleText(status.getText().isEmpty() ? Texts.of("What the last update did") : status.getText());
         String click = Texts.of("\nA click shows what the last updates did.");
@@ -57,8 +61,8 @@ final class StatusLine extends HBox {
         if (state.problem() != null) {
             return Sentence.of(state.problem());
         }
-        if (model.situationProperty().get().inWork().isPresent() && state.plan() != null && state.frame() == null) {
-            return Texts.of("Tracing {0} …", model.document().name());
+        if (editor.situationProperty().get().inWork().isPresent() && state.plan() != null && state.frame() == null) {
+            return Texts.of("Tracing {0} …", editor.document().name());
         }
         if (state.cancelled()) {
             return Texts.of("Cancelled");

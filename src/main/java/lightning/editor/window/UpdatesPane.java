@@ -10,8 +10,8 @@ import javafx.scene.control.TableView;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Texts;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusText;
+import lightning.editor.window.model.UpdateLog;
 import lightning.editor.window.model.UpdateLog.Entry;
 
 /** What the last updates did: plan, rows, rays, time, and what the picture is; the latest at the top. */
@@ -23,7 +23,7 @@ final class UpdatesPane extends VBox {
     private final TableView<Entry> table = new TableView<>();
     private final Label whole = new Label();
 
-    UpdatesPane(EditorModel model) {
+    UpdatesPane(UpdateLog log) {
         setId("updates");
         getStyleClass().add("history");
         table.setId("updates-table");
@@ -41,7 +41,7 @@ final class UpdatesPane extends VBox {
         number(Texts.of("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
         number(Texts.of("Saved"), 92, e -> e.saving().map(s -> StatusText.saving(s.percent() / 100)).orElse("–"));
         text(Texts.of("Picture"), 92, e -> e.finished() ? e.promise() : Texts.of("without finer samples yet"));
-        table.setItems(model.updates().entries());
+        table.setItems(log.entries());
         whole.setId("updates-whole");
         whole.getStyleClass().add("about-lines");
         whole.setWrapText(true);

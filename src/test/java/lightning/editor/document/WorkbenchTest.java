@@ -68,12 +68,12 @@ class WorkbenchTest {
 
     @Test
     void lastEdit_isWhatIsPendingOrElseWhatTheLastUpdateShowed() throws InterruptedException {
-        Scene first = bench.scene();
+        Scene first = bench.document().scene();
         bench.go();
         settle();
         assertThat(bench.lastEdit()).isEmpty();
         dial(2);
-        Scene second = bench.scene();
+        Scene second = bench.document().scene();
         assertThat(bench.lastEdit()).contains(new LastEdit(first, second, true));
         bench.go();
         settle();
@@ -86,7 +86,7 @@ class WorkbenchTest {
     }
 
     private void dial(double intensity) {
-        assertThat(bench.edit(Desk.dial("intensity").set(bench.scene(), "key", intensity))).isEmpty();
+        assertThat(bench.edit(Desk.dial("intensity").set(bench.document().scene(), "key", intensity))).isEmpty();
     }
 
     private Scene shown() {
@@ -98,7 +98,7 @@ class WorkbenchTest {
         bench.go();
         assertThat(Command.GO.isEnabled(bench.situation())).isFalse();
         settle();
-        assertThat(shown()).isEqualTo(bench.scene());
+        assertThat(shown()).isEqualTo(bench.document().scene());
         assertThat(Command.GO.isEnabled(bench.situation())).isFalse();
     }
 
@@ -111,10 +111,10 @@ class WorkbenchTest {
         ear.nextIs(LoopEar.Event.IDLE);
         // The window had no time to listen yet.
         settle();
-        assertThat(shown()).isEqualTo(bench.scene());
+        assertThat(shown()).isEqualTo(bench.document().scene());
         for (Runnable task = window.poll(); task != null; task = window.poll()) {
             task.run();
-            assertThat(shown()).isEqualTo(bench.scene());
+            assertThat(shown()).isEqualTo(bench.document().scene());
         }
     }
 
@@ -127,7 +127,7 @@ class WorkbenchTest {
         assertThat(bench.situation().isPending()).isTrue();
         bench.go();
         settle();
-        assertThat(shown()).isEqualTo(bench.scene());
+        assertThat(shown()).isEqualTo(bench.document().scene());
     }
 
     @Test
@@ -138,7 +138,7 @@ class WorkbenchTest {
         bench.setLive(true);
         dial(2);
         settle();
-        assertThat(shown()).isEqualTo(bench.scene());
+        assertThat(shown()).isEqualTo(bench.document().scene());
         bench.undo();
         settle();
         assertThat(shown()).isEqualTo(Desk.scene());
@@ -160,9 +160,9 @@ class WorkbenchTest {
         assertThat(bench.undoLight()).contains("there is nothing to undo of this light");
         bench.selectLight("key");
         assertThat(bench.undoLight()).isEmpty();
-        assertThat(bench.scene()).isEqualTo(Desk.scene());
+        assertThat(bench.document().scene()).isEqualTo(Desk.scene());
         assertThat(bench.redoLight()).isEmpty();
-        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(2);
+        assertThat(Desk.light(bench.document().scene(), "key").intensity()).isEqualTo(2);
     }
 
     @Test
@@ -175,12 +175,12 @@ class WorkbenchTest {
         bench.go();
         settle();
         assertThat(bench.undoLight()).isEmpty();
-        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(2);
+        assertThat(Desk.light(bench.document().scene(), "key").intensity()).isEqualTo(2);
         assertThat(bench.undoLight()).isEmpty();
-        assertThat(bench.scene()).isEqualTo(Desk.scene());
+        assertThat(bench.document().scene()).isEqualTo(Desk.scene());
         assertThat(Command.GO.isEnabled(bench.situation())).as("what was undone is not rendered").isTrue();
         assertThat(bench.redoLight()).isEmpty();
-        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(2);
+        assertThat(Desk.light(bench.document().scene(), "key").intensity()).isEqualTo(2);
     }
 
     @Test
@@ -191,7 +191,7 @@ class WorkbenchTest {
         bench.copySettings();
         bench.selectLight("fill");
         assertThat(bench.pasteSettings()).isEmpty();
-        assertThat(Desk.light(bench.scene(), "fill").type()).isEqualTo(Desk.light(bench.scene(), "key").type());
+        assertThat(Desk.light(bench.document().scene(), "fill").type()).isEqualTo(Desk.light(bench.document().scene(), "key").type());
     }
 
     @Test
@@ -239,7 +239,7 @@ class WorkbenchTest {
         dial(2);
         bench.reopen(OPTIONS.withReflections(Reflections.CURRENT));
         settle();
-        assertThat(shown()).isEqualTo(bench.scene());
+        assertThat(shown()).isEqualTo(bench.document().scene());
         assertThat(bench.frame().orElseThrow().mirrorsAreCurrent()).isTrue();
     }
 
@@ -280,7 +280,7 @@ class WorkbenchTest {
         Recovery own = new Recovery(folder.resolve("kept"));
         Recovery.Found found = own.found().getFirst();
         bench.recover(found, OpenDocument.recover(found));
-        assertThat(Desk.light(bench.scene(), "sun").intensity()).isEqualTo(0.9);
+        assertThat(Desk.light(bench.document().scene(), "sun").intensity()).isEqualTo(0.9);
         Wait.until(() -> own.found().isEmpty());
         assertThat(filesKept()).isEqualTo(1);
         save(bench.document().file());
@@ -317,7 +317,7 @@ class WorkbenchTest {
         dial(3);
         save(bench.document().file());
         assertThat(Command.SAVE_SCENE.isEnabled(bench.situation())).isFalse();
-        assertThat(OpenDocument.open(folder.resolve("other.jen")).scene()).isEqualTo(bench.scene());
+        assertThat(OpenDocument.open(folder.resolve("other.jen")).scene()).isEqualTo(bench.document().scene());
     }
 
     @Test
@@ -327,7 +327,7 @@ class WorkbenchTest {
         dial(3);
         runUntil(() -> !failures.isEmpty());
         assertThat(bench.situation().dirty()).isTrue();
-        assertThat(Desk.light(bench.scene(), "key").intensity()).isEqualTo(3);
+        assertThat(Desk.light(bench.document().scene(), "key").intensity()).isEqualTo(3);
         assertThat(Desk.light(OpenDocument.open(bench.document().file()).scene(), "key").intensity()).isEqualTo(2);
     }
 
@@ -371,18 +371,18 @@ class WorkbenchTest {
     @Test
     void refusedEdit_isNoChange() {
         int before = changes;
-        assertThat(bench.edit(Desk.dial("angle").set(bench.scene(), "key", 999))).isPresent();
+        assertThat(bench.edit(Desk.dial("angle").set(bench.document().scene(), "key", 999))).isPresent();
         assertThat(changes).isEqualTo(before);
     }
 
     @Test
     void shownFrameOfAnAnimation_isNotTheDocuments() throws Exception {
-        Light away = Desk.light(bench.scene(), "key").withPosition(new Vec3(0, 9, 0));
+        Light away = Desk.light(bench.document().scene(), "key").withPosition(new Vec3(0, 9, 0));
         bench.setAnimating(true);
-        bench.show(bench.scene().withLight(away));
+        bench.show(bench.document().scene().withLight(away));
         settle();
         assertThat(shown().light("key")).contains(away);
-        assertThat(bench.scene()).isEqualTo(Desk.scene());
+        assertThat(bench.document().scene()).isEqualTo(Desk.scene());
         assertThat(Command.UNDO.obstacle(bench.situation())).contains("an animation is open; close it first");
     }
 }

@@ -53,7 +53,7 @@ class RenderTurnsModelTest {
     }
 
     /** A renderer of two tiles, and two more of finer samples where there are any. */
-    private static final class Tiles implements RenderTurns.Hands {
+    private static final class Tiles implements RenderTurns.WorkHandler {
         private final RenderListener listener;
         private final RenderQueue queue;
         private final Scene broken;

@@ -92,7 +92,7 @@ class AccessOfPanelsTest extends EditorDesk {
 
     @Test
     void everyButtonOfAQuestion_isReachedByTheTabKeyAndEscapeGivesItUp() {
-        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
         // It waits for an answer, and whoever calls it with it.
         Platform.runLater(() -> model().commands().run(Command.QUIT));
         waitFor("it asks", () -> panels().size() == 1 && panels().getFirst().isFocused());
@@ -116,7 +116,7 @@ class AccessOfPanelsTest extends EditorDesk {
         for (Looks looks : Looks.values()) {
             robot.interact(looks::wear);
             for (boolean materials : new boolean[] {true, false}) {
-                robot.interact(() -> model().materials().inFrontProperty().set(materials));
+                robot.interact(() -> model().editor().materialInFrontProperty().set(materials));
                 collect(stage, looks + " editor", found);
             }
             for (Command command : PANELS) {

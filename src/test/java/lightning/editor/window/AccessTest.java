@@ -39,7 +39,7 @@ class AccessTest extends EditorDesk {
     }
 
     private void selectShape() {
-        robot.interact(() -> model().selectNode("ball"));
+        robot.interact(() -> model().editor().selection().selectNode("ball"));
         waitFor("the list of shapes is in front", () -> robot.lookup("#shape-list").tryQuery().isPresent());
         QuickRobot.settle();
     }
@@ -56,7 +56,7 @@ class AccessTest extends EditorDesk {
         assertThat(wrongWays()).isEmpty();
         selectShape();
         assertThat(wrongWays()).isEmpty();
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         QuickRobot.settle();
         assertThat(wrongWays()).isEmpty();
     }

@@ -37,7 +37,7 @@ class ArrangementTest extends EditorDesk {
         arrange(Canvases.PICTURE_ALONE);
         assertThat(isThere("#preview-canvas")).isFalse();
         assertThat(picture().getWidth()).isGreaterThan(1.9 * half);
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         arrange(Canvases.SIDE_BY_SIDE);
         assertThat(isThere("#preview-canvas")).isTrue();
         assertThat(picture().getWidth()).isBetween(half - 2, half + 2);
@@ -49,7 +49,7 @@ class ArrangementTest extends EditorDesk {
         assertThat(isThere("#traced-picture")).isFalse();
         robot.interact(() -> preview().requestFocus());
         robot.push(KeyCode.CLOSE_BRACKET);
-        assertThat(model().selectedLight().name()).isEqualTo("sun");
+        assertThat(model().editor().selection().light().name()).isEqualTo("sun");
     }
 
     @Test
@@ -118,10 +118,10 @@ class ArrangementTest extends EditorDesk {
     void newScene_isWrittenOpenedAndOfTheSizeOfAScreen() throws Exception {
         answer = folder.resolve("fresh");
         robot.interact(() -> model().commands().run(Command.NEW_SCENE));
-        waitFor("it is open", () -> model().document().name().equals("fresh.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("fresh.jen"));
         robot.interact(() -> model().commands().run(Command.CANCEL));
         var read = JenReader.read(folder.resolve("fresh.jen")).scene();
-        assertThat(read).isEqualTo(model().scene());
+        assertThat(read).isEqualTo(model().editor().scene());
         assertThat(List.of(read.picture().width(), read.picture().height())).containsExactly(1280, 720);
         assertThat(read.picture().sampling().antialias()).isEqualTo(Antialias.EDGES);
         assertThat(read.lights()).hasSize(3);

@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
 import org.junit.jupiter.api.Test;
 
 class ClosedEditorTest extends EditorDesk {
-    private WeakReference<EditorModel> before;
+    private List<WeakReference<?>> before;
 
     /** The toolkit may touch a window once more that its owner took with it. */
     @Test
@@ -31,14 +31,14 @@ class ClosedEditorTest extends EditorDesk {
     /** Its pictures and caches would stay for as long as the process lives. */
     @Test
     void closedEditor_isForgotten() throws Exception {
-        before = new WeakReference<>(model());
+        before = Stream.of(model(), model().editor(), model().picture().raster()).<WeakReference<?>>map(WeakReference::new).toList();
         close();
         open();
         // What the tests' hand touched last it knows.
         robot.clickOn("#traced-picture");
         waitFor("nothing knows the closed editor", () -> {
             System.gc();
-            return before.get() == null;
+            return before.stream().allMatch(r -> r.get() == null);
         });
     }
 }

@@ -59,7 +59,7 @@ class ClosedPanelTest extends EditorDesk {
         waitFor("it is counted", () -> robot.lookup("#waveform").<ImageView>query().getImage() != null);
         Object before = robot.lookup("#waveform").<ImageView>query().getImage();
         closePanels();
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 3)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 3)));
         click("go");
         waitForPicture();
         open(Command.SCOPES);

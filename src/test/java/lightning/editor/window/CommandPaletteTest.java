@@ -36,7 +36,7 @@ class CommandPaletteTest extends EditorDesk {
         find("dup li");
         robot.push(KeyCode.ENTER);
         assertThat(isOpen()).isFalse();
-        assertThat(model().lights()).hasSize(4);
+        assertThat(model().editor().scene().lights()).hasSize(4);
     }
 
     @Test
@@ -83,9 +83,9 @@ class CommandPaletteTest extends EditorDesk {
         robot.push(KeyCode.CONTROL, KeyCode.J);
         closeKeys();
         robot.push(KeyCode.CONTROL, KeyCode.J);
-        assertThat(model().lights()).hasSize(4);
+        assertThat(model().editor().scene().lights()).hasSize(4);
         robot.push(KeyCode.CONTROL, KeyCode.D);
-        assertThat(model().lights()).hasSize(4);
+        assertThat(model().editor().scene().lights()).hasSize(4);
         assertThat(text(Command.DUPLICATE_LIGHT)).isEqualTo("Ctrl+J");
     }
 
@@ -101,9 +101,9 @@ class CommandPaletteTest extends EditorDesk {
         listenFor(Command.DUPLICATE_LIGHT);
         robot.push(KeyCode.CONTROL, KeyCode.L);
         assertThat(robot.lookup("Ctrl+L is Add Light's: press again to take it").tryQuery()).isPresent();
-        assertThat(model().keys().isChanged(Command.DUPLICATE_LIGHT)).isFalse();
+        assertThat(model().commands().keys().isChanged(Command.DUPLICATE_LIGHT)).isFalse();
         robot.push(KeyCode.CONTROL, KeyCode.L);
-        assertThat(model().keys().of(Command.DUPLICATE_LIGHT)).contains(KeyCombination.valueOf("Shortcut+L"));
+        assertThat(model().commands().keys().of(Command.DUPLICATE_LIGHT)).contains(KeyCombination.valueOf("Shortcut+L"));
         assertThat(robot.lookup("#key-add-light").<Button>query().getText()).isEqualTo("none");
         robot.interact(() -> robot.lookup("#reset-keys").<Button>query().fire());
         assertThat(robot.lookup("#key-add-light").<Button>query().getText()).isEqualTo("Ctrl+L");
@@ -115,6 +115,6 @@ class CommandPaletteTest extends EditorDesk {
         robot.push(KeyCode.K);
         assertThat(robot.lookup("K alone types or moves; hold Ctrl or Alt with it, or take a function key").tryQuery()).isPresent();
         robot.push(KeyCode.ESCAPE);
-        assertThat(model().keys().isChanged(Command.GO)).isFalse();
+        assertThat(model().commands().keys().isChanged(Command.GO)).isFalse();
     }
 }

@@ -92,25 +92,29 @@ public final class EditingPace {
             return new Editor(stage, sight, preferences, thread, FilePrompt.of(stage), 1400, 900);
         });
         EditorModel model = editor.model();
-        while (onWindow(() -> model.situationProperty().get().isPending() || model.situationProperty().get().inWork().isPresent())) {
+        while (onWindow(() -> model.editor().situationProperty().get().isPending()
+                || model.editor().situationProperty().get().inWork().isPresent())) {
             Thread.sleep(REST_MS);
         }
         Thread.sleep(20 * REST_MS);
-        String light = model.lights().getFirst().name();
-        pace("a light's intensity", model, i -> model.edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(1 + 0.01 * i))));
+        String light = model.editor().scene().lights().getFirst().name();
+        pace("a light's intensity", model,
+                i -> model.editor().edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(1 + 0.01 * i))));
         String ball = "b" + shapes / 2;
         onWindow(() -> {
-            model.selectNode(ball);
+            model.editor().selection().selectNode(ball);
             return null;
         });
-        pace("a shape moved", model, i -> model.edit(scene -> NodeEdits.placement(scene, ball,
+        pace("a shape moved", model, i -> model.editor().edit(scene -> NodeEdits.placement(scene, ball,
                 p -> new Placement(p.at().plus(new Vec3(0, 0.0001, 0)), p.rotate(), p.scale()))));
-        pace("hidden or shown", model, i -> model.edit(scene -> NodeEdits.visible(scene, ball, i % 2 == 0)));
-        pace("renamed", model, i -> model.edit(scene -> NodeEdits.rename(scene, i == 0 ? ball : ball + "_" + (i - 1), ball + "_" + i)));
+        pace("hidden or shown", model, i -> model.editor().edit(scene -> NodeEdits.visible(scene, ball, i % 2 == 0)));
+        pace("renamed", model,
+                i -> model.editor().edit(scene -> NodeEdits.rename(scene, i == 0 ? ball : ball + "_" + (i - 1), ball + "_" + i)));
         String renamed = ball + "_" + (SAMPLES + WARM_UPS - 1);
-        pace("copied", model, _ -> model.selectNode(renamed), _ -> model.commands().run(Command.DUPLICATE_SHAPE));
-        pace("deleted", model, i -> model.selectNode("b" + (shapes / 3 + i)), _ -> model.commands().run(Command.DELETE_SHAPE));
-        pace("another selected", model, i -> model.selectNode("b" + (shapes / 4 + i)));
+        pace("copied", model, _ -> model.editor().selection().selectNode(renamed), _ -> model.commands().run(Command.DUPLICATE_SHAPE));
+        pace("deleted", model, i -> model.editor().selection().selectNode("b" + (shapes / 3 + i)),
+                _ -> model.commands().run(Command.DELETE_SHAPE));
+        pace("another selected", model, i -> model.editor().selection().selectNode("b" + (shapes / 4 + i)));
     }
 
     /** @param edit gets the number of the edit, from 0 */

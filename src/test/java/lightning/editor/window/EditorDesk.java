@@ -109,7 +109,7 @@ public abstract class EditorDesk {
     }
 
     public Light light(String name) {
-        return model().scene().light(name).orElseThrow();
+        return model().editor().scene().light(name).orElseThrow();
     }
 
     /** Waits until something holds, as seen from the window's thread, and the window shows it. */
@@ -125,8 +125,8 @@ public abstract class EditorDesk {
 
     /** Waits until the picture shows everything. */
     public void waitForPicture() {
-        waitFor("the picture is there", () -> !model().situationProperty().get().isPending()
-                && model().situationProperty().get().inWork().isEmpty());
+        waitFor("the picture is there", () -> !model().editor().situationProperty().get().isPending()
+                && model().editor().situationProperty().get().inWork().isEmpty());
     }
 
     /** Clicks the control of that id. */
@@ -158,14 +158,14 @@ public abstract class EditorDesk {
     /** Where a point of the scene is seen in the preview. */
     public Point2D inPreview(Vec3 point) {
         Viewport canvas = preview().viewport();
-        return preview().onScreen(canvas.pixel(model().previewCameraProperty().get(), point));
+        return preview().onScreen(canvas.pixel(model().previewLook().cameraProperty().get(), point));
     }
 
     /** That every pixel of the canvas, as it is on the screen's side, is a film's. */
     public void assertCanvasShows(lightning.render.image.Film expected) {
         PictureView picture = robot.lookup("#traced-picture").query();
         int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
-        assertThat(shown).as("the pixels of the canvas").isEqualTo(model().viewProperty().get().toPixels(expected));
+        assertThat(shown).as("the pixels of the canvas").isEqualTo(model().picture().viewProperty().get().toPixels(expected));
     }
 
     /** That Go, with mirrors made current, shows every pixel of the scene as the reference has it. */
@@ -174,11 +174,11 @@ public abstract class EditorDesk {
         waitForPicture();
         robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
         waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+                && model().editor().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     public void assertFilmIs(lightning.render.image.Film expected) {
-        assertThat(model().frame().film().sameBits(expected)).as("every bit of the picture").isTrue();
+        assertThat(model().picture().frame().film().sameBits(expected)).as("every bit of the picture").isTrue();
     }
 }

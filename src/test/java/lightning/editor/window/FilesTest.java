@@ -38,7 +38,7 @@ import org.junit.jupiter.api.Test;
 class FilesTest extends EditorDesk {
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** Does not wait for the command, which may wait for an answer. */
@@ -58,14 +58,14 @@ class FilesTest extends EditorDesk {
         waitFor("it is saved", () -> text("message").equals("Saved desk.jen"));
         assertThat(isEnabled(Command.SAVE_SCENE)).isFalse();
         assertThat(stage.getTitle()).startsWith("desk.jen");
-        assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().scene());
+        assertThat(JenReader.read(folder.resolve("desk.jen")).scene()).isEqualTo(model().editor().scene());
     }
 
     @Test
     void saveSceneAs_isTheDocumentsFileFromThenOn() {
         answer = folder.resolve("other");
         begin(Command.SAVE_SCENE_AS);
-        waitFor("it is saved", () -> Files.exists(folder.resolve("other.jen")) && model().document().name().equals("other.jen"));
+        waitFor("it is saved", () -> Files.exists(folder.resolve("other.jen")) && model().editor().document().name().equals("other.jen"));
     }
 
     @Test
@@ -73,7 +73,7 @@ class FilesTest extends EditorDesk {
         answer = folder.resolve("picture.pfm");
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved picture.pfm"));
-        assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+        assertThat(PictureFile.read(answer).sameBits(model().picture().frame().film())).isTrue();
     }
 
     private void export(String title) {
@@ -87,7 +87,7 @@ class FilesTest extends EditorDesk {
         answer = folder.resolve("desk.exr");
         export("Layers as OpenEXR, 32 Bits…");
         waitFor("it is written", () -> text("message").equals("Exported desk.exr"));
-        assertThat(PictureFile.read(answer).sameBits(model().frame().film())).isTrue();
+        assertThat(PictureFile.read(answer).sameBits(model().picture().frame().film())).isTrue();
         try (ExrReader reader = new ExrReader(answer)) {
             assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
         }
@@ -113,12 +113,12 @@ class FilesTest extends EditorDesk {
 
     @Test
     void pictureSavedWhileStopsAreShown_isThePicture() throws IOException {
-        robot.interact(() -> model().viewProperty().set(model().viewProperty().get().withCurve(DisplayCurve.FALSE)));
+        robot.interact(() -> model().picture().viewProperty().set(model().picture().viewProperty().get().withCurve(DisplayCurve.FALSE)));
         answer = folder.resolve("picture.png");
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved picture.png"));
         assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(answer)))
-                .isEqualTo(ViewTransform.DEFAULT.toPixels(model().frame().film()));
+                .isEqualTo(ViewTransform.DEFAULT.toPixels(model().picture().frame().film()));
     }
 
     @Test
@@ -150,7 +150,7 @@ class FilesTest extends EditorDesk {
         waitFor("it tells", () -> robot.lookup("#problems").tryQuery().isPresent());
         List<Problem> problems = robot.lookup("#problems").<ListView<Problem>>query().getItems();
         assertThat(problems).extracting(Problem::line).contains(2, 3);
-        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         robot.clickOn("Close");
     }
 
@@ -167,9 +167,9 @@ class FilesTest extends EditorDesk {
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30");
         answer = Files.writeString(folder.resolve("small.jen"), text);
         begin(Command.LOAD_FILE);
-        waitFor("it is open", () -> model().document().name().equals("small.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("small.jen"));
         waitForPicture();
-        assertThat(model().raster().pixels().width()).isEqualTo(40);
+        assertThat(model().picture().raster().pixels().width()).isEqualTo(40);
         assertThat(text("traced-sizes")).isEqualTo("40 × 30");
     }
 
@@ -178,7 +178,7 @@ class FilesTest extends EditorDesk {
         String text = Files.readString(folder.resolve("desk.jen")).replace("fov 40", "fov 50");
         answer = Files.writeString(folder.resolve("wide.jen"), text);
         begin(Command.LOAD_FILE);
-        waitFor("it is open", () -> model().document().name().equals("wide.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("wide.jen"));
         waitForPicture();
         assertThat(telemetry()).startsWith("first pass: no picture yet");
     }
@@ -210,7 +210,7 @@ class FilesTest extends EditorDesk {
             model().open(opened);
         });
         robot.interact(() -> model().commands().run(Command.CANCEL));
-        waitFor("it is stopped", () -> model().renderingProperty().get().cancelled());
+        waitFor("it is stopped", () -> model().picture().renderingProperty().get().cancelled());
         // Its centers may have been there before it was stopped.
         waitFor("the last scene's picture is gone", () -> isShown("waiting") || shownPixels() == 170 * 170);
         assertThat(stage.getTitle()).startsWith("other.jen");
@@ -224,7 +224,7 @@ class FilesTest extends EditorDesk {
             model().open(opened);
             model().commands().run(Command.CANCEL);
         });
-        waitFor("nothing is in work", () -> model().situationProperty().get().inWork().isEmpty());
+        waitFor("nothing is in work", () -> model().editor().situationProperty().get().inWork().isEmpty());
         waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Cancelled. Go traces the picture."));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
@@ -239,19 +239,19 @@ class FilesTest extends EditorDesk {
         assertThat(taken).isFalse();
         robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
         assertThat(taken).isTrue();
-        waitFor("it is open", () -> model().document().name().equals("small.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("small.jen"));
     }
 
     @Test
     void droppedMesh_becomesASceneBesideIt_andAnotherIsAskedFor() throws IOException {
         Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
         robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
-        waitFor("it is open", () -> model().document().name().equals("tri.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("tri.jen"));
         waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 kinds of things are left out"));
         String first = Files.readString(folder.resolve("tri.jen"));
         answer = folder.resolve("again.jen");
         robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
-        waitFor("the other is open", () -> model().document().name().equals("again.jen"));
+        waitFor("the other is open", () -> model().editor().document().name().equals("again.jen"));
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
     }
 
@@ -262,7 +262,7 @@ class FilesTest extends EditorDesk {
         waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
         assertThat(folder.resolve("lit.jen")).doesNotExist();
         click("units-watts");
-        waitFor("it is open", () -> model().document().name().equals("lit.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("lit.jen"));
         assertThat(light("bulb").intensity() / light("bulb").attenuation().quadratic())
                 .isCloseTo(100 / (4 * Math.PI * Math.PI), Offset.offset(1e-9));
         assertThat(Files.readString(folder.resolve("lit.jen"))).contains("# light units: the file's numbers were taken as watts");
@@ -276,7 +276,7 @@ class FilesTest extends EditorDesk {
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
         waitFor("it is gone", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
         assertThat(text("message")).isEmpty();
-        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("lit.jen")).doesNotExist();
     }
 
@@ -288,7 +288,7 @@ class FilesTest extends EditorDesk {
         assertThat(robot.lookup(".dialog-pane .label").queryAllAs(Label.class)).extracting(Label::getText)
                 .anyMatch(text -> text.startsWith(folder.resolve("bad.obj") + ": line 2: "));
         assertThat(text("message")).isEmpty();
-        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(folder.resolve("bad.jen")).doesNotExist();
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
     }
@@ -308,11 +308,11 @@ class FilesTest extends EditorDesk {
     void recentScene_isOpenedFromTheMenu() throws IOException {
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         begin(Command.LOAD_FILE);
-        waitFor("it is open", () -> model().document().name().equals("other.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
         waitFor("the first is listed", () -> editor.files().recentItems().stream().anyMatch(i -> i.getText().endsWith("desk.jen")));
         robot.interact(() -> editor.files().recentItems().stream().filter(i -> i.getText().equals(folder.resolve("desk.jen").toString()))
                 .findFirst().orElseThrow().fire());
-        waitFor("the first is open again", () -> model().document().name().equals("desk.jen"));
+        waitFor("the first is open again", () -> model().editor().document().name().equals("desk.jen"));
     }
 
     @Test
@@ -322,7 +322,7 @@ class FilesTest extends EditorDesk {
         begin(Command.LOAD_FILE);
         waitFor("it asks", () -> says("Save the changes of desk.jen?"));
         robot.clickOn("Don't Save");
-        waitFor("it is open", () -> model().document().name().equals("other.jen"));
+        waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(1);
     }
 
@@ -342,7 +342,7 @@ class FilesTest extends EditorDesk {
         waitFor("it asks", () -> says("Save the changes of desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(stage.isShowing()).isTrue();
-        assertThat(model().document().isDirty()).isTrue();
+        assertThat(model().editor().document().isDirty()).isTrue();
     }
 
     @Test
@@ -361,11 +361,11 @@ class FilesTest extends EditorDesk {
         Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         robot.interact(() -> {
             editor.files().load(other);
-            model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25));
+            model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25));
         });
         waitFor("it asks", () -> says("Save the changes of desk.jen?"));
         robot.clickOn("Cancel");
-        assertThat(model().document().name()).isEqualTo("desk.jen");
+        assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
     }
 
@@ -378,9 +378,9 @@ class FilesTest extends EditorDesk {
         });
         Path third = Files.writeString(folder.resolve("third.jen"), Files.readString(folder.resolve("desk.jen")));
         List<String> opened = new ArrayList<>();
-        robot.interact(() -> model().documentProperty().addListener((_, _, now) -> opened.add(now.name())));
+        robot.interact(() -> model().editor().documentProperty().addListener((_, _, now) -> opened.add(now.name())));
         robot.interact(() -> editor.files().load(third));
-        waitFor("the third is open", () -> model().document().name().equals("third.jen"));
+        waitFor("the third is open", () -> model().editor().document().name().equals("third.jen"));
         assertThat(opened).containsExactly("third.jen");
     }
 
@@ -389,7 +389,7 @@ class FilesTest extends EditorDesk {
         Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         robot.interact(() -> {
             editor.files().load(other);
-            model().say("Reading other.jen: 64 %");
+            model().editor().message().show("Reading other.jen: 64 %");
             model().commands().run(Command.CANCEL);
         });
         assertThat(text("message")).isEmpty();
@@ -408,7 +408,7 @@ class FilesTest extends EditorDesk {
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
         waitFor("it asks", () -> says("Save the changes of desk.jen?"));
         robot.clickOn("Save");
-        waitFor("it is saved", () -> !model().document().isDirty());
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
         Path file = folder.resolve("desk.jen");
         assertThat(JenReader.read(file).scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
     }

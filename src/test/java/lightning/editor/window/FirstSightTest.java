@@ -76,7 +76,7 @@ class FirstSightTest {
         preferences.save();
         show("16 12");
         WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
-                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().viewProperty().get().cube().isPresent()).get());
+                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().picture().viewProperty().get().cube().isPresent()).get());
     }
 
     @Test
@@ -86,7 +86,8 @@ class FirstSightTest {
         preferences.save();
         show("16 12");
         WaitForAsyncUtils.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS,
-                () -> WaitForAsyncUtils.asyncFx(() -> sight.model().messageProperty().get().contains("there is no such file")).get());
-        assertThat(sight.model().viewProperty().get().cube()).isEmpty();
+                () -> WaitForAsyncUtils
+                        .asyncFx(() -> sight.model().editor().message().textProperty().get().contains("there is no such file")).get());
+        assertThat(sight.model().picture().viewProperty().get().cube()).isEmpty();
     }
 }

@@ -41,14 +41,14 @@ class GoTest extends EditorDesk {
     }
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** So many that a large picture takes its time. */
     private void manyLights() {
         robot.interact(() -> {
             for (int i = 0; i < 120; i++) {
-                model().edit(scene -> LightEdits.duplicate(scene, "lamp"));
+                model().editor().edit(scene -> LightEdits.duplicate(scene, "lamp"));
             }
         });
     }
@@ -66,7 +66,7 @@ class GoTest extends EditorDesk {
     void openedScene_isTracedAndLeavesNothingToDo() {
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(model().commands().reason(Command.GO)).contains("nothing was edited since the last Go");
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("first pass").contains("exact");
     }
@@ -88,7 +88,7 @@ class GoTest extends EditorDesk {
         assertThat(isShown("pending")).isFalse();
         assertThat(text("status")).matches("[0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
-        waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
+        waitFor("its saving is measured", () -> model().picture().renderingProperty().get().saving().isPresent());
         // Which of the two it is depends on the machine: the picture is tiny.
         assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
     }
@@ -98,8 +98,8 @@ class GoTest extends EditorDesk {
         dim();
         click("go");
         waitForPicture();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isShown("mirrors")).isFalse();
         assertThat(model().commands().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
     }
@@ -109,25 +109,25 @@ class GoTest extends EditorDesk {
         dim();
         click("go");
         waitForPicture();
-        waitFor("its saving is measured", () -> model().renderingProperty().get().saving().isPresent());
-        WarmSaving told = model().renderingProperty().get().measured();
-        robot.interact(() -> model().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSampling(
+        waitFor("its saving is measured", () -> model().picture().renderingProperty().get().saving().isPresent());
+        WarmSaving told = model().picture().renderingProperty().get().measured();
+        robot.interact(() -> model().editor().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSampling(
                 new Sampling(Antialias.EDGES, 2))))));
         click("go");
-        waitFor("the saving is another", () -> model().renderingProperty().get().measured() != told);
-        assertThat(model().renderingProperty().get().measured().isOf(model().frame().update())).isTrue();
-        assertThat(model().frame().update().plan().text()).contains("samples");
+        waitFor("the saving is another", () -> model().picture().renderingProperty().get().measured() != told);
+        assertThat(model().picture().renderingProperty().get().measured().isOf(model().picture().frame().update())).isTrue();
+        assertThat(model().picture().frame().update().plan().text()).contains("samples");
     }
 
     @Test
     void staleGo_showsThePictureOfTheStaleOracle() {
         asIn1998();
-        Scene mirrored = model().scene();
+        Scene mirrored = model().editor().scene();
         dim();
         click("go");
         waitForPicture();
-        assertFilmIs(new ReferenceTracer(model().scene(), mirrored).trace());
-        assertCanvasShows(new ReferenceTracer(model().scene(), mirrored).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene(), mirrored).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene(), mirrored).trace());
         assertThat(text("status")).contains("reflections of an older light");
     }
 
@@ -140,8 +140,8 @@ class GoTest extends EditorDesk {
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         click("update-reflections");
         waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+                && model().editor().situationProperty().get().inWork().isEmpty());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
@@ -161,7 +161,7 @@ class GoTest extends EditorDesk {
         dim();
         robot.push(KeyCode.F5);
         waitForPicture();
-        assertThat(model().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+        assertThat(model().picture().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
     }
 
     @Test
@@ -169,7 +169,7 @@ class GoTest extends EditorDesk {
         click("live");
         dim();
         waitForPicture();
-        assertThat(model().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
+        assertThat(model().picture().frame().scene().light("lamp").orElseThrow().intensity()).isEqualTo(0.25);
     }
 
     @Test
@@ -178,18 +178,19 @@ class GoTest extends EditorDesk {
         Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream()
                 .flatMap(item -> item.lookupAll(".spinner").stream()).map(Spinner.class::cast).findFirst().orElseThrow();
         robot.interact(() -> depth.increment());
-        assertThat(model().scene().picture().depth()).isEqualTo(3);
+        assertThat(model().editor().scene().picture().depth()).isEqualTo(3);
         assertThat(isEnabled(Command.GO)).isTrue();
         click("undo");
-        assertThat(model().scene().picture().depth()).isEqualTo(2);
+        assertThat(model().editor().scene().picture().depth()).isEqualTo(2);
     }
 
     @Test
     void anotherSize_isTracedAnew() {
         size(200, 200);
         waitForPicture();
-        assertThat(model().frame().film().width()).isEqualTo(200);
-        assertThat(model().raster().pixels().pixels()).isEqualTo(model().viewProperty().get().toPixels(model().frame().film()));
+        assertThat(model().picture().frame().film().width()).isEqualTo(200);
+        assertThat(model().picture().raster().pixels().pixels())
+                .isEqualTo(model().picture().viewProperty().get().toPixels(model().picture().frame().film()));
     }
 
     @Test
@@ -205,8 +206,8 @@ class GoTest extends EditorDesk {
         size(200, 200);
         robot.interact(sizeItem("size-own")::fire);
         waitForPicture();
-        assertThat(model().frame().film().width()).isEqualTo(64);
-        assertThat(model().frame().film().height()).isEqualTo(48);
+        assertThat(model().picture().frame().film().width()).isEqualTo(64);
+        assertThat(model().picture().frame().film().height()).isEqualTo(48);
     }
 
     private void typeSize(String typed) {
@@ -220,8 +221,8 @@ class GoTest extends EditorDesk {
     @Test
     void typedSize_isTracedAnew() {
         typeSize("50 x 40");
-        waitFor("it is traced", () -> model().frame().film().width() == 50);
-        assertThat(model().frame().film().height()).isEqualTo(40);
+        waitFor("it is traced", () -> model().picture().frame().film().width() == 50);
+        assertThat(model().picture().frame().film().height()).isEqualTo(40);
     }
 
     @Test
@@ -233,21 +234,21 @@ class GoTest extends EditorDesk {
 
     @Test
     void longTrace_showsProgressThatCanBeCancelledWhileTheWindowAnswers() throws Exception {
-        Scene before = model().frame().scene();
+        Scene before = model().picture().frame().scene();
         manyLights();
         size(1920, 1080);
         waitFor("progress is shown", () -> isShown("progress"));
         assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
         robot.interact(robot.lookup("#cancel-progress").<Button>query()::fire);
         waitFor("it is over", () -> !isShown("progress"));
-        assertThat(model().frame().scene()).isEqualTo(before);
+        assertThat(model().picture().frame().scene()).isEqualTo(before);
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 
     @Test
     void verify_saysThatThePictureIsAFullTraces() {
         click("verify");
-        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
         assertThat(isShown("difference")).isTrue();
     }
@@ -259,7 +260,7 @@ class GoTest extends EditorDesk {
         click("go");
         waitForPicture();
         click("verify");
-        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace whose mirrors show an older light in every bit")
                 .contains("would change with current mirrors");
     }
@@ -271,24 +272,24 @@ class GoTest extends EditorDesk {
         click("go");
         waitForPicture();
         click("verify");
-        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
         click("difference");
-        Object verified = model().frame();
+        Object verified = model().picture().frame();
         click("update-reflections");
-        waitFor("the mirrors are new", () -> model().frame() != verified);
+        waitFor("the mirrors are new", () -> model().picture().frame() != verified);
         waitFor("the verdict is gone", () -> !text("status").contains("Verified"));
         assertThat(isShown("difference")).isFalse();
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
     void anotherAccuracy_castsNoRay() {
         for (Precision precision : new Precision[] {Precision.RATIO, Precision.EXACT, Precision.ON_DEMAND}) {
-            Object before = model().frame();
+            Object before = model().picture().frame();
             robot.interact(() -> model().precisionProperty().set(precision));
-            waitFor("it is rendered", () -> model().frame() != before);
-            assertThat(model().frame().update().rays()).as(precision.toString()).isEqualTo(TraceCounts.NONE);
-            assertFilmIs(new ReferenceTracer(model().scene()).trace());
+            waitFor("it is rendered", () -> model().picture().frame() != before);
+            assertThat(model().picture().frame().update().rays()).as(precision.toString()).isEqualTo(TraceCounts.NONE);
+            assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         }
     }
 
@@ -301,7 +302,7 @@ class GoTest extends EditorDesk {
         assertThat(text("mirrors")).isEqualTo("The mirrors are older than the lights: Update Reflections");
         click("mirrors");
         waitFor("they are updated", () -> !isShown("mirrors"));
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     /** Hidden reflections leave what is seen through the glass, and that is as old. */
@@ -318,36 +319,36 @@ class GoTest extends EditorDesk {
         assertThat(text("status")).contains("reflections of an older light");
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         robot.interact(() -> model().look().effectsProperty().set(ViewEffects.ALL.with(Effect.REFLECTION, false)));
-        waitFor("the look is shown", () -> !model().frame().look().isPlain());
+        waitFor("the look is shown", () -> !model().picture().frame().look().isPlain());
         waitFor("it is told", () -> isShown("mirrors"));
         click("mirrors");
         waitFor("it is updated", () -> !isShown("mirrors"));
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
     }
 
     @Test
     void mirrorsThatShowLightsThatAreGone_areExplained() {
         asIn1998();
-        robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().edit(scene -> LightEdits.delete(scene, l))));
+        robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().editor().edit(scene -> LightEdits.delete(scene, l))));
         click("go");
         waitFor("it is told", () -> isShown("mirrors"));
         assertThat(text("mirrors")).isEqualTo("No light shines here; the mirrors still show those of before: Update Reflections");
         robot.interact(() -> model().precisionProperty().set(Precision.EXACT));
         waitFor("no ghost is left", () -> !isShown("mirrors"));
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
     void sceneWithoutMirrors_isNeverBehindInThem() {
         asIn1998();
-        robot.interact(() -> model().edit(scene -> Dial.DEPTH.set(scene, "", 0)));
+        robot.interact(() -> model().editor().edit(scene -> Dial.DEPTH.set(scene, "", 0)));
         click("go");
         waitForPicture();
         dim();
         click("go");
         waitForPicture();
-        assertThat(model().situationProperty().get().mirrorsRemark()).isEmpty();
+        assertThat(model().editor().situationProperty().get().mirrorsRemark()).isEmpty();
         assertThat(text("status")).endsWith("exact");
     }
 }

@@ -36,20 +36,20 @@ class HistoryPaneTest extends EditorDesk {
     @Test
     void click_goesToThatEditInPictureAndList() {
         type("intensity", "2");
-        Scene two = model().scene();
+        Scene two = model().editor().scene();
         type("intensity", "3");
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         assertThat(shown(false)).containsExactly("As it was opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
                 "ambience 0.2 → 0.5");
         robot.clickOn("lamp: intensity 1 → 2");
-        assertThat(model().scene()).isEqualTo(two);
+        assertThat(model().editor().scene()).isEqualTo(two);
         assertThat(shown(true)).containsExactly("lamp: intensity 2 → 3", "ambience 0.2 → 0.5");
         click("go");
         waitForPicture();
         assertCanvasShows(new ReferenceTracer(two).trace());
         robot.clickOn("ambience 0.2 → 0.5");
-        assertThat(model().scene().world().ambience()).isEqualTo(0.5);
+        assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
         assertThat(light("lamp").intensity()).isEqualTo(3);
     }
 
@@ -62,7 +62,7 @@ class HistoryPaneTest extends EditorDesk {
         click("history-light");
         robot.clickOn("As it first was");
         assertThat(light("lamp").intensity()).isEqualTo(1);
-        assertThat(model().scene().world().ambience()).isEqualTo(0.5);
+        assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
         assertThat(shown(true)).containsExactly("lamp: intensity 1 → 2", "lamp: intensity 2 → 3");
         robot.push(KeyCode.CONTROL, KeyCode.Z);
         assertThat(light("lamp").intensity()).isEqualTo(3);
@@ -76,8 +76,8 @@ class HistoryPaneTest extends EditorDesk {
         click("status");
         List<String> told =
                 robot.lookup("#updates-table .table-cell").queryAllAs(TableCell.class).stream().map(TableCell::getText).toList();
-        assertThat(told).contains(model().frame().update().plan().text(), "first pass: no picture yet");
+        assertThat(told).contains(model().picture().frame().update().plan().text(), "first pass: no picture yet");
         assertThat(model().updates().entries()).hasSize(2);
-        assertThat(model().updates().entries().getFirst().update()).isSameAs(model().frame().update());
+        assertThat(model().updates().entries().getFirst().update()).isSameAs(model().picture().frame().update());
     }
 }

@@ -54,13 +54,13 @@ class LightingStoryTest extends EditorDesk {
             click(Command.UPDATE_REFLECTIONS.id());
             waitForPicture();
         }
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
     void keyFillAndRim_withUndoTypeChangeSaveAndReload() throws Exception {
         // The key light is too weak, then its colour too blue.
-        robot.interact(() -> model().selectLight("lamp"));
+        robot.interact(() -> model().editor().selection().selectLight("lamp"));
         rename("key");
         type("intensity", "1.6");
         go();
@@ -93,13 +93,13 @@ class LightingStoryTest extends EditorDesk {
         mirrorsAndCompare();
 
         // Saved, spoilt, and loaded again as it was.
-        Scene saved = model().scene();
+        Scene saved = model().editor().scene();
         click(Command.SAVE_SCENE.id());
         waitFor("the file holds the scene", () -> JenReader.read(folder.resolve("desk.jen")).scene().equals(saved));
         type("intensity", "0");
         go();
         click(Command.RELOAD.id());
-        waitFor("the scene is as saved", () -> model().scene().equals(saved));
+        waitFor("the scene is as saved", () -> model().editor().scene().equals(saved));
         go();
         mirrorsAndCompare();
     }

@@ -14,11 +14,11 @@ import org.junit.jupiter.api.Test;
 class LookThroughTest extends EditorDesk {
 
     private PreviewCamera camera() {
-        return model().previewCameraProperty().get();
+        return model().previewLook().cameraProperty().get();
     }
 
     private PreviewCamera ofLight() {
-        return PreviewCamera.through(model().selectedLight(), model().scene());
+        return PreviewCamera.through(model().editor().selection().light(), model().editor().scene());
     }
 
     private boolean isDown() {
@@ -44,9 +44,9 @@ class LookThroughTest extends EditorDesk {
     @Test
     void view_followsTheLightAndTheSelection() {
         click("look-through-light");
-        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(1, 4, 2)))));
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(1, 4, 2)))));
         assertThat(camera()).isEqualTo(ofLight());
-        robot.interact(() -> model().selectLight("stage"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         assertThat(camera()).isEqualTo(ofLight());
         assertThat(isDown()).isTrue();
     }
@@ -58,7 +58,7 @@ class LookThroughTest extends EditorDesk {
         robot.push(KeyCode.Z);
         assertThat(isDown()).isFalse();
         PreviewCamera chosen = camera();
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
         assertThat(camera()).isEqualTo(chosen);
     }
 }

@@ -76,12 +76,12 @@ class MenusTest extends EditorDesk {
 
     /** Those of a shape's menu, and those that are there with every tab and window open. */
     private List<MenuItem> allItems() {
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         robot.clickOn(inPreview(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
         waitFor("the shape's menu is open", () -> items().stream().anyMatch(i -> "Edit Material matt of ball".equals(i.getText())));
         List<MenuItem> all = new ArrayList<>();
         robot.interact(() -> all.addAll(items()));
-        robot.interact(() -> model().materials().inFrontProperty().set(false));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(false));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {
             all.addAll(items());
@@ -138,7 +138,7 @@ class MenusTest extends EditorDesk {
 
     @Test
     void item_isDisabledExactlyWhileItsCommandIs() {
-        robot.interact(() -> model().selectLight("lamp"));
+        robot.interact(() -> model().editor().selection().selectLight("lamp"));
         robot.interact(() -> {
             for (MenuItem item : items()) {
                 boolean empty = "None yet".equals(item.getText());
@@ -159,7 +159,7 @@ class MenusTest extends EditorDesk {
         MenuItem live = items().stream().filter(i -> "menu-live".equals(i.getId())).findFirst().orElseThrow();
         assertThat(((CheckMenuItem) live).isSelected()).isFalse();
         robot.interact(live::fire);
-        assertThat(model().liveProperty().get()).isTrue();
+        assertThat(model().editor().liveProperty().get()).isTrue();
         assertThat(((CheckMenuItem) live).isSelected()).isTrue();
         click("live");
         assertThat(((CheckMenuItem) live).isSelected()).isFalse();

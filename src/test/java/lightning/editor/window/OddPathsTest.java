@@ -16,14 +16,14 @@ import org.testfx.util.WaitForAsyncUtils;
 @EnabledOnOs(OS.LINUX)
 class OddPathsTest extends EditorDesk {
     private void opened(Path odd, String sentence) {
-        Path before = model().document().file();
+        Path before = model().editor().document().file();
         answer = odd;
         WaitForAsyncUtils.asyncFx(() -> model().commands().run(Command.LOAD_FILE));
         waitFor("it is refused", () -> robot.lookup(".dialog-pane").tryQuery().isPresent());
         assertThat(robot.lookup(".dialog-pane").<DialogPane>query().getContent().toString()).contains(sentence);
         robot.type(KeyCode.ESCAPE);
         waitFor("the refusal is gone", () -> robot.lookup(".dialog-pane").tryQuery().isEmpty());
-        assertThat(model().document().file()).isEqualTo(before);
+        assertThat(model().editor().document().file()).isEqualTo(before);
     }
 
     @Test

@@ -82,7 +82,7 @@ public final class OpenEditor {
     }
 
     public static Light light(EditorModel model, String name) {
-        return model.scene().light(name).orElseThrow();
+        return model.editor().scene().light(name).orElseThrow();
     }
 
     /** Returns as soon as the condition holds. */

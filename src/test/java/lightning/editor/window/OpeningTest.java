@@ -43,7 +43,7 @@ class OpeningTest {
 
     @Test
     void fileOfAnotherProgram_becomesASceneBesideIt() throws Exception {
-        OpenEditor.await(() -> editor != null && editor.model().document().name().equals("tri.jen"));
+        OpenEditor.await(() -> editor != null && editor.model().editor().document().name().equals("tri.jen"));
         assertThat(folder.resolve("tri.jen")).exists();
     }
 }

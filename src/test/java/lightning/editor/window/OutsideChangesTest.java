@@ -33,7 +33,7 @@ class OutsideChangesTest extends EditorDesk {
     }
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** Begins to save over what another wrote just before, and waits for the question. */
@@ -72,14 +72,14 @@ class OutsideChangesTest extends EditorDesk {
                 .anyMatch(row -> row.mine().contains("intensity 0.25"));
         robot.clickOn("Cancel");
         assertThat(file).hasContent(his);
-        assertThat(model().document().isDirty()).isTrue();
+        assertThat(model().editor().document().isDirty()).isTrue();
     }
 
     @Test
     void overwrite_writesMine() throws IOException, JenException {
         saveOverHis();
         robot.clickOn("Overwrite");
-        waitFor("it is saved", () -> !model().document().isDirty());
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
         assertThat(savedIntensity(file)).isEqualTo(0.25);
         assertThat(file).content().contains("ambience 0.2");
     }
@@ -89,7 +89,7 @@ class OutsideChangesTest extends EditorDesk {
         answer = folder.resolve("mine.jen");
         saveOverHis();
         robot.clickOn("Save As…");
-        waitFor("it is saved", () -> model().document().name().equals("mine.jen"));
+        waitFor("it is saved", () -> model().editor().document().name().equals("mine.jen"));
         assertThat(file).hasContent(his);
         assertThat(savedIntensity(answer)).isEqualTo(0.25);
     }
@@ -98,8 +98,8 @@ class OutsideChangesTest extends EditorDesk {
     void takingTheFiles_canBeUndone() throws IOException {
         saveOverHis();
         robot.clickOn("Take the File's");
-        waitFor("it is reloaded", () -> model().scene().world().ambience() == 0.7);
-        assertThat(model().document().isDirty()).isFalse();
+        waitFor("it is reloaded", () -> model().editor().scene().world().ambience() == 0.7);
+        assertThat(model().editor().document().isDirty()).isFalse();
         click("undo");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
     }
@@ -112,7 +112,7 @@ class OutsideChangesTest extends EditorDesk {
         assertThat(text("disk-news")).isEqualTo("desk.jen was changed by another program.");
         click("disk-reload");
         waitFor("it is reloaded", () -> !isTold());
-        assertThat(model().scene().world().ambience()).isEqualTo(0.7);
+        assertThat(model().editor().scene().world().ambience()).isEqualTo(0.7);
         assertThat(isTold()).isFalse();
     }
 
@@ -123,7 +123,7 @@ class OutsideChangesTest extends EditorDesk {
         click("disk-keep");
         assertThat(isTold()).isFalse();
         assertThat(isEnabled(Command.SAVE_SCENE)).isTrue();
-        assertThat(model().scene().world().ambience()).isEqualTo(0.2);
+        assertThat(model().editor().scene().world().ambience()).isEqualTo(0.2);
     }
 
     @Test
@@ -167,7 +167,7 @@ class OutsideChangesTest extends EditorDesk {
         waitFor("it asks", () -> robot.lookup("Replace desk.jen, which is read-only?").tryQuery().isPresent());
         assertThat(file).hasContent(before);
         robot.clickOn("Replace");
-        waitFor("it is saved", () -> !model().document().isDirty());
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
         assertThat(savedIntensity(file)).isEqualTo(0.25);
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("r--r--r--");
     }

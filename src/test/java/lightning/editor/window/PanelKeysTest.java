@@ -37,7 +37,7 @@ class PanelKeysTest extends EditorDesk {
 
     @Test
     void inEachPanel_undoGoAndSwitchesWork() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3)));
         boolean live = false;
         for (Command command : PANELS) {
             Stage panel = open(command);
@@ -47,7 +47,7 @@ class PanelKeysTest extends EditorDesk {
             robot.push(KeyCode.CONTROL, KeyCode.Y);
             assertThat(light("sun").intensity()).as("done again in %s", command).isEqualTo(3);
             robot.push(KeyCode.F8);
-            assertThat(model().liveProperty().get()).as("Live by the key in %s", command).isNotEqualTo(live);
+            assertThat(model().editor().liveProperty().get()).as("Live by the key in %s", command).isNotEqualTo(live);
             live = !live;
             robot.push(KeyCode.ESCAPE);
             assertThat(panels()).isEmpty();
@@ -58,22 +58,22 @@ class PanelKeysTest extends EditorDesk {
     void keyOfACommandThatHasNothingToDo_saysWhy() {
         String why = "Go: nothing was edited since the last Go";
         robot.push(KeyCode.F5);
-        assertThat(model().messageProperty().get()).isEqualTo(why);
+        assertThat(model().editor().message().textProperty().get()).isEqualTo(why);
         robot.push(KeyCode.ESCAPE);
-        assertThat(model().messageProperty().get()).as("to cancel nothing needs no words").isEqualTo(why);
-        robot.interact(() -> model().say(""));
+        assertThat(model().editor().message().textProperty().get()).as("to cancel nothing needs no words").isEqualTo(why);
+        robot.interact(() -> model().editor().message().show(""));
         open(Command.MIXER);
         robot.push(KeyCode.F5);
-        assertThat(model().messageProperty().get()).isEqualTo(why);
+        assertThat(model().editor().message().textProperty().get()).isEqualTo(why);
     }
 
     @Test
     void goInAPanel_showsTheScene() {
         open(Command.HISTORY_PANEL);
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3)));
         robot.push(KeyCode.F5);
         waitForPicture();
-        assertThat(model().frame().scene()).isEqualTo(model().scene());
+        assertThat(model().picture().frame().scene()).isEqualTo(model().editor().scene());
     }
 
     @Test
@@ -86,20 +86,20 @@ class PanelKeysTest extends EditorDesk {
             search.selectAll();
         });
         robot.push(KeyCode.SHORTCUT, KeyCode.C).push(KeyCode.SHORTCUT, KeyCode.DELETE);
-        assertThat(model().lights()).hasSize(3);
+        assertThat(model().editor().scene().lights()).hasSize(3);
         robot.push(KeyCode.F8);
-        assertThat(model().liveProperty().get()).isTrue();
+        assertThat(model().editor().liveProperty().get()).isTrue();
     }
 
     @Test
     void keyThatWasChanged_isHeardAsItIsNow() {
         open(Command.MIXER);
-        robot.interact(() -> model().keys().set(Command.LIVE,
+        robot.interact(() -> model().commands().keys().set(Command.LIVE,
                 Optional.of(KeyCombination.valueOf("Shortcut+J"))));
         robot.interact(() -> robot.lookup("#fader-lamp").<Node>query().requestFocus());
         robot.push(KeyCode.F8);
-        assertThat(model().liveProperty().get()).isFalse();
+        assertThat(model().editor().liveProperty().get()).isFalse();
         robot.push(KeyCode.CONTROL, KeyCode.J);
-        assertThat(model().liveProperty().get()).isTrue();
+        assertThat(model().editor().liveProperty().get()).isTrue();
     }
 }

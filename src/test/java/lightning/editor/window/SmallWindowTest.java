@@ -173,8 +173,8 @@ class SmallWindowTest extends EditorDesk {
         resize(860, 540);
         robot.interact(() -> {
             model().precisionProperty().set(Precision.ON_DEMAND);
-            model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5)));
-            model().go();
+            model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5)));
+            model().editor().go();
         });
         waitFor("mirrors are older", () -> isShown("mirrors"));
         QuickRobot.settle();

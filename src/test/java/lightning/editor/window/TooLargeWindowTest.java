@@ -16,7 +16,7 @@ class TooLargeWindowTest extends EditorDesk {
     void refusal_isInTheStatusWithoutOptionsOfTheCommandLine() {
         Picture huge = new Picture(16384, 16384, 2).withSampling(new Sampling(Antialias.EVERY, 8));
         WaitForAsyncUtils.asyncFx(() -> {
-            model().edit(scene -> new Change.To(scene.withPicture(huge)));
+            model().editor().edit(scene -> new Change.To(scene.withPicture(huge)));
             model().commands().run(Command.GO);
         });
         waitFor("the refusal is told", () -> text("status").startsWith("This is too large"));

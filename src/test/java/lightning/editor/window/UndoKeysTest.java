@@ -64,7 +64,7 @@ class UndoKeysTest extends EditorDesk {
         assertThat(all).hasSizeGreaterThan(20);
         for (TextField text : all) {
             robot.interact(() -> {
-                model().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3));
+                model().editor().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3));
                 text.requestFocus();
             });
             robot.push(KeyCode.CONTROL, KeyCode.Z);

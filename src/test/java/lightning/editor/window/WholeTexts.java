@@ -38,16 +38,16 @@ abstract class WholeTexts extends EditorDesk {
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == 1366);
         robot.moveTo("#traced-picture");
         waitFor("the pixel is told of", () -> text("pixel").contains("ball") || text("pixel").contains("floor"));
-        look("no light", () -> model().selectLight(null));
+        look("no light", () -> model().editor().selection().selectLight(null));
         for (String light : List.of("lamp", "sun", "stage")) {
-            look(light, () -> model().selectLight(light));
+            look(light, () -> model().editor().selection().selectLight(light));
         }
         look("material", () -> {
             model().materials().choose("matt");
-            model().materials().inFrontProperty().set(true);
+            model().editor().materialInFrontProperty().set(true);
         });
-        look("shape", () -> model().selectNode("ball"));
-        robot.interact(() -> model().selectLight("stage"));
+        look("shape", () -> model().editor().selection().selectNode("ball"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         for (Command panel : List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES, Command.HISTORY_PANEL,
                 Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS, Command.MAKE_ANIMATION, Command.PALETTE)) {
             look(panel.name(), () -> model().commands().run(panel));

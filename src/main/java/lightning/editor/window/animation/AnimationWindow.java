@@ -25,19 +25,20 @@ public final class AnimationWindow extends Stage {
 
     /** Begins the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
-        this(model, owner, PathAsk.inWindows(owner, model.document().file().toAbsolutePath().getParent()));
+        this(model, owner, PathAsk.inWindows(owner, model.bringer().folder()));
     }
 
     /** Does the command that makes an animation of keys. */
     public static void addTo(EditorModel model, Supplier<Window> owner) {
         model.commands().setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
         model.commands().setAction(Command.KEYS_TO_WAY,
-                () -> model.moment().flatMap(m -> RecordedShot.of(m.shot(), model.selectedLight().name()))
+                () -> model.editor().document().moment().flatMap(m -> RecordedShot.of(m.shot(), model.editor().selection().lightName()))
                         .ifPresentOrElse(way -> {
                             var window = new AnimationWindow(model, owner.get());
                             window.show();
                             window.motion.take(way);
-                        }, () -> model.say(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+                        }, () -> model.editor().message()
+                                .show(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
     }
 
     AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
@@ -48,8 +49,8 @@ public final class AnimationWindow extends Stage {
             close();
         });
         setTitle(Texts.of("Animation of {0}", motion.light()));
-        String name = model.document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
-        AnimationPane pane = new AnimationPane(motion, name, ask, this::close, CommandButton.titled(model, Command.WAY_TO_KEYS));
+        String name = model.editor().document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
+        AnimationPane pane = new AnimationPane(motion, name, ask, this::close, CommandButton.titled(model.commands(), Command.WAY_TO_KEYS));
         Scene content = Looks.scene(pane);
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
@@ -57,7 +58,7 @@ public final class AnimationWindow extends Stage {
                 event.consume();
             }
         });
-        CommandKeys.take(content, model);
+        CommandKeys.take(content, model.commands());
         setScene(content);
         setResizable(false);
         setOnShown(_ -> {

@@ -18,12 +18,14 @@ import lightning.editor.document.motion.MotionRecorder;
 import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.FramePlayer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 
 /** The animation of one light, from Make Animation to Close: what it does, without a window. */
 final class Motion {
     private final EditorModel model;
+    private final SceneEditor editor;
     private final String light;
     private final ReadOnlyBooleanWrapper recording = new ReadOnlyBooleanWrapper();
     private final ReadOnlyObjectWrapper<RecordedShot> recorded = new ReadOnlyObjectWrapper<>();
@@ -36,11 +38,12 @@ final class Motion {
     /** Begins an animation of the selected light, which must be there. */
     Motion(EditorModel model) {
         this.model = model;
-        light = model.selectedLight().name();
-        player = new FramePlayer(model, () -> model.renderingProperty().get().cancelled(),
+        editor = model.editor();
+        light = editor.selection().lightName();
+        player = new FramePlayer(editor, model.picture(), () -> model.picture().renderingProperty().get().cancelled(),
                 _ -> show(frame.get() >= last() ? 0 : frame.get() + 1));
-        model.beginAnimation();
-        model.previewFramesProperty().addListener(drawn);
+        editor.beginAnimation();
+        model.previewLook().framesProperty().addListener(drawn);
         recorded.addListener((_, _, now) -> model.workbench().setWay(now != null));
     }
 
@@ -55,12 +58,15 @@ final class Motion {
     void toKeys() {
         RecordedShot added = recorded.get();
         close();
-        model.editAll(scene -> {
+        Optional<String> refusal = editor.editAllOrReport(scene -> {
             AnimatedScene begun = KeyEdits.begin(scene);
             Shot shot = begun.shot().orElseThrow();
-            int first = model.moment().map(Moment::frame).orElse(shot.first());
+            int first = editor.document().moment().map(Moment::frame).orElse(shot.first());
             return begun.withShot(added.addTo(shot, first));
-        }, null).ifPresentOrElse(model::say, () -> model.arrangement().timelineShownProperty().set(true));
+        }, null);
+        if (refusal.isEmpty()) {
+            model.arrangement().timelineShownProperty().set(true);
+        }
     }
 
     String light() {
@@ -107,7 +113,7 @@ final class Motion {
 
     private void recordFrame() {
         if (recording.get()) {
-            model.scene().light(light).ifPresent(recorder::frame);
+            editor.scene().light(light).ifPresent(recorder::frame);
             frame.set(recorder.frames() - 1);
         }
     }
@@ -133,9 +139,9 @@ final class Motion {
     /** Shows one frame of what was recorded; returns false if there is nothing to show. */
     boolean show(int number) {
         frame.set(number);
-        boolean shows = recorded.get() != null && model.scene().light(light).isPresent();
+        boolean shows = recorded.get() != null && editor.scene().light(light).isPresent();
         if (shows) {
-            model.animate(recorded.get().shot().at(model.scene(), number));
+            editor.animate(recorded.get().shot().at(editor.scene(), number));
         }
         return shows;
     }
@@ -172,7 +178,7 @@ final class Motion {
 
     /** The pictures of what was recorded. */
     MotionExport export(int pictures) {
-        return new MotionExport(model.scene(), recorded.get(), pictures, model.viewProperty().get().ofPicture());
+        return new MotionExport(editor.scene(), recorded.get(), pictures, model.picture().viewProperty().get().ofPicture());
     }
 
     /** Restores the scene as it was. */
@@ -183,7 +189,7 @@ final class Motion {
         closed = true;
         player.stop();
         recording.set(false);
-        model.previewFramesProperty().removeListener(drawn);
-        model.endAnimation();
+        model.previewLook().framesProperty().removeListener(drawn);
+        editor.endAnimation();
     }
 }

@@ -9,7 +9,7 @@ import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
@@ -22,14 +22,14 @@ public final class CommandButton extends StackPane {
 
     private final ButtonBase button;
 
-    private CommandButton(EditorModel model, Command command) {
-        button = model.commands().switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
+    private CommandButton(Commands commands, Command command) {
+        button = commands.switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
         button.setId(command.id());
         button.setAccessibleText(command.plainTitle());
         button.setOnAction(_ -> {
-            model.commands().run(command);
+            commands.run(command);
             if (button instanceof ToggleButton toggle) {
-                toggle.setSelected(model.commands().switched(command).orElseThrow().getValue());
+                toggle.setSelected(commands.switched(command).orElseThrow().getValue());
             }
         });
         getChildren().add(button);
@@ -37,15 +37,15 @@ public final class CommandButton extends StackPane {
         tooltip.setShowDelay(DELAY);
         tooltip.setShowDuration(Duration.INDEFINITE);
         Tooltip.install(this, tooltip);
-        model.situationProperty().map(command::obstacle).subscribe(obstacle -> {
+        commands.situation().map(command::obstacle).subscribe(obstacle -> {
             button.setDisable(obstacle.isPresent());
-            tell(tooltip, model, command);
+            tell(tooltip, commands, command);
         });
-        model.keys().changesProperty().subscribe(_ -> tell(tooltip, model, command));
+        commands.keys().changesProperty().subscribe(_ -> tell(tooltip, commands, command));
     }
 
-    private void tell(Tooltip tooltip, EditorModel model, Command command) {
-        tooltip.setText(help(command, model.keys().text(command), model.commands().reason(command).orElse("")));
+    private void tell(Tooltip tooltip, Commands commands, Command command) {
+        tooltip.setText(help(command, commands.keys().text(command), commands.reason(command).orElse("")));
         button.setAccessibleHelp(tooltip.getText());
     }
 
@@ -56,23 +56,23 @@ public final class CommandButton extends StackPane {
     }
 
     /** With the command's icon alone. */
-    public static CommandButton icon(EditorModel model, Command command) {
-        return new CommandButton(model, command).looking("", new FontIcon(command.icon()), "button-icon");
+    public static CommandButton icon(Commands commands, Command command) {
+        return new CommandButton(commands, command).looking("", new FontIcon(command.icon()), "button-icon");
     }
 
     /** With icon and title. */
-    public static CommandButton titled(EditorModel model, Command command) {
-        return new CommandButton(model, command).looking(command.title(), new FontIcon(command.icon()), "titled-command");
+    public static CommandButton titled(Commands commands, Command command) {
+        return new CommandButton(commands, command).looking(command.title(), new FontIcon(command.icon()), "titled-command");
     }
 
     /** With a short text in place of the title, among the preview's views. */
-    public static CommandButton view(EditorModel model, Command command, String text) {
-        return new CommandButton(model, command).looking(text, null, "view-button");
+    public static CommandButton view(Commands commands, Command command, String text) {
+        return new CommandButton(commands, command).looking(text, null, "view-button");
     }
 
     /** With an icon, among the preview's views. */
-    public static CommandButton view(EditorModel model, Command command) {
-        return new CommandButton(model, command).looking("", new FontIcon(command.icon()), "view-button");
+    public static CommandButton view(Commands commands, Command command) {
+        return new CommandButton(commands, command).looking("", new FontIcon(command.icon()), "view-button");
     }
 
     private CommandButton looking(String text, FontIcon icon, String styleClass) {

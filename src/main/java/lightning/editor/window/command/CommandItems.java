@@ -11,7 +11,7 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.RadioMenuItem;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.SpokenKey;
 import org.kordamp.ikonli.javafx.FontIcon;
 
@@ -20,29 +20,29 @@ import org.kordamp.ikonli.javafx.FontIcon;
  * obstacle of its command.
  */
 public final class CommandItems {
-    private final EditorModel model;
+    private final Commands commands;
     private final String prefix;
     private final boolean keys;
 
-    private CommandItems(EditorModel model, String prefix, boolean keys) {
-        this.model = model;
+    private CommandItems(Commands commands, String prefix, boolean keys) {
+        this.commands = commands;
         this.prefix = prefix;
         this.keys = keys;
     }
 
     /** Of the menu bar, whose items hold the keys. Their ids begin with {@code menu-}. */
-    public static CommandItems ofBar(EditorModel model) {
-        return new CommandItems(model, "menu-", true);
+    public static CommandItems ofBar(Commands commands) {
+        return new CommandItems(commands, "menu-", true);
     }
 
     /** Of another menu; a key is heard once only. */
-    public static CommandItems of(EditorModel model) {
-        return of(model, "");
+    public static CommandItems of(Commands commands) {
+        return of(commands, "");
     }
 
     /** @param prefix of the items' ids */
-    public static CommandItems of(EditorModel model, String prefix) {
-        return new CommandItems(model, prefix, false);
+    public static CommandItems of(Commands commands, String prefix) {
+        return new CommandItems(commands, prefix, false);
     }
 
     /** The command that an item was made of; empty for one that was made in another way. */
@@ -52,7 +52,7 @@ public final class CommandItems {
 
     /** Does the command; it has a mark where the command switches something. */
     public MenuItem item(Command command) {
-        Optional<ObservableValue<Boolean>> on = model.commands().switched(command);
+        Optional<ObservableValue<Boolean>> on = commands.switched(command);
         MenuItem item = on.isPresent() ? checked(on.get()) : new MenuItem();
         item.setUserData(command);
         // An underscore in the name of what it acts on is one.
@@ -60,15 +60,16 @@ public final class CommandItems {
         item.setId(prefix + command.id());
         item.setGraphic(new FontIcon(command.icon()));
         if (keys) {
-            model.keys().changesProperty().subscribe(_ -> item.setAccelerator(model.keys().of(command).map(SpokenKey::new).orElse(null)));
+            commands.keys().changesProperty()
+                    .subscribe(_ -> item.setAccelerator(commands.keys().of(command).map(SpokenKey::new).orElse(null)));
         }
-        model.situationProperty().subscribe(now -> {
+        commands.situation().subscribe(now -> {
             item.setText(command.title(now));
             item.setDisable(!command.isEnabled(now));
         });
         item.setOnAction(_ -> {
             close(item);
-            model.commands().run(command);
+            commands.run(command);
             mark(item, on);
         });
         return item;
@@ -99,7 +100,7 @@ public final class CommandItems {
 
     /** Says what the command does, and does it. */
     public MenuItem item(Command command, Runnable action) {
-        model.commands().setAction(command, action);
+        commands.setAction(command, action);
         return item(command);
     }
 
@@ -108,14 +109,14 @@ public final class CommandItems {
         var item = new MenuItem(title, new FontIcon(command.icon()));
         item.setMnemonicParsing(false);
         value(item, command, action);
-        item.setDisable(!model.commands().isEnabled(command));
+        item.setDisable(!commands.isEnabled(command));
         return item;
     }
 
     /** As {@link #value}, for a menu that is filled once. */
     public MenuItem lastingValue(Command command, String title, Runnable action) {
         MenuItem item = value(command, title, action);
-        model.situationProperty().subscribe(now -> item.setDisable(!command.isEnabled(now)));
+        commands.situation().subscribe(now -> item.setDisable(!command.isEnabled(now)));
         return item;
     }
 
@@ -125,7 +126,7 @@ public final class CommandItems {
         item.setMnemonicParsing(false);
         value(item, command, action);
         item.setSelected(chosen);
-        item.setDisable(!model.commands().isEnabled(command));
+        item.setDisable(!commands.isEnabled(command));
         return item;
     }
 
@@ -142,9 +143,9 @@ public final class CommandItems {
         box.setPadding(new Insets(0, 0, 0, indent));
         var item = new CustomMenuItem(box, false);
         item.setUserData(command);
-        item.setDisable(!model.commands().isEnabled(command));
+        item.setDisable(!commands.isEnabled(command));
         box.setOnAction(_ -> {
-            if (model.commands().isEnabled(command)) {
+            if (commands.isEnabled(command)) {
                 check.accept(box.isSelected());
             }
         });
@@ -173,7 +174,7 @@ public final class CommandItems {
             item.setSelected(chosen.getValue());
         });
         chosen.subscribe(item::setSelected);
-        model.situationProperty().subscribe(now -> item.setDisable(!command.isEnabled(now)));
+        commands.situation().subscribe(now -> item.setDisable(!command.isEnabled(now)));
         return item;
     }
 
@@ -181,7 +182,7 @@ public final class CommandItems {
         item.setUserData(command);
         item.setOnAction(_ -> {
             close(item);
-            if (model.commands().isEnabled(command)) {
+            if (commands.isEnabled(command)) {
                 action.run();
             }
         });

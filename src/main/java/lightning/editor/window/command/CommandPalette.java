@@ -20,7 +20,8 @@ import javafx.stage.Stage;
 import javafx.stage.StageStyle;
 import javafx.stage.Window;
 import lightning.base.text.Texts;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.Keys;
 import lightning.editor.window.widget.Looks;
 import org.kordamp.ikonli.javafx.FontIcon;
 
@@ -31,16 +32,16 @@ public final class CommandPalette extends Stage {
     private static final double FROM_TOP = 80;
     private static final double GAP = 8;
 
-    private final EditorModel model;
+    private final Keys keys;
     private final List<Offer> all;
     private final TextField query = new TextField();
     private final ListView<Offer> found = new ListView<>();
     private final Label about = new Label();
 
-    private CommandPalette(Window owner, MenuBar bar, EditorModel model) {
+    private CommandPalette(Window owner, MenuBar bar, Commands commands) {
         super(StageStyle.UNDECORATED);
-        this.model = model;
-        all = Offer.all(bar, model);
+        keys = commands.keys();
+        all = Offer.all(bar, commands);
         initOwner(owner);
         setTitle(Texts.of("Find Command"));
         query.setId("palette-query");
@@ -76,8 +77,8 @@ public final class CommandPalette extends Stage {
     }
 
     /** Opens over a window; it closes when something was done, or by Escape, or when it is left. */
-    public static void open(Window owner, MenuBar bar, EditorModel model) {
-        new CommandPalette(owner, bar, model).show();
+    public static void open(Window owner, MenuBar bar, Commands commands) {
+        new CommandPalette(owner, bar, commands).show();
     }
 
     private void search(String letters) {
@@ -149,7 +150,7 @@ public final class CommandPalette extends Stage {
                 icon.setIconLiteral(offer.command().icon());
                 title.setText(offer.title());
                 place.setText(offer.place());
-                key.setText(model.keys().text(offer.command()));
+                key.setText(keys.text(offer.command()));
                 key.setVisible(!key.getText().isEmpty());
                 key.setManaged(key.isVisible());
                 // As the notes are, which can be read; half as opaque it could not.

@@ -18,6 +18,8 @@ import lightning.editor.document.Recovery;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.StatusMessage;
 import lightning.format.exchange.Import;
 import lightning.format.exchange.Importer;
 import lightning.format.exchange.LightUnits;
@@ -33,6 +35,8 @@ public final class FileActions {
     private static final int PICTURE_SIZE = 280;
 
     private final EditorModel model;
+    private final SceneEditor editor;
+    private final StatusMessage message;
     private final FilePrompt prompt;
     private final Notices notices;
     private final Preferences preferences;
@@ -43,21 +47,23 @@ public final class FileActions {
     /** @param quit closes the window, which then asks about unsaved edits */
     public FileActions(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences, Runnable quit) {
         this.model = model;
+        editor = model.editor();
+        message = editor.message();
         this.prompt = prompt;
-        model.bringer().setBrowse((title, kind) -> prompt.beside(title, kind, model.document().file().toAbsolutePath().getParent()));
+        model.bringer().setBrowse((title, kind) -> prompt.beside(title, kind, model.bringer().folder()));
         this.notices = notices;
         this.preferences = preferences;
         export = new PictureExport(model, prompt, notices);
         saver = new SceneSaver(model, prompt, notices, this::saved);
         model.commands().setAction(Command.NEW_SCENE, this::begin);
         model.commands().setAction(Command.LOAD_FILE,
-                () -> prompt.scene(model.document().file().toAbsolutePath().getParent()).ifPresent(this::load));
+                () -> prompt.scene(model.bringer().folder()).ifPresent(this::load));
         model.commands().setAction(Command.RELOAD, this::reload);
         model.commands().setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
         model.commands().setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
         model.commands().setAction(Command.SAVE_IMAGE, this::saveImage);
         model.commands().setAction(Command.QUIT, quit);
-        RigActions.addTo(model, prompt, notices);
+        RigActions.addTo(model.commands(), editor, model.files(), prompt, notices);
         TableActions.addTo(model, prompt, notices, preferences);
         listRecent();
     }
@@ -69,7 +75,7 @@ public final class FileActions {
 
     /** Asks where, and begins a scene there; one that was there was asked about by the dialog. */
     private void begin() {
-        prompt.sceneToWrite(model.document().file().resolveSibling("untitled.jen")).ifPresent(chosen -> {
+        prompt.sceneToWrite(editor.document().file().resolveSibling("untitled.jen")).ifPresent(chosen -> {
             if (chosen.getFileName().toString().endsWith(".jen")) {
                 begin(chosen);
             } else {
@@ -119,7 +125,7 @@ public final class FileActions {
 
     private void bringIn(Path file, Path to) {
         reading(file, () -> {
-            var progress = new ReadingLine(model, file);
+            var progress = new ReadingLine(file, model.fileWork(), model.files().window(), message);
             Import made = Importer.read(file, to, LightUnits.CANDELA, progress);
             try (var workers = new Workers(Workers.available())) {
                 return new Brought(made, UnitPictures.of(made, PICTURE_SIZE, workers, progress.silent()));
@@ -129,7 +135,7 @@ public final class FileActions {
                 write(file, brought.made());
             } else {
                 // The line says no longer that it is read.
-                model.say("");
+                message.clear();
                 notices.lightUnits(file, brought.pictures()).ifPresent(units -> write(file, brought.made().in(units)));
             }
         });
@@ -142,15 +148,15 @@ public final class FileActions {
             String told = Texts.of("Imported {0}", Quote.path(file.getFileName())) + (kinds == 0 ? "" : Texts.count(kinds,
                     "; {0} kind of thing is left out or not the same: {1}", "; {0} kinds of things are left out or not the same: {1}",
                     kinds, String.join(", ", made.notes().keySet().stream().sorted().toList())));
-            model.files().window().execute(() -> model.say(told));
+            model.files().window().execute(() -> message.show(told));
             return OpenDocument.open(made.to());
         });
     }
 
     private void read(Path file, FileThread.Work<OpenDocument> work) {
-        Scene left = model.document().scene();
+        Scene left = editor.document().scene();
         reading(file, work, opened -> {
-            if (model.document().scene() == left) {
+            if (editor.document().scene() == left) {
                 open(opened);
             } else {
                 // It was edited while the other was read.
@@ -163,7 +169,7 @@ public final class FileActions {
         model.fileWork().read(file);
         model.files().beside(work, read -> whileWanted(file, () -> then.accept(read)),
                 why -> whileWanted(file, () -> {
-                    model.say("");
+                    message.clear();
                     notices.failed(Texts.of("{0} could not be opened", Quote.path(file.getFileName())), why);
                 }));
     }
@@ -193,10 +199,10 @@ public final class FileActions {
     public void leave(Runnable then) {
         if (model.workbench().isSaving()) {
             model.files().inTurn(() -> null, _ -> leave(then), _ -> {});
-        } else if (!model.document().isDirty()) {
+        } else if (!editor.document().isDirty()) {
             then.run();
         } else {
-            ButtonType answer = notices.unsaved(model.document().name()).orElse(ButtonType.CANCEL);
+            ButtonType answer = notices.unsaved(editor.document().name()).orElse(ButtonType.CANCEL);
             if (answer == Notices.DISCARD) {
                 then.run();
             } else if (answer == Notices.SAVE) {
@@ -206,9 +212,9 @@ public final class FileActions {
     }
 
     private void reload() {
-        String name = model.document().name();
+        String name = editor.document().name();
         model.workbench().reload(failure -> failure.ifPresentOrElse(why -> notices.failed(Texts.of("{0} could not be reloaded", name), why),
-                () -> model.say(Texts.of("Reloaded; Undo brings the edits back"))));
+                () -> message.show(Texts.of("Reloaded; Undo brings the edits back"))));
     }
 
     /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
@@ -217,13 +223,13 @@ public final class FileActions {
     }
 
     private void saved() {
-        preferences.opened(model.document().file());
+        preferences.opened(editor.document().file());
         listRecent();
-        model.say(Texts.of("Saved {0}", model.document().name()));
+        message.show(Texts.of("Saved {0}", editor.document().name()));
     }
 
     private void saveImage() {
-        var remark = model.situationProperty().get().pendingRemark();
+        var remark = model.commands().situation().get().pendingRemark();
         if (remark.isPresent()) {
             ButtonType answer = notices.pending(remark.get()).orElse(ButtonType.CANCEL);
             if (answer == Notices.GO_FIRST) {
@@ -233,9 +239,9 @@ public final class FileActions {
                 return;
             }
         }
-        Path scene = model.document().file();
-        String name = model.document().name().replaceFirst("\\.jen$", "") + ".png";
-        Frame frame = model.frame();
+        Path scene = editor.document().file();
+        String name = editor.document().name().replaceFirst("\\.jen$", "") + ".png";
+        Frame frame = model.picture().frame();
         prompt.pictureToWrite(scene.resolveSibling(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().contains(".")) {
                 write(chosen, frame);
@@ -248,16 +254,16 @@ public final class FileActions {
     }
 
     private void write(Path file, Frame frame) {
-        ViewTransform view = model.viewProperty().get().ofPicture();
-        model.say(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
+        ViewTransform view = model.picture().viewProperty().get().ofPicture();
+        message.show(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
         model.files().inTurn(() -> {
             PictureFile.write(file, frame.film(), view);
             return file;
-        }, _ -> model.say(
+        }, _ -> message.show(
                 Texts.of("Saved {0}{1}", Quote.path(file.getFileName()), PictureFile.isShown(file) && !view.equals(ViewTransform.DEFAULT)
                         ? " (" + view.text() + ")" : "")),
                 why -> {
-                    model.say("");
+                    message.clear();
                     notices.failed(Texts.of("The picture could not be saved"), why);
                 });
     }
@@ -276,7 +282,7 @@ public final class FileActions {
     /** One for each scene opened before that is still there, as was seen last. */
     public List<MenuItem> recentItems() {
         List<MenuItem> items = recent.stream()
-                .map(file -> CommandItems.of(model).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file))).toList();
+                .map(file -> CommandItems.of(model.commands()).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file))).toList();
         return items.isEmpty() ? List.of(CommandItems.nothing(Command.LOAD_RECENT, Texts.of("None yet"))) : items;
     }
 }

@@ -13,7 +13,7 @@ import javafx.scene.control.MenuItem;
 import lightning.base.text.Fuzzy;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 
 /**
  * One thing that the editor can do now, as the palette of commands lists it.
@@ -27,30 +27,31 @@ import lightning.editor.window.model.EditorModel;
 record Offer(Command command, String title, String place, Optional<String> reason, Runnable action) {
 
     /** All that a menu bar offers, in its order, and then what stands elsewhere. */
-    static List<Offer> all(MenuBar bar, EditorModel model) {
+    static List<Offer> all(MenuBar bar, Commands commands) {
         List<Offer> all = new ArrayList<>();
-        bar.getMenus().forEach(menu -> collect(menu, menu.getText(), model, all));
-        Stream.of(Command.values()).filter(model.commands()::isDone).filter(c -> all.stream().noneMatch(o -> o.command() == c))
-                .map(c -> new Offer(c, c.title(model.situationProperty().get()), "", model.commands().reason(c),
-                        () -> model.commands().run(c)))
+        bar.getMenus().forEach(menu -> collect(menu, menu.getText(), commands, all));
+        Stream.of(Command.values()).filter(commands::isDone).filter(c -> all.stream().noneMatch(o -> o.command() == c))
+                .map(c -> new Offer(c, c.title(commands.situation().get()), "", commands.reason(c),
+                        () -> commands.run(c)))
                 .forEach(all::add);
         return all;
     }
 
-    private static void collect(Menu menu, String place, EditorModel model, List<Offer> all) {
+    private static void collect(Menu menu, String place, Commands commands, List<Offer> all) {
         // Some are filled when they open.
         Event.fireEvent(menu, new Event(Menu.ON_SHOWING));
         for (MenuItem item : menu.getItems()) {
             if (item instanceof Menu inner) {
-                collect(inner, place + " › " + inner.getText(), model, all);
+                collect(inner, place + " › " + inner.getText(), commands, all);
             } else {
-                CommandItems.command(item).ifPresent(c -> all.add(new Offer(c, item.getText(), place, reason(item, c, model), item::fire)));
+                CommandItems.command(item)
+                        .ifPresent(c -> all.add(new Offer(c, item.getText(), place, reason(item, c, commands), item::fire)));
             }
         }
     }
 
-    private static Optional<String> reason(MenuItem item, Command command, EditorModel model) {
-        return item.isDisable() ? model.commands().reason(command).or(() -> Optional.of(Texts.of("there is nothing to choose")))
+    private static Optional<String> reason(MenuItem item, Command command, Commands commands) {
+        return item.isDisable() ? commands.reason(command).or(() -> Optional.of(Texts.of("there is nothing to choose")))
                 : Optional.empty();
     }
 

@@ -13,6 +13,7 @@ import lightning.base.work.Workers;
 import lightning.editor.document.Command;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.StatusMessage;
 import lightning.format.exr.ExrType;
 import lightning.format.layer.LayerFile;
 import lightning.format.picture.PictureFile;
@@ -24,11 +25,13 @@ import lightning.render.relight.tile.Options;
 /** Writes the traced picture for other programs, beside the window's thread: its layers, or all that its film holds. */
 final class PictureExport {
     private final EditorModel model;
+    private final StatusMessage message;
     private final FilePrompt prompt;
     private final Notices notices;
 
     PictureExport(EditorModel model, FilePrompt prompt, Notices notices) {
         this.model = model;
+        message = model.editor().message();
         this.prompt = prompt;
         this.notices = notices;
     }
@@ -36,13 +39,13 @@ final class PictureExport {
     /** One for each kind. */
     List<MenuItem> items() {
         return Arrays.stream(ExportKind.values())
-                .map(kind -> CommandItems.of(model).lastingValue(Command.EXPORT, kind.title(), () -> ask(kind)))
+                .map(kind -> CommandItems.of(model.commands()).lastingValue(Command.EXPORT, kind.title(), () -> ask(kind)))
                 .toList();
     }
 
     private void ask(ExportKind kind) {
-        String name = model.document().name().replaceFirst("\\.jen$", "") + kind.ending();
-        prompt.pictureToWrite(model.document().file().resolveSibling(name)).ifPresent(chosen -> {
+        String name = model.editor().document().name().replaceFirst("\\.jen$", "") + kind.ending();
+        prompt.pictureToWrite(model.editor().document().file().resolveSibling(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().endsWith(kind.ending())) {
                 export(kind, chosen);
             } else {
@@ -55,12 +58,12 @@ final class PictureExport {
 
     private void export(ExportKind kind, Path file) {
         PixelCache known = model.workbench().known().orElse(null);
-        Frame frame = model.frame();
+        Frame frame = model.picture().frame();
         if (model.fileWork().file() != null || known == null || frame == null) {
-            model.say(Texts.of("Nothing is exported while a file is read or a picture is begun"));
+            message.show(Texts.of("Nothing is exported while a file is read or a picture is begun"));
             return;
         }
-        ViewTransform view = model.viewProperty().get().ofPicture();
+        ViewTransform view = model.picture().viewProperty().get().ofPicture();
         String name = Quote.path(file.getFileName());
         model.fileWork().write(file);
         model.files().beside(() -> {
@@ -81,12 +84,13 @@ final class PictureExport {
         }
         var layers = new LayerFile(known, Options.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
         try (var workers = new Workers(Workers.available())) {
-            layers.write(file, Memory.available() - MemoryNeed.of(known), workers, new ReadingLine(model, file, Texts.of("Writing")));
+            layers.write(file, Memory.available() - MemoryNeed.of(known), workers,
+                    new ReadingLine(file, model.fileWork(), model.files().window(), message));
         }
     }
 
     private void end(Path file, String text) {
         model.fileWork().end(file);
-        model.say(text);
+        message.show(text);
     }
 }

@@ -7,8 +7,10 @@ import lightning.base.text.Quote;
 import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
+import lightning.editor.document.FileThread;
 import lightning.editor.document.cue.Lighting;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 
@@ -16,25 +18,27 @@ import lightning.scene.Stage;
 final class RigActions {
     private static final String ENDING = ".jen";
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final FileThread files;
     private final FilePrompt prompt;
     private final Notices notices;
 
-    private RigActions(EditorModel model, FilePrompt prompt, Notices notices) {
-        this.model = model;
+    private RigActions(SceneEditor editor, FileThread files, FilePrompt prompt, Notices notices) {
+        this.editor = editor;
+        this.files = files;
         this.prompt = prompt;
         this.notices = notices;
     }
 
-    static void addTo(EditorModel model, FilePrompt prompt, Notices notices) {
-        var actions = new RigActions(model, prompt, notices);
-        model.commands().setAction(Command.LOAD_RIG, () -> actions.load(Lighting::rigOn));
-        model.commands().setAction(Command.ADD_RIG, () -> actions.load(Lighting::addedTo));
-        model.commands().setAction(Command.SAVE_RIG, actions::save);
+    static void addTo(Commands commands, SceneEditor editor, FileThread files, FilePrompt prompt, Notices notices) {
+        var actions = new RigActions(editor, files, prompt, notices);
+        commands.setAction(Command.LOAD_RIG, () -> actions.load(Lighting::rigOn));
+        commands.setAction(Command.ADD_RIG, () -> actions.load(Lighting::addedTo));
+        commands.setAction(Command.SAVE_RIG, actions::save);
     }
 
     private Path folder() {
-        return model.document().file().toAbsolutePath().getParent();
+        return editor.document().file().toAbsolutePath().getParent();
     }
 
     private void load(BiFunction<Lighting, Scene, Change> edit) {
@@ -43,39 +47,41 @@ final class RigActions {
             return;
         }
         Path folder = folder();
-        Stage stage = model.scene().stage();
-        var document = model.document();
-        model.files().inTurn(() -> Lighting.read(chosen.get(), folder, stage), lighting -> {
-            if (document == model.document()) {
-                model.edit(scene -> edit.apply(lighting, scene)).ifPresentOrElse(model::say,
-                        () -> model.say(
-                                Texts.of("Lights of {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size())));
+        Stage stage = editor.scene().stage();
+        var document = editor.document();
+        files.inTurn(() -> Lighting.read(chosen.get(), folder, stage), lighting -> {
+            if (document == editor.document()) {
+                if (editor.editOrReport(scene -> edit.apply(lighting, scene)).isEmpty()) {
+                    editor.message().show(
+                            Texts.of("Lights of {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size()));
+                }
             }
         }, why -> notices.failed(Texts.of("The lights could not be read"), why));
     }
 
     private void save() {
-        String name = model.document().name().replaceFirst("\\.jen$", "") + "-lights" + ENDING;
+        String name = editor.document().name().replaceFirst("\\.jen$", "") + "-lights" + ENDING;
         prompt.rigToWrite(folder().resolve(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().endsWith(ENDING)) {
                 write(chosen);
             } else {
                 Path file = chosen.resolveSibling(chosen.getFileName() + ENDING);
-                notices.unlessThere(model.files(), file, () -> write(file));
+                notices.unlessThere(files, file, () -> write(file));
             }
         });
     }
 
     private void write(Path file) {
-        if (file.toAbsolutePath().normalize().equals(model.document().file().toAbsolutePath().normalize())) {
-            model.say(Texts.of("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
+        if (file.toAbsolutePath().normalize().equals(editor.document().file().toAbsolutePath().normalize())) {
+            editor.message().show(
+                    Texts.of("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
             return;
         }
-        Lighting lighting = Lighting.of(model.scene());
-        model.files().inTurn(() -> {
+        Lighting lighting = Lighting.of(editor.scene());
+        files.inTurn(() -> {
             lighting.write(file);
             return file;
-        }, _ -> model.say(Texts.of("Saved {0}", Quote.path(file.getFileName()))),
+        }, _ -> editor.message().show(Texts.of("Saved {0}", Quote.path(file.getFileName()))),
                 why -> notices.failed(Texts.of("The lights could not be saved"), why));
     }
 }

@@ -17,12 +17,16 @@ import lightning.editor.document.Consent;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.TextDifference;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.StatusMessage;
 import lightning.format.jen.JenLimits;
 import lightning.scene.shot.AnimatedScene;
 
 /** Saves the scene, and asks where something would be lost that the artist does not know of. */
 final class SceneSaver {
     private final EditorModel model;
+    private final SceneEditor editor;
+    private final StatusMessage message;
     private final FilePrompt prompt;
     private final Notices notices;
     private final Runnable saved;
@@ -30,6 +34,8 @@ final class SceneSaver {
     /** @param saved hears that the scene was written */
     SceneSaver(EditorModel model, FilePrompt prompt, Notices notices, Runnable saved) {
         this.model = model;
+        editor = model.editor();
+        message = editor.message();
         this.prompt = prompt;
         this.notices = notices;
         this.saved = saved;
@@ -37,12 +43,12 @@ final class SceneSaver {
 
     /** Saves to the document's file; {@code then} runs when the scene was written, there or where the artist chose instead. */
     void save(Runnable then) {
-        write(model.document().file(), Set.of(), then);
+        write(editor.document().file(), Set.of(), then);
     }
 
     /** Asks where to; {@code then} runs when the scene was written. */
     void saveAs(Runnable then) {
-        prompt.sceneToWrite(model.document().file()).ifPresent(chosen -> {
+        prompt.sceneToWrite(editor.document().file()).ifPresent(chosen -> {
             Path file = withEnding(chosen);
             if (file.equals(chosen)) {
                 write(file, Set.of(), then);
@@ -59,9 +65,9 @@ final class SceneSaver {
     }
 
     private void write(Path file, Set<Consent> allowed, Runnable then) {
-        model.say(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
+        message.show(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
         model.workbench().saveAs(file, allowed, failure -> {
-            model.say("");
+            message.clear();
             failure.ifPresentOrElse(why -> ask(file, allowed, why, then), () -> {
                 saved.run();
                 then.run();
@@ -90,7 +96,7 @@ final class SceneSaver {
     }
 
     private void askAboutBoth(Set<Consent> allowed, Runnable then) {
-        OpenDocument document = model.document();
+        OpenDocument document = editor.document();
         AnimatedScene mine = document.content();
         model.files().beside(() -> TextDifference.rows(document.text(mine), text(document.file())),
                 rows -> decide(notices.changed(document.name(), new DifferenceList(rows)).orElse(ButtonType.CANCEL), allowed, then),
@@ -99,7 +105,7 @@ final class SceneSaver {
 
     private void decide(ButtonType answer, Set<Consent> allowed, Runnable then) {
         if (answer == Notices.OVERWRITE) {
-            write(model.document().file(), with(allowed, Consent.OVERWRITE_CHANGED), then);
+            write(editor.document().file(), with(allowed, Consent.OVERWRITE_CHANGED), then);
         } else if (answer == Notices.RELOAD) {
             model.commands().run(Command.RELOAD);
         } else if (answer == Notices.SAVE_AS) {

@@ -2,24 +2,24 @@ package lightning.editor.window.command;
 
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 
 /** The keys of a selected shape or group, in the list of shapes and in the preview. */
 public final class ShapeKeys {
     private ShapeKeys() {}
 
     /** Does what the key asks for; returns false where it asks for nothing, or no shape is selected. */
-    public static boolean pressed(EditorModel model, KeyEvent event) {
+    public static boolean pressed(Commands commands, KeyEvent event) {
         Command command = switch (event.getCode()) {
             case DELETE, BACK_SPACE -> Command.DELETE_SHAPE;
             case H, SPACE -> event.isShortcutDown() ? null : Command.SHOW_SHAPE;
             case D -> event.isShortcutDown() && !event.isShiftDown() ? Command.DUPLICATE_SHAPE : null;
             default -> null;
         };
-        if (command == null || model.selectedNode().isEmpty()) {
+        if (command == null || commands.situation().get().node().isEmpty()) {
             return false;
         }
-        model.commands().run(command);
+        commands.run(command);
         return true;
     }
 }

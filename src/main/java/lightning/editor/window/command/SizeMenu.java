@@ -14,7 +14,8 @@ import lightning.base.text.Quote;
 import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.scene.Limits;
 import lightning.scene.Picture;
@@ -30,53 +31,55 @@ public final class SizeMenu {
      *
      * @param items make the menu's items
      */
-    public static List<MenuItem> ofPicture(EditorModel model, CommandItems items) {
+    public static List<MenuItem> ofPicture(SceneEditor editor, CommandItems items) {
         List<MenuItem> all = new ArrayList<>();
-        all.add(own(model, items));
+        all.add(own(editor, items));
         all.add(new SeparatorMenuItem());
         for (CanvasSize size : CanvasSize.FIXED) {
             all.add(items.choice(Command.PICTURE_SIZE, "size-" + size.width() + "x" + size.height(), size.title(),
-                    model.sceneProperty().map(s -> s.picture().width() == size.width() && s.picture().height() == size.height()),
-                    () -> trace(model, size)));
+                    editor.sceneProperty().map(s -> s.picture().width() == size.width() && s.picture().height() == size.height()),
+                    () -> trace(editor, size)));
         }
         all.add(new SeparatorMenuItem());
-        MenuItem other = items.value(Command.PICTURE_SIZE, Texts.of("Other…"), () -> other(model));
+        MenuItem other = items.value(Command.PICTURE_SIZE, Texts.of("Other…"), () -> other(editor));
         other.setId("size-other");
         all.add(other);
         return all;
     }
 
-    private static void other(EditorModel model) {
-        ask(model.scene().picture().width() + " × " + model.scene().picture().height())
-                .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(model, size),
-                        () -> model.say(Texts.of("A size is two numbers as in 640 × 480, was {0}", Quote.of(typed.strip())))));
+    private static void other(SceneEditor editor) {
+        ask(editor.scene().picture().width() + " × " + editor.scene().picture().height())
+                .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> trace(editor, size),
+                        () -> editor.message().show(Texts.of("A size is two numbers as in 640 × 480, was {0}", Quote.of(typed.strip())))));
     }
 
     /** The size that the scene's file says. */
-    private static MenuItem own(EditorModel model, CommandItems items) {
-        MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> trace(model, ofFile(model)));
+    private static MenuItem own(SceneEditor editor, CommandItems items) {
+        MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> trace(editor, ofFile(editor)));
         item.setId("size-own");
-        model.situationProperty().subscribe(_ -> item.setText(Texts.of("The scene's own, {0}", ofFile(model).title())));
+        editor.situationProperty().subscribe(_ -> item.setText(Texts.of("The scene's own, {0}", ofFile(editor).title())));
         return item;
     }
 
-    private static CanvasSize ofFile(EditorModel model) {
-        Picture picture = model.document().savedScene().picture();
+    private static CanvasSize ofFile(SceneEditor editor) {
+        Picture picture = editor.document().savedScene().picture();
         return CanvasSize.of(picture.width(), picture.height());
     }
 
     /** Sizes of the preview. */
-    public static List<MenuItem> ofPreview(EditorModel model, ObjectProperty<CanvasSize> chosen) {
-        CommandItems items = CommandItems.of(model, "preview-");
+    public static List<MenuItem> ofPreview(Commands commands, ObjectProperty<CanvasSize> chosen) {
+        CommandItems items = CommandItems.of(commands, "preview-");
         return Stream.concat(Stream.of(CanvasSize.LIKE_PICTURE, CanvasSize.FREE), CanvasSize.FIXED.stream())
                 .map(size -> items.choice(Command.PREVIEW_SIZE, size.title(), Texts.of(size.title()), chosen.map(size::equals),
                         () -> chosen.set(size)))
                 .toList();
     }
 
-    private static void trace(EditorModel model, CanvasSize size) {
-        model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(size.width(), size.height()))))
-                .ifPresentOrElse(model::say, model::go);
+    private static void trace(SceneEditor editor, CanvasSize size) {
+        if (editor.editOrReport(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(size.width(), size.height()))))
+                .isEmpty()) {
+            editor.go();
+        }
     }
 
     private static Optional<String> ask(String now) {

@@ -32,18 +32,19 @@ public final class TableActions {
     /** Does the command. */
     static void addTo(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences) {
         var actions = new TableActions(model, prompt, notices, preferences);
-        model.commands().setSwitch(Command.COLOR_TABLE, model.viewProperty().map(view -> view.cube().isPresent()), actions::change);
+        model.commands().setSwitch(Command.COLOR_TABLE, model.picture().viewProperty().map(view -> view.cube().isPresent()),
+                actions::change);
     }
 
     private void change() {
-        ViewTransform view = model.viewProperty().get();
+        ViewTransform view = model.picture().viewProperty().get();
         if (view.cube().isPresent()) {
             keep(Optional.empty());
         } else {
-            prompt.table(model.document().file().toAbsolutePath().getParent()).ifPresent(file -> model.files()
+            prompt.table(model.bringer().folder()).ifPresent(file -> model.files()
                     .beside(() -> CubeReader.read(file), table -> {
                         keep(Optional.of(table));
-                        model.say(Texts.of("Shown through {0}, {1}", Quote.path(file.getFileName()), table.size()));
+                        model.editor().message().show(Texts.of("Shown through {0}, {1}", Quote.path(file.getFileName()), table.size()));
                     }, why -> notices.failed(Texts.of("The table could not be read"), why)));
         }
     }
@@ -55,7 +56,8 @@ public final class TableActions {
     }
 
     private static void show(EditorModel model, Optional<CubeTable> table) {
-        model.viewProperty().set(model.viewProperty().get().withCube(table));
+        var view = model.picture().viewProperty();
+        view.set(view.get().withCube(table));
     }
 
     /** Whether the view was through a table in the run before. */
@@ -68,7 +70,7 @@ public final class TableActions {
         if (isKept(preferences)) {
             String kept = preferences.text(KEY, "");
             model.files().beside(() -> CubeReader.read(path(kept)), table -> show(model, Optional.of(table)),
-                    why -> model.say(Sentence.of(why)));
+                    why -> model.editor().message().show(Sentence.of(why)));
         }
     }
 

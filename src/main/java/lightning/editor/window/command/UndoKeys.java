@@ -5,7 +5,7 @@ import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 
 /**
  * The keys of undo and redo wherever the keyboard is. A text has an undo of its own, which would swallow the keys: it
@@ -17,31 +17,31 @@ public final class UndoKeys {
     private UndoKeys() {}
 
     /** Takes the keys before any part of a window does. */
-    public static void take(EventTarget window, EditorModel model) {
+    public static void take(EventTarget window, Commands commands) {
         window.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
-            if (model.keys().is(Command.UNDO, e)) {
-                undo(e, model);
+            if (commands.keys().is(Command.UNDO, e)) {
+                undo(e, commands);
                 e.consume();
-            } else if (model.keys().is(Command.REDO, e) || REDO_TOO.match(e) && model.keys().owner(REDO_TOO).isEmpty()) {
-                redo(e, model);
+            } else if (commands.keys().is(Command.REDO, e) || REDO_TOO.match(e) && commands.keys().owner(REDO_TOO).isEmpty()) {
+                redo(e, commands);
                 e.consume();
             }
         });
     }
 
-    private static void undo(KeyEvent e, EditorModel model) {
+    private static void undo(KeyEvent e, Commands commands) {
         if (e.getTarget() instanceof TextInputControl text && text.isUndoable()) {
             text.undo();
         } else {
-            model.commands().press(Command.UNDO);
+            commands.press(Command.UNDO);
         }
     }
 
-    private static void redo(KeyEvent e, EditorModel model) {
+    private static void redo(KeyEvent e, Commands commands) {
         if (e.getTarget() instanceof TextInputControl text && text.isRedoable()) {
             text.redo();
         } else {
-            model.commands().press(Command.REDO);
+            commands.press(Command.REDO);
         }
     }
 }

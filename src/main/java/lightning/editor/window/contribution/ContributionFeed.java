@@ -2,27 +2,31 @@ package lightning.editor.window.contribution;
 
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import lightning.base.work.OwnThread;
 import lightning.base.work.Progress;
-import lightning.editor.window.model.EditorModel;
 
 /**
  * Answers questions about the picture on a thread of its own, which exists from the first question until the pane closes; a newer question
  * stops an older. Belongs to the window's thread.
  */
 final class ContributionFeed implements AutoCloseable {
-    private final EditorModel model;
+    private final Executor window;
     private final String name;
     /** Null while the pane is closed. */
     private ExecutorService thread;
     private final AtomicReference<Object> newest = new AtomicReference<>();
 
-    ContributionFeed(EditorModel model, String name) {
-        this.model = model;
+    /**
+     * @param window runs tasks in turn on the window's thread
+     * @param name   of the thread
+     */
+    ContributionFeed(Executor window, String name) {
+        this.window = window;
         this.name = name;
     }
 
@@ -55,7 +59,7 @@ final class ContributionFeed implements AutoCloseable {
     }
 
     private void tell(Object own, Runnable what) {
-        model.window().execute(() -> {
+        window.execute(() -> {
             if (newest.get() == own) {
                 what.run();
             }

@@ -27,7 +27,9 @@ import lightning.editor.document.Change;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PicturePart;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Obstacle;
 import lightning.editor.window.widget.Percent;
 import lightning.editor.window.widget.WhileSeen;
@@ -48,6 +50,8 @@ public final class ContributionPane extends VBox {
     private static final Duration REST = Duration.millis(300);
 
     private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture picture;
     private final ContributionFeed feed;
     private final ContributionFeed pixels;
     private final TableView<Contribution> table = new TableView<>();
@@ -70,8 +74,10 @@ public final class ContributionPane extends VBox {
 
     public ContributionPane(EditorModel model) {
         this.model = model;
-        feed = new ContributionFeed(model, "lightning-contributions");
-        pixels = new ContributionFeed(model, "lightning-pixel-share");
+        editor = model.editor();
+        picture = model.picture();
+        feed = new ContributionFeed(model.files().window(), "lightning-contributions");
+        pixels = new ContributionFeed(model.files().window(), "lightning-pixel-share");
         setId("contributions");
         getStyleClass().add("contributions");
         summary.setId("contribution-summary");
@@ -132,8 +138,8 @@ public final class ContributionPane extends VBox {
         table.setRowFactory(_ -> {
             TableRow<Contribution> row = new TableRow<>();
             row.setOnMouseClicked(_ -> {
-                if (row.getItem() != null && model.scene().light(row.getItem().light()).isPresent()) {
-                    model.selectLight(row.getItem().light());
+                if (row.getItem() != null && editor.scene().light(row.getItem().light()).isPresent()) {
+                    editor.selection().selectLight(row.getItem().light());
                 }
             });
             return row;
@@ -165,8 +171,8 @@ public final class ContributionPane extends VBox {
 
     /** Follows the picture. */
     private Subscription follow() {
-        return Subscription.combine(model.renderingProperty().subscribe(state -> follow(state.frame())),
-                model.viewProperty().subscribe(_ -> again()), model.part().pointedProperty().subscribe(this::point), this::close);
+        return Subscription.combine(picture.renderingProperty().subscribe(state -> follow(state.frame())),
+                picture.viewProperty().subscribe(_ -> again()), model.part().pointedProperty().subscribe(this::point), this::close);
     }
 
     /** Gives up what is asked, and ends its threads until the window opens again. */
@@ -197,7 +203,7 @@ public final class ContributionPane extends VBox {
 
     private void ask() {
         Options options = model.precisionProperty().get().options().withThreads(1);
-        ViewTransform view = model.viewProperty().get().withMarked(false);
+        ViewTransform view = picture.viewProperty().get().withMarked(false);
         Optional<Contributions.Region> part = region;
         feed.ask(progress -> model.workbench().known().map(cache -> new Answer(cache.scene(), Contributions.of(cache, options, view,
                 part.orElseGet(() -> Contributions.Region.all(cache.film())), progress))), this::show,
@@ -247,7 +253,7 @@ public final class ContributionPane extends VBox {
                 .map(cache -> parts(SmallShares.pixel(cache, pixel.x(), pixel.y()))), parts -> {
                     pointed = parts;
                     table.refresh();
-                }, why -> model.say(Sentence.of(why)));
+                }, why -> editor.message().show(Sentence.of(why)));
     }
 
     private static Map<String, Double> parts(SmallShares shares) {
@@ -261,20 +267,20 @@ public final class ContributionPane extends VBox {
     }
 
     private void switchOff() {
-        Frame frame = model.frame();
-        if (shown == null || frame == null || !model.scene().rig().equals(shownOf.rig())) {
-            model.say(Texts.of("The scene was edited since; press Go first"));
+        Frame frame = picture.frame();
+        if (shown == null || frame == null || !editor.scene().rig().equals(shownOf.rig())) {
+            editor.message().show(Texts.of("The scene was edited since; press Go first"));
             return;
         }
         List<String> idle = shown.idle();
-        model.edit(scene -> Change.of(() -> Contributions.off(scene, idle))).ifPresentOrElse(model::say, () -> {
-            wanted = new Proof(model.scene(), frame.film(), idle.size());
+        if (editor.editOrReport(scene -> Change.of(() -> Contributions.off(scene, idle))).isEmpty()) {
+            wanted = new Proof(editor.scene(), frame.film(), idle.size());
             proof.setText(Texts.of("Switched off; comparing the new picture …"));
             nothingIdle.set(Optional.of(Texts.of("it is being compared")));
-            if (!model.liveProperty().get()) {
-                model.go();
+            if (!editor.liveProperty().get()) {
+                editor.go();
             }
-        });
+        }
     }
 
     /** Holds the picture after lights were switched off against the one before. */
@@ -287,7 +293,7 @@ public final class ContributionPane extends VBox {
             return;
         }
         wanted = null;
-        ViewTransform view = model.viewProperty().get().withMarked(false);
+        ViewTransform view = picture.viewProperty().get().withMarked(false);
         model.files().beside(() -> Contribution.Change.between(of.before(), frame.film(), view),
                 change -> proof.setText(told(of.lights(), change)),
                 why -> proof.setText(Sentence.of(why)));

@@ -23,7 +23,6 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
-import lightning.editor.document.Change;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.Situation;
 import lightning.editor.document.cue.Cue;
@@ -32,20 +31,22 @@ import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.AtOnce;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Obstacle;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Scene;
 import lightning.scene.Stage;
 
 /** The cues of the open scene: keeps how it is lit with its picture, restores, compares and blends. */
 public final class CuePane extends VBox {
     private static final double PERCENT = 100;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture picture;
+    private final FileThread files;
     private final TextField name = new TextField();
     private final Obstacle cannotKeep;
     private final FlowPane gallery = new FlowPane();
@@ -66,8 +67,10 @@ public final class CuePane extends VBox {
     /** A cue and its picture at the size of its card, or null. */
     private record Listed(Cue cue, CueCard.Small small) {}
 
-    public CuePane(EditorModel model) {
-        this.model = model;
+    public CuePane(SceneEditor editor, TracedPicture picture, FileThread files) {
+        this.editor = editor;
+        this.picture = picture;
+        this.files = files;
         setId("cues");
         getStyleClass().add("cues");
         name.setId("cue-new-name");
@@ -119,8 +122,9 @@ public final class CuePane extends VBox {
 
     /** Lists the cues and follows the editor. */
     private Subscription follow() {
-        return Subscription.combine(model.documentProperty().subscribe(_ -> list()),
-                model.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))), AtOnce.whileFocused(this, model));
+        return Subscription.combine(editor.documentProperty().subscribe(_ -> list()),
+                editor.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))),
+                AtOnce.whileFocused(this, editor, files.window()));
     }
 
     private static Optional<String> obstacle(Situation now) {
@@ -129,11 +133,11 @@ public final class CuePane extends VBox {
     }
 
     private CueFolder folder() {
-        return new CueFolder(model.document().file());
+        return new CueFolder(editor.document().file());
     }
 
     private <T> void file(FileThread.Work<T> work, Consumer<T> done) {
-        model.files().inTurn(work, done, why -> say(Sentence.of(why)));
+        files.inTurn(work, done, why -> say(Sentence.of(why)));
     }
 
     private void say(String sentence) {
@@ -142,7 +146,7 @@ public final class CuePane extends VBox {
 
     private void list() {
         CueFolder folder = folder();
-        Stage stage = model.scene().stage();
+        Stage stage = editor.scene().stage();
         file(() -> {
             List<Listed> all = new ArrayList<>();
             for (Cue cue : folder.list(stage)) {
@@ -194,7 +198,7 @@ public final class CuePane extends VBox {
 
     private void keep() {
         String of = name.getText().strip();
-        Optional<String> refusal = CueFolder.refusal(of).or(() -> obstacle(model.situationProperty().get()));
+        Optional<String> refusal = CueFolder.refusal(of).or(() -> obstacle(editor.situationProperty().get()));
         if (refusal.isPresent()) {
             say(refusal.get());
             return;
@@ -204,10 +208,10 @@ public final class CuePane extends VBox {
             return;
         }
         CueFolder folder = folder();
-        Lighting lighting = Lighting.of(model.scene());
-        Frame frame = model.frame();
+        Lighting lighting = Lighting.of(editor.scene());
+        Frame frame = picture.frame();
         Film film = frame.film();
-        ViewTransform view = model.viewProperty().get().withMarked(false);
+        ViewTransform view = picture.viewProperty().get().withMarked(false);
         file(() -> {
             folder.keep(of, lighting, film, view);
             return of;
@@ -233,14 +237,10 @@ public final class CuePane extends VBox {
 
     /** Edits the document and shows it in the traced picture. */
     private void light(Lighting lighting, Object step) {
-        model.edit(scene -> lit(scene, lighting), step).ifPresentOrElse(this::say, () -> {
+        editor.edit(lighting::on, step).ifPresentOrElse(this::say, () -> {
             say("");
-            AtOnce.render(model);
+            AtOnce.render(editor);
         });
-    }
-
-    private static Change lit(Scene scene, Lighting lighting) {
-        return lighting.on(scene);
     }
 
     private void blendTo(double t) {

@@ -1,6 +1,7 @@
 package lightning.editor.window.measure;
 
 import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
@@ -19,7 +20,8 @@ import lightning.bench.accuracy.Ladder;
 import lightning.bench.accuracy.LadderMeter;
 import lightning.bench.accuracy.Rung;
 import lightning.editor.document.LastEdit;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.document.Situation;
+import lightning.editor.document.Workbench;
 import lightning.editor.window.widget.PictureView;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.render.image.DifferencePicture;
@@ -31,7 +33,9 @@ public final class AccuracyPane extends BorderPane {
     private static final int REPETITIONS = 5;
     private static final double PATIENCE_MS = 10_000;
 
-    private final EditorModel model;
+    private final Workbench workbench;
+    private final ObservableValue<Situation> situation;
+    private final ObservableValue<ViewTransform> view;
     private final Label edit = new Label();
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("",
@@ -45,8 +49,11 @@ public final class AccuracyPane extends BorderPane {
     private Optional<LastEdit> told = Optional.empty();
     private String outcome = "";
 
-    public AccuracyPane(EditorModel model) {
-        this.model = model;
+    /** @param view how linear light becomes display pixels */
+    public AccuracyPane(Workbench workbench, ObservableValue<Situation> situation, ObservableValue<ViewTransform> view) {
+        this.workbench = workbench;
+        this.situation = situation;
+        this.view = view;
         bar.setOnMeasure(this::begin);
         setId("accuracy");
         getStyleClass().add("accuracy");
@@ -73,8 +80,8 @@ public final class AccuracyPane extends BorderPane {
         difference.setAccessibleText(Texts.of("Show the difference from the full trace"));
         difference.selectedProperty().subscribe(_ -> paint());
         table.getSelectionModel().selectedItemProperty().subscribe(_ -> paint());
-        WhileSeen.follow(this, () -> Subscription.combine(model.situationProperty().subscribe(_ -> update()),
-                model.viewProperty().subscribe(_ -> paint())));
+        WhileSeen.follow(this, () -> Subscription.combine(situation.subscribe(_ -> update()),
+                view.subscribe(_ -> paint())));
     }
 
     private Node head() {
@@ -96,7 +103,7 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private Optional<LastEdit> last() {
-        return model.isAnimating() ? Optional.empty() : model.workbench().lastEdit();
+        return situation.getValue().animating() ? Optional.empty() : workbench.lastEdit();
     }
 
     private void update() {
@@ -154,7 +161,7 @@ public final class AccuracyPane extends BorderPane {
         note.setText(rung.grade().label() + ": " + rung.grade().note());
         Film full = ladder.rung(Grade.FULL_TRACE).film();
         Film film = difference.isSelected() ? DifferencePicture.of(rung.film(), full) : rung.film();
-        ViewTransform view = difference.isSelected() ? ViewTransform.DEFAULT : model.viewProperty().get();
-        picture.setPixels(film.width(), film.height(), view.toPixels(film));
+        ViewTransform through = difference.isSelected() ? ViewTransform.DEFAULT : view.getValue();
+        picture.setPixels(film.width(), film.height(), through.toPixels(film));
     }
 }

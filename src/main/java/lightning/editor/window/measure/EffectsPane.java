@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javafx.beans.property.ObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
@@ -21,7 +22,9 @@ import lightning.base.text.Texts;
 import lightning.bench.accuracy.EffectCosts;
 import lightning.bench.accuracy.PaperCases;
 import lightning.editor.document.LastEdit;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.widget.Obstacle;
 import lightning.editor.window.widget.WhileSeen;
@@ -38,7 +41,9 @@ import lightning.scene.effects.ViewEffects;
 public final class EffectsPane extends VBox {
     private static final int REPETITIONS = 5;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Workbench workbench;
+    private final ObservableValue<Precision> precision;
     private final ObjectProperty<ViewEffects> view;
     private final Map<Effect, EffectRow> rows = new LinkedHashMap<>();
     private final Label summary = new Label();
@@ -57,9 +62,12 @@ public final class EffectsPane extends VBox {
     private Set<Effect> listed;
     private EffectCosts listedCosts;
 
-    public EffectsPane(EditorModel model) {
-        this.model = model;
-        view = model.look().effectsProperty();
+    /** @param view which effects the traced picture shows */
+    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<Precision> precision, ObjectProperty<ViewEffects> view) {
+        this.editor = editor;
+        this.workbench = workbench;
+        this.precision = precision;
+        this.view = view;
         setId("effects");
         getStyleClass().add("effects");
         for (Effect effect : Effect.ALL) {
@@ -96,7 +104,7 @@ public final class EffectsPane extends VBox {
         var bottom = new HBox(hint(), allBox);
         bottom.getStyleClass().add("effects-bottom");
         getChildren().addAll(head, scroll, bottom);
-        WhileSeen.follow(this, () -> Subscription.combine(view.subscribe(this::show), model.sceneProperty().subscribe(this::tell)));
+        WhileSeen.follow(this, () -> Subscription.combine(view.subscribe(this::show), editor.sceneProperty().subscribe(this::tell)));
     }
 
     private static Node hint() {
@@ -125,7 +133,7 @@ public final class EffectsPane extends VBox {
     }
 
     private void tellOutcome() {
-        outcome.setText((model.scene().equals(costsOf) ? "" : Texts.of("Before the last edits: ")) + costsText);
+        outcome.setText((editor.scene().equals(costsOf) ? "" : Texts.of("Before the last edits: ")) + costsText);
     }
 
     private void list(Scene scene) {
@@ -134,7 +142,7 @@ public final class EffectsPane extends VBox {
             row.setUse(effects.has(effect));
             row.setCallers(effects.why(effect));
         });
-        summary.setText(Texts.of("{0} calls for {1} of {2} effects", model.document().name(), effects.callers().size(), rows.size()));
+        summary.setText(Texts.of("{0} calls for {1} of {2} effects", editor.document().name(), effects.callers().size(), rows.size()));
         // While a light is dragged, the rows stay where they are, and the keyboard with them.
         if (!effects.absent().equals(listed) || costs != listedCosts) {
             listed = effects.absent();
@@ -167,16 +175,16 @@ public final class EffectsPane extends VBox {
      * edit the scene allows.
      */
     private Optional<LastEdit> edit() {
-        return (model.isAnimating() ? Optional.<LastEdit>empty() : model.workbench().lastEdit())
-                .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(model.scene()).absent()))
-                .or(() -> PaperCases.moved(model.scene()).or(() -> PaperCases.of(model.scene()).stream().findFirst())
+        return (editor.isAnimating() ? Optional.<LastEdit>empty() : workbench.lastEdit())
+                .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(editor.scene()).absent()))
+                .or(() -> PaperCases.moved(editor.scene()).or(() -> PaperCases.of(editor.scene()).stream().findFirst())
                         .map(c -> new LastEdit(c.before(), c.after(), true)));
     }
 
     private void measure() {
-        Scene scene = model.scene();
+        Scene scene = editor.scene();
         edit().ifPresent(measured -> {
-            Options options = model.precisionProperty().get().options();
+            Options options = precision.getValue().options();
             bar.begin("lightning-effects",
                     progress -> EffectCosts.of(measured.before(), measured.after(), options, REPETITIONS, progress),
                     result -> finished(result, scene), outcome::setText);
@@ -192,6 +200,6 @@ public final class EffectsPane extends VBox {
                         StatusText.milliseconds(measured.update().median()), measured.plan(), EffectRow.bytes(measured.bytes()));
         tellOutcome();
         measured.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
-        list(model.scene());
+        list(editor.scene());
     }
 }

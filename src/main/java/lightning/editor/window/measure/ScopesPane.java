@@ -1,14 +1,15 @@
 package lightning.editor.window.measure;
 
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Texts;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PaneFeed;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.PixelImage;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.render.image.Scopes;
@@ -19,7 +20,7 @@ public final class ScopesPane extends VBox {
     private static final int HEIGHT = 160;
     private static final int WIDTH = 512;
 
-    private final EditorModel model;
+    private final TracedPicture picture;
     private final PaneFeed<Counted> feed;
     private final ImageView histogram = view("histogram", Texts.of("How many pixels have each code, red, green and blue"));
     private final ImageView waveform = view("waveform", Texts.of("Which codes the pixels of each column have"));
@@ -31,9 +32,10 @@ public final class ScopesPane extends VBox {
         // Arrays in a record: written once by their maker, never after.
     }
 
-    public ScopesPane(EditorModel model) {
-        this.model = model;
-        feed = new PaneFeed<>("lightning-scopes", model.window(), this::count, this::show);
+    /** @param window runs tasks in turn on the window's thread */
+    public ScopesPane(TracedPicture picture, Executor window) {
+        this.picture = picture;
+        feed = new PaneFeed<>("lightning-scopes", window, this::count, this::show);
         setId("scopes");
         getStyleClass().addAll("panel", "scopes");
         cut.setId("scopes-cut");
@@ -53,13 +55,13 @@ public final class ScopesPane extends VBox {
 
     /** Follows the picture. */
     private Subscription follow() {
-        return Subscription.combine(model.renderingProperty().subscribe(_ -> look()), model.viewProperty().subscribe(_ -> look()),
+        return Subscription.combine(picture.renderingProperty().subscribe(_ -> look()), picture.viewProperty().subscribe(_ -> look()),
                 () -> frame = null, feed::close);
     }
 
     private void look() {
-        Frame now = model.frame();
-        ViewTransform view = model.viewProperty().get();
+        Frame now = picture.frame();
+        ViewTransform view = picture.viewProperty().get();
         if (now == null || now == frame && view.equals(shown)) {
             return;
         }

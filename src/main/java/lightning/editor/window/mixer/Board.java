@@ -15,7 +15,7 @@ import lightning.editor.document.Change;
 import lightning.editor.document.Channel;
 import lightning.editor.document.ChannelEdits;
 import lightning.editor.window.command.AtOnce;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -24,23 +24,19 @@ import lightning.scene.Scene;
  * edit is shown in the traced picture at once, with or without Live.
  */
 final class Board {
-    private final EditorModel model;
+    private final SceneEditor editor;
     private final BooleanProperty relative = new SimpleBooleanProperty(true);
     private final ReadOnlyObjectWrapper<Set<Channel>> selected = new ReadOnlyObjectWrapper<>(Set.of());
     private Channel anchor;
     /** The scene before the drag that goes on; null while none does. */
     private Scene base;
 
-    Board(EditorModel model) {
-        this.model = model;
+    Board(SceneEditor editor) {
+        this.editor = editor;
     }
 
-    EditorModel model() {
-        return model;
-    }
-
-    Scene scene() {
-        return model.scene();
+    SceneEditor editor() {
+        return editor;
     }
 
     /** Whether an edit of several strips keeps their ratios; else all get the same value. */
@@ -85,7 +81,7 @@ final class Board {
         channels.forEach(now::add);
         selected.set(now);
         if (now.size() == 1 && now.iterator().next() instanceof Channel.OfLight(String name)) {
-            model.selectLight(name);
+            editor.selection().selectLight(name);
         }
     }
 
@@ -107,12 +103,12 @@ final class Board {
     /** A drag begins: relative edits go from what is there now. */
     void begin(Channel channel) {
         inHand(channel);
-        base = scene();
+        base = editor.scene();
     }
 
     /** As {@link #begin(Channel)}, of all. */
     void begin() {
-        base = scene();
+        base = editor.scene();
     }
 
     void end() {
@@ -120,7 +116,7 @@ final class Board {
     }
 
     private Scene base() {
-        return base == null ? scene() : base;
+        return base == null ? editor.scene() : base;
     }
 
     /** Sets the intensity of a strip, and that of the others selected with it: relative or the same. */
@@ -153,11 +149,11 @@ final class Board {
 
     /** Any edit; it is in the traced picture as soon as that can be. */
     Optional<String> edit(Function<Scene, Change> edit, Object gesture) {
-        Optional<String> refusal = model.edit(edit, gesture);
+        Optional<String> refusal = editor.editOrReport(edit, gesture);
         if (refusal.isEmpty()) {
-            AtOnce.render(model);
+            AtOnce.render(editor);
         }
-        return told(refusal);
+        return refusal;
     }
 
     /** Says why a text is no value; nothing for an empty reason. */
@@ -166,7 +162,7 @@ final class Board {
     }
 
     private Optional<String> told(Optional<String> refusal) {
-        refusal.ifPresent(model::say);
+        refusal.ifPresent(editor.message()::show);
         return refusal;
     }
 }

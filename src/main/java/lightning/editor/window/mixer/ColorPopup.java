@@ -47,7 +47,7 @@ final class ColorPopup {
         popup.setHideOnEscape(true);
         popup.getContent().add(pane);
         Looks.dress(popup.getScene());
-        Subscription shown = board.model().sceneProperty().subscribe(scene -> {
+        Subscription shown = board.editor().sceneProperty().subscribe(scene -> {
             if (channel.isIn(scene)) {
                 channel.color(scene).ifPresent(sliders::show);
             } else {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import javafx.scene.Node;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
@@ -22,9 +23,11 @@ import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
 import lightning.base.text.Texts;
 import lightning.editor.document.Channel;
+import lightning.editor.document.Workbench;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.AtOnce;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Slices;
 import lightning.editor.window.widget.WhileSeen;
 import lightning.scene.Scene;
@@ -34,7 +37,9 @@ import lightning.scene.Scene;
  * head selects it, with Ctrl more, with Shift all between; a drag of the head puts the light to another place.
  */
 public final class MixerPane extends VBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture picture;
+    private final Executor window;
     private final Board board;
     private final ShareFeed feed;
     /** In the order of the scene; those that are still to be made have no strip. */
@@ -49,10 +54,13 @@ public final class MixerPane extends VBox {
     private SharePictures pictures;
     private Frame looked;
 
-    public MixerPane(EditorModel model) {
-        this.model = model;
-        board = new Board(model);
-        feed = new ShareFeed(model, this::show);
+    /** @param window runs tasks in turn on the window's thread */
+    public MixerPane(SceneEditor editor, TracedPicture picture, Workbench workbench, Executor window) {
+        this.editor = editor;
+        this.picture = picture;
+        this.window = window;
+        board = new Board(editor);
+        feed = new ShareFeed(workbench, picture.viewProperty(), window, this::show);
         master = new MasterStrip(board);
         setId("mixer");
         getStyleClass().add("mixer");
@@ -74,15 +82,15 @@ public final class MixerPane extends VBox {
     /** Follows the scene and the picture. */
     private Subscription follow() {
         // The keyboard is at a fader, and not in the search; what scrolls is in the window only when that has its looks.
-        model.window().execute(() -> shown().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
-        return Subscription.combine(model.sceneProperty().subscribe(this::show),
-                model.renderingProperty().subscribe(state -> look(state.frame())),
-                model.viewProperty().subscribe(_ -> feed.look()),
-                model.selectedLightProperty().subscribe(light -> {
+        window.execute(() -> shown().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
+        return Subscription.combine(editor.sceneProperty().subscribe(this::show),
+                picture.renderingProperty().subscribe(state -> look(state.frame())),
+                picture.viewProperty().subscribe(_ -> feed.look()),
+                editor.selection().lightProperty().subscribe(light -> {
                     if (light != null) {
                         board.follow(light);
                     }
-                }), AtOnce.whileFocused(this, model), making::end, feed::close);
+                }), AtOnce.whileFocused(this, editor, window), making::end, feed::close);
     }
 
     private Node tools() {
@@ -111,7 +119,7 @@ public final class MixerPane extends VBox {
         var message = new Label();
         message.setId("mixer-message");
         message.getStyleClass().add("mixer-message");
-        message.textProperty().bind(model.messageProperty());
+        message.textProperty().bind(editor.message().textProperty());
         HBox.setHgrow(message, Priority.ALWAYS);
         message.setMaxWidth(Double.MAX_VALUE);
         var tools = new HBox(search, filter, new HBox(relative, absolute), count, message);
@@ -161,7 +169,7 @@ public final class MixerPane extends VBox {
         next.ifPresent(channel -> {
             var strip = new Strip(board, channel);
             strips.put(channel, strip);
-            strip.show(model.scene());
+            strip.show(editor.scene());
             strip.setChosen(board.isSelected(channel));
             showPicture(strip);
             arrange();
@@ -182,7 +190,7 @@ public final class MixerPane extends VBox {
 
     private void showPicture(Strip strip) {
         if (pictures != null) {
-            strip.show(pictures.of(strip.channel(), model.scene()));
+            strip.show(pictures.of(strip.channel(), editor.scene()));
         }
     }
 
@@ -196,7 +204,7 @@ public final class MixerPane extends VBox {
     }
 
     private void arrange() {
-        Scene scene = model.scene();
+        Scene scene = editor.scene();
         StripFilter chosen = Optional.ofNullable(filter.getValue()).orElse(StripFilter.ALL);
         List<Channel> found = channels.stream().filter(c -> c.isIn(scene))
                 .filter(c -> chosen.shows(c, scene) && StripFilter.finds(search.getText(), c, scene)).toList();

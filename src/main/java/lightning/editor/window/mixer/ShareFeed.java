@@ -1,7 +1,9 @@
 package lightning.editor.window.mixer;
 
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import lightning.editor.window.model.EditorModel;
+import javafx.beans.property.ObjectProperty;
+import lightning.editor.document.Workbench;
 import lightning.editor.window.model.PaneFeed;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.SmallShares;
@@ -12,20 +14,24 @@ final class ShareFeed implements AutoCloseable {
     static final int WIDTH = 88;
     static final int HEIGHT = 60;
 
-    private final EditorModel model;
+    private final ObjectProperty<ViewTransform> shown;
     private final PaneFeed<SharePictures> feed;
     private volatile ViewTransform view = ViewTransform.DEFAULT;
 
-    /** @param heard on the window's thread */
-    ShareFeed(EditorModel model, Consumer<SharePictures> heard) {
-        this.model = model;
-        feed = new PaneFeed<>("lightning-mixer", model.window(), () -> model.workbench().known()
+    /**
+     * @param shown  how linear light becomes display pixels
+     * @param window runs tasks in turn on the window's thread
+     * @param heard  on the window's thread
+     */
+    ShareFeed(Workbench workbench, ObjectProperty<ViewTransform> shown, Executor window, Consumer<SharePictures> heard) {
+        this.shown = shown;
+        feed = new PaneFeed<>("lightning-mixer", window, () -> workbench.known()
                 .map(cache -> SmallShares.of(cache, WIDTH, HEIGHT)).map(shares -> SharePictures.of(shares, view)), heard);
     }
 
     /** The traced picture is another, or it is shown in another way. */
     void look() {
-        view = model.viewProperty().get().ofPicture();
+        view = shown.get().ofPicture();
         feed.request();
     }
 

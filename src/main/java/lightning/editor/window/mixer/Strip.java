@@ -144,13 +144,13 @@ final class Strip extends VBox {
     private void switchSolo() {
         boolean on = solo.isSelected();
         board.each(channel, (scene, c) -> c.withSolo(scene, on), null);
-        show(board.scene());
+        show(board.editor().scene());
     }
 
     private void switchOn() {
         boolean on = !mute.isSelected();
         board.each(channel, (scene, c) -> c.withOn(scene, on), null);
-        show(board.scene());
+        show(board.editor().scene());
     }
 
     Fader fader() {

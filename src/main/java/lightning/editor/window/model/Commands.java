@@ -3,7 +3,6 @@ package lightning.editor.window.model;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableObjectValue;
 import javafx.beans.value.ObservableValue;
@@ -14,13 +13,24 @@ import lightning.editor.document.Situation;
 public final class Commands {
     private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
     private final Map<Command, ObservableValue<Boolean>> switches = new EnumMap<>(Command.class);
+    private final Keys keys = new Keys();
     private final ObservableObjectValue<Situation> situation;
-    private final Consumer<String> say;
+    private final StatusMessage message;
 
-    /** @param say tells the artist a sentence */
-    Commands(ObservableObjectValue<Situation> situation, Consumer<String> say) {
+    /** @param message says why a command has nothing to do whose key was pressed */
+    Commands(ObservableObjectValue<Situation> situation, StatusMessage message) {
         this.situation = situation;
-        this.say = say;
+        this.message = message;
+    }
+
+    /** Everything that decides which commands are enabled. */
+    public ObservableObjectValue<Situation> situation() {
+        return situation;
+    }
+
+    /** The keys of the commands. */
+    public Keys keys() {
+        return keys;
     }
 
     /** Says what a command does; a pane that asks the artist something first says so for its commands. */
@@ -62,7 +72,7 @@ public final class Commands {
         if (isEnabled(command)) {
             run(command);
         } else if (command != Command.CANCEL) {
-            reason(command).ifPresent(why -> say.accept(command.plainTitle() + ": " + why));
+            reason(command).ifPresent(why -> message.show(command.plainTitle() + ": " + why));
         }
     }
 

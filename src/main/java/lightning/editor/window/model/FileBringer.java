@@ -6,18 +6,31 @@ import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
+import lightning.editor.document.FileThread;
 import lightning.format.jen.FileCopy;
 import lightning.format.jen.FileKind;
 
 /** Brings files from elsewhere to where the open scene finds them; over another of that name only if one is chosen twice. */
 public final class FileBringer {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final FileThread files;
     private BiFunction<String, FileKind, Optional<Path>> asks = (_, _) -> Optional.empty();
     /** A file that was chosen, whose name another has; null where there is none. */
     private Path asked;
 
-    FileBringer(EditorModel model) {
-        this.model = model;
+    FileBringer(SceneEditor editor, FileThread files) {
+        this.editor = editor;
+        this.files = files;
+    }
+
+    /** The folder that the open scene lies in. */
+    public Path folder() {
+        return editor.document().file().toAbsolutePath().getParent();
+    }
+
+    /** Reads the files that the scene finds there. */
+    public FileThread files() {
+        return files;
     }
 
     /** Says who asks for a file; it gets the title of the question. */
@@ -37,9 +50,9 @@ public final class FileBringer {
     }
 
     private void bring(FileKind kind, Path file, Consumer<String> brought, Consumer<String> refused) {
-        Path folder = model.document().file().toAbsolutePath().getParent();
+        Path folder = folder();
         boolean overwrite = file.equals(asked);
-        model.files().beside(() -> FileCopy.bring(kind, file, folder, overwrite), outcome -> {
+        files.beside(() -> FileCopy.bring(kind, file, folder, overwrite), outcome -> {
             asked = outcome instanceof FileCopy.Taken ? file : null;
             switch (outcome) {
                 case FileCopy.Brought(String name) -> brought.accept(name);

@@ -9,7 +9,8 @@ import lightning.scene.Scene;
 
 /** Plays frames: shows the next one when the traced picture of the one before is finished. Stops where a picture fails. */
 public final class FramePlayer {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture picture;
     private final BooleanSupplier ends;
     private final LongPredicate next;
     private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper();
@@ -25,8 +26,9 @@ public final class FramePlayer {
      * @param ends whether to stop playing
      * @param next shows another frame if one is due at a time in nanoseconds; returns whether one was
      */
-    public FramePlayer(EditorModel model, BooleanSupplier ends, LongPredicate next) {
-        this.model = model;
+    public FramePlayer(SceneEditor editor, TracedPicture picture, BooleanSupplier ends, LongPredicate next) {
+        this.editor = editor;
+        this.picture = picture;
         this.ends = ends;
         this.next = next;
     }
@@ -41,7 +43,7 @@ public final class FramePlayer {
 
     /** Starts when the picture of the scene that is shown now is finished. */
     public void play() {
-        awaited = model.scene();
+        awaited = editor.scene();
         playing.set(true);
         timer.start();
     }
@@ -53,10 +55,10 @@ public final class FramePlayer {
     }
 
     private void pulse(long now) {
-        if (ends.getAsBoolean() || model.renderingProperty().get().problem() != null) {
+        if (ends.getAsBoolean() || picture.renderingProperty().get().problem() != null) {
             stop();
-        } else if (model.frame() != null && model.frame().scene().equals(awaited) && next.test(now)) {
-            awaited = model.scene();
+        } else if (picture.frame() != null && picture.frame().scene().equals(awaited) && next.test(now)) {
+            awaited = editor.scene();
         }
     }
 }

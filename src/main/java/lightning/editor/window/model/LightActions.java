@@ -1,5 +1,6 @@
 package lightning.editor.window.model;
 
+import java.util.List;
 import java.util.function.BiFunction;
 import lightning.base.text.Decimal;
 import lightning.base.text.Texts;
@@ -13,59 +14,58 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
-/** The commands that ask nothing before they are done. */
+/** What the commands do to the selected light and its bank. */
 final class LightActions {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final SceneSelection selection;
 
-    private LightActions(EditorModel model) {
-        this.model = model;
+    private LightActions(SceneEditor editor) {
+        this.editor = editor;
+        selection = editor.selection();
     }
 
-    static void addTo(EditorModel model) {
-        LightActions actions = new LightActions(model);
-        model.commands().setAction(Command.GO, model::go);
-        Workbench bench = model.workbench();
-        model.commands().setAction(Command.UPDATE_REFLECTIONS, bench::updateReflections);
-        model.commands().setAction(Command.VERIFY, bench::verify);
-        model.commands().setAction(Command.CANCEL, model::cancel);
-        model.commands().setAction(Command.UNDO, bench::undo);
-        model.commands().setAction(Command.REDO, bench::redo);
-        model.commands().setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(model::say));
-        model.commands().setAction(Command.REDO_LIGHT, () -> bench.redoLight().ifPresent(model::say));
-        model.commands().setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
-        model.commands().setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
-        model.commands().setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
-        model.commands().setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !model.selectedLight().on())));
-        model.commands().setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !model.selectedLight().solo())));
-        model.commands().setAction(Command.NEW_BANK, () -> actions.edit(BankEdits::add));
-        model.commands().setAction(Command.DELETE_BANK, () -> actions.edit((s, n) -> BankEdits.delete(s, LightEdits.light(s, n).bank())));
-        model.commands().setAction(Command.COPY_SETTINGS, bench::copySettings);
-        model.commands().setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(model::say));
+    static void addTo(SceneEditor editor, Workbench bench, Commands commands) {
+        var actions = new LightActions(editor);
+        StatusMessage message = editor.message();
+        commands.setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(message::show));
+        commands.setAction(Command.REDO_LIGHT, () -> bench.redoLight().ifPresent(message::show));
+        commands.setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
+        commands.setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
+        commands.setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
+        commands.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !actions.selection.light().on())));
+        commands.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !actions.selection.light().solo())));
+        commands.setAction(Command.NEW_BANK, () -> actions.edit(BankEdits::add));
+        commands.setAction(Command.DELETE_BANK, () -> actions.edit((s, n) -> BankEdits.delete(s, LightEdits.light(s, n).bank())));
+        commands.setAction(Command.COPY_SETTINGS, bench::copySettings);
+        commands.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(message::show));
     }
 
     private void edit(BiFunction<Scene, String, Change> edit) {
-        Light light = model.selectedLight();
-        model.edit(scene -> edit.apply(scene, light.name())).ifPresent(model::say);
+        String light = selection.lightName();
+        editor.editOrReport(scene -> edit.apply(scene, light));
     }
 
     /** The new light is the last of the scene, and selected. */
-    void add(LightType type) {
-        model.edit(scene -> LightEdits.add(scene, type)).ifPresentOrElse(model::say,
-                () -> model.selectLight(model.lights().getLast().name()));
+    private void add(LightType type) {
+        if (editor.editOrReport(scene -> LightEdits.add(scene, type)).isEmpty()) {
+            selection.selectLight(editor.scene().lights().getLast().name());
+        }
     }
 
     /** The copy stands behind its original, and is selected. */
     private void duplicate() {
-        Light original = model.selectedLight();
-        model.edit(scene -> LightEdits.duplicate(scene, original.name())).ifPresentOrElse(model::say, () -> {
-            String copy = model.lights().get(model.lights().indexOf(original) + 1).name();
-            model.selectLight(copy);
-            tellBeside(model, copy, original.name());
-        });
+        Light original = selection.light();
+        if (editor.editOrReport(scene -> LightEdits.duplicate(scene, original.name())).isEmpty()) {
+            List<Light> lights = editor.scene().lights();
+            String copy = lights.get(lights.indexOf(original) + 1).name();
+            selection.selectLight(copy);
+            tellBeside(editor, copy, original.name());
+        }
     }
 
     /** Tells where a copy stands. */
-    static void tellBeside(EditorModel model, String copy, String original) {
-        model.say(Texts.of("{0} stands {1} beside {2}, along x", copy, Decimal.text(Beside.length(model.scene())), original));
+    static void tellBeside(SceneEditor editor, String copy, String original) {
+        editor.message()
+                .show(Texts.of("{0} stands {1} beside {2}, along x", copy, Decimal.text(Beside.length(editor.scene())), original));
     }
 }

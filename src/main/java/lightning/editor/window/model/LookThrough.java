@@ -1,7 +1,8 @@
 package lightning.editor.window.model;
 
-import javafx.beans.property.ReadOnlyBooleanProperty;
-import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.scene.Light;
@@ -10,40 +11,43 @@ import lightning.scene.Light;
  * Whether the preview's camera is the selected light's. It follows the light and the selection as long as it is; any other
  * camera ends it.
  */
-public final class LookThrough {
-    private final EditorModel model;
-    private final ReadOnlyBooleanWrapper on = new ReadOnlyBooleanWrapper();
+final class LookThrough {
+    private final SceneEditor editor;
+    private final ObjectProperty<PreviewCamera> camera;
+    private final BooleanProperty on = new SimpleBooleanProperty();
     private PreviewCamera before;
     private boolean following;
 
-    LookThrough(EditorModel model) {
-        this.model = model;
-        model.commands().setSwitch(Command.LOOK_THROUGH_LIGHT, on, this::toggle);
-        model.previewCameraProperty().addListener((_, _, _) -> {
+    private LookThrough(SceneEditor editor, ObjectProperty<PreviewCamera> camera) {
+        this.editor = editor;
+        this.camera = camera;
+        camera.addListener((_, _, _) -> {
             if (!following) {
                 on.set(false);
             }
         });
-        model.selectedLightProperty().addListener((_, _, light) -> {
+        editor.selection().lightProperty().addListener((_, _, light) -> {
             if (on.get()) {
                 follow(light);
             }
         });
     }
 
-    public ReadOnlyBooleanProperty onProperty() {
-        return on.getReadOnlyProperty();
+    /** Does the command. */
+    static void addTo(Commands commands, SceneEditor editor, ObjectProperty<PreviewCamera> camera) {
+        var look = new LookThrough(editor, camera);
+        commands.setSwitch(Command.LOOK_THROUGH_LIGHT, look.on, look::toggle);
     }
 
     /** Looks through the selected light, or again as before. */
     private void toggle() {
         if (on.get()) {
-            model.previewCameraProperty().set(before);
+            camera.set(before);
             on.set(false);
         } else {
-            before = model.previewCameraProperty().get();
+            before = camera.get();
             on.set(true);
-            follow(model.selectedLight());
+            follow(editor.selection().light());
         }
     }
 
@@ -53,7 +57,7 @@ public final class LookThrough {
             return;
         }
         following = true;
-        model.previewCameraProperty().set(PreviewCamera.through(light, model.scene()));
+        camera.set(PreviewCamera.through(light, editor.scene()));
         following = false;
     }
 }

@@ -3,10 +3,8 @@ package lightning.editor.window.model;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import javafx.beans.property.SimpleBooleanProperty;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
 import lightning.editor.document.MaterialEdits;
@@ -17,15 +15,14 @@ import lightning.scene.Shape;
 /** Which material is being edited, and whether it is in front of the selected light's properties. */
 public final class MaterialChoice {
     private final ReadOnlyObjectWrapper<Material> material = new ReadOnlyObjectWrapper<>();
-    private final BooleanProperty inFront = new SimpleBooleanProperty();
-    private final EditorModel model;
+    private final SceneEditor editor;
     private String chosen = "";
     private Scene known;
 
-    MaterialChoice(EditorModel model) {
-        this.model = model;
-        model.sceneProperty().subscribe(_ -> {
-            if (known == null || !haveSameMaterials(known, model.scene())) {
+    MaterialChoice(SceneEditor editor) {
+        this.editor = editor;
+        editor.sceneProperty().subscribe(_ -> {
+            if (known == null || !haveSameMaterials(known, editor.scene())) {
                 find();
             }
         });
@@ -40,11 +37,6 @@ public final class MaterialChoice {
         return material.get();
     }
 
-    /** Whether the properties of the material are shown in place of the light's. */
-    public BooleanProperty inFrontProperty() {
-        return inFront;
-    }
-
     /** Edits the material of that name; one that does not exist is the scene's first. */
     public void choose(String name) {
         chosen = name;
@@ -53,14 +45,14 @@ public final class MaterialChoice {
 
     /** Edits the material of a shape and shows it. */
     public void chooseOf(String shape) {
-        MaterialEdits.ofShape(model.scene(), shape).ifPresentOrElse(m -> {
+        MaterialEdits.ofShape(editor.scene(), shape).ifPresentOrElse(m -> {
             choose(m.name());
-            inFront.set(true);
-        }, () -> model.say(Texts.of("The scene has no shape {0} any more", Quote.of(shape))));
+            editor.materialInFrontProperty().set(true);
+        }, () -> editor.message().show(Texts.of("The scene has no shape {0} any more", Quote.of(shape))));
     }
 
     private void find() {
-        Scene scene = model.scene();
+        Scene scene = editor.scene();
         known = scene;
         List<String> names = names(scene);
         String name = names.contains(chosen) || names.isEmpty() ? chosen : names.getFirst();

@@ -8,18 +8,19 @@ import lightning.scene.Node;
 final class NodeActions {
     private NodeActions() {}
 
-    static void addTo(EditorModel model) {
-        model.commands().setAction(Command.SHOW_SHAPE, () -> model.selectedNode()
-                .ifPresent(n -> model.edit(scene -> NodeEdits.visible(scene, n.name(), !n.visible())).ifPresent(model::say)));
-        model.commands().setAction(Command.DUPLICATE_SHAPE, () -> model.selectedNode().ifPresent(n -> duplicate(model, n)));
-        model.commands().setAction(Command.DELETE_SHAPE, () -> model.selectedNode()
-                .ifPresent(n -> model.edit(scene -> NodeEdits.delete(scene, n.name())).ifPresent(model::say)));
+    static void addTo(SceneEditor editor, Commands commands) {
+        commands.setAction(Command.SHOW_SHAPE, () -> editor.selection().node()
+                .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.visible(scene, n.name(), !n.visible()))));
+        commands.setAction(Command.DUPLICATE_SHAPE, () -> editor.selection().node().ifPresent(n -> duplicate(editor, n)));
+        commands.setAction(Command.DELETE_SHAPE, () -> editor.selection().node()
+                .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.delete(scene, n.name()))));
     }
 
     /** The copy is selected. */
-    private static void duplicate(EditorModel model, Node original) {
-        String copy = NodeEdits.copyOf(model.scene(), original.name());
-        model.editAndSelect(scene -> NodeEdits.duplicate(scene, original.name()), copy).ifPresentOrElse(model::say,
-                () -> LightActions.tellBeside(model, copy, original.name()));
+    private static void duplicate(SceneEditor editor, Node original) {
+        String copy = NodeEdits.copyOf(editor.scene(), original.name());
+        if (editor.editAndSelect(scene -> NodeEdits.duplicate(scene, original.name()), copy).isEmpty()) {
+            LightActions.tellBeside(editor, copy, original.name());
+        }
     }
 }

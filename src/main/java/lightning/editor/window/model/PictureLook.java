@@ -9,6 +9,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.editor.document.Command;
+import lightning.editor.document.Workbench;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.Look;
 import lightning.scene.Light;
@@ -17,24 +18,27 @@ import lightning.scene.effects.ViewEffects;
 
 /** What of the traced picture the artist wants to look at: the share of the selected light alone, or less than all effects. */
 public final class PictureLook {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Workbench workbench;
     private final BooleanProperty onlySelected = new SimpleBooleanProperty();
     private final ObjectProperty<ViewEffects> effects = new SimpleObjectProperty<>(ViewEffects.ALL);
     private Look wanted = Look.PLAIN;
 
-    PictureLook(EditorModel model) {
-        this.model = model;
-        model.commands().setSwitch(Command.ONLY_SELECTED, onlySelected);
-        effect(Command.SHADOWS, e -> e.shows(Effect.SHADOWS), (e, on) -> e.with(Effect.SHADOWS, on));
-        effect(Command.REFLECTIONS, e -> e.shows(Effect.REFLECTION), (e, on) -> e.with(Effect.REFLECTION, on));
-        effect(Command.LIT_TEXTURES, ViewEffects::litTextures, ViewEffects::withLitTextures);
+    PictureLook(SceneEditor editor, Workbench workbench, Commands commands) {
+        this.editor = editor;
+        this.workbench = workbench;
+        commands.setSwitch(Command.ONLY_SELECTED, onlySelected);
+        effect(commands, Command.SHADOWS, e -> e.shows(Effect.SHADOWS), (e, on) -> e.with(Effect.SHADOWS, on));
+        effect(commands, Command.REFLECTIONS, e -> e.shows(Effect.REFLECTION), (e, on) -> e.with(Effect.REFLECTION, on));
+        effect(commands, Command.LIT_TEXTURES, ViewEffects::litTextures, ViewEffects::withLitTextures);
         onlySelected.subscribe(_ -> look());
         effects.subscribe(_ -> look());
-        model.situationProperty().subscribe(_ -> look());
+        editor.situationProperty().subscribe(_ -> look());
     }
 
-    private void effect(Command command, Predicate<ViewEffects> shown, BiFunction<ViewEffects, Boolean, ViewEffects> with) {
-        model.commands().setSwitch(command, effects.map(shown::test),
+    private void effect(Commands commands, Command command, Predicate<ViewEffects> shown,
+            BiFunction<ViewEffects, Boolean, ViewEffects> with) {
+        commands.setSwitch(command, effects.map(shown::test),
                 () -> effects.set(with.apply(effects.get(), !shown.test(effects.get()))));
     }
 
@@ -53,19 +57,19 @@ public final class PictureLook {
     }
 
     private void look() {
-        Light selected = model.selectedLight();
+        Light selected = editor.selection().light();
         Look look =
                 new Look(onlySelected.get() && selected != null ? Optional.of(renderedName(selected)) : Optional.empty(), effects.get());
         if (!look.equals(wanted)) {
             wanted = look;
-            model.workbench().setLook(look);
+            workbench.setLook(look);
         }
     }
 
     /** A light may have been renamed since the picture was rendered; its place among the lights then tells. */
     private String renderedName(Light light) {
-        Frame frame = model.frame();
-        List<Light> now = model.lights();
+        Frame frame = editor.situationProperty().get().frame().orElse(null);
+        List<Light> now = editor.scene().lights();
         boolean renamed = frame != null && frame.scene().light(light.name()).isEmpty() && frame.scene().lights().size() == now.size();
         return renamed ? frame.scene().lights().get(now.indexOf(light)).name() : light.name();
     }

@@ -1,5 +1,6 @@
 package lightning.editor.window.model;
 
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.editor.document.Command;
 import lightning.editor.document.KeyEdits;
@@ -11,50 +12,57 @@ import lightning.scene.shot.Track;
 
 /** What the commands do to the shot and to the keys that are chosen. */
 final class ShotActions {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final KeyChoice keyChoice;
 
-    private ShotActions(EditorModel model) {
-        this.model = model;
+    private ShotActions(SceneEditor editor, KeyChoice keyChoice) {
+        this.editor = editor;
+        this.keyChoice = keyChoice;
     }
 
-    static void addTo(EditorModel model) {
-        var actions = new ShotActions(model);
-        model.commands().setAction(Command.NEW_SHOT, () -> {
+    static void addTo(SceneEditor editor, KeyChoice keyChoice, Arrangement arrangement, Commands commands) {
+        var actions = new ShotActions(editor, keyChoice);
+        commands.setAction(Command.NEW_SHOT, () -> {
             actions.edit(KeyEdits::begin);
-            model.arrangement().timelineShownProperty().set(true);
+            arrangement.timelineShownProperty().set(true);
         });
-        model.commands().setAction(Command.DELETE_SHOT, () -> actions.edit(_ -> AnimatedScene.of(model.scene())));
-        model.commands().setAction(Command.FIRST_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.shot().first())));
-        model.commands().setAction(Command.LAST_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.shot().last())));
-        model.commands().setAction(Command.PREVIOUS_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.frame() - 1)));
-        model.commands().setAction(Command.NEXT_FRAME, () -> model.moment().ifPresent(m -> model.showFrame(m.frame() + 1)));
-        model.commands().setAction(Command.PREVIOUS_KEY, () -> model.moment().flatMap(m -> m.nearestKey(true)).ifPresent(model::showFrame));
-        model.commands().setAction(Command.NEXT_KEY, () -> model.moment().flatMap(m -> m.nearestKey(false)).ifPresent(model::showFrame));
-        model.commands().setAction(Command.SET_KEY, () -> model.moment().ifPresent(actions::setKeys));
-        model.commands().setAction(Command.DELETE_KEYS, () -> {
-            Scene shown = model.scene();
-            actions.edit(scene -> KeyEdits.without(scene, shown, model.keyChoice().keys()));
+        commands.setAction(Command.DELETE_SHOT, () -> actions.edit(_ -> AnimatedScene.of(editor.scene())));
+        commands.setAction(Command.FIRST_FRAME, () -> actions.now().ifPresent(m -> editor.showFrame(m.shot().first())));
+        commands.setAction(Command.LAST_FRAME, () -> actions.now().ifPresent(m -> editor.showFrame(m.shot().last())));
+        commands.setAction(Command.PREVIOUS_FRAME, () -> actions.now().ifPresent(m -> editor.showFrame(m.frame() - 1)));
+        commands.setAction(Command.NEXT_FRAME, () -> actions.now().ifPresent(m -> editor.showFrame(m.frame() + 1)));
+        commands.setAction(Command.PREVIOUS_KEY, () -> actions.now().flatMap(m -> m.nearestKey(true)).ifPresent(editor::showFrame));
+        commands.setAction(Command.NEXT_KEY, () -> actions.now().flatMap(m -> m.nearestKey(false)).ifPresent(editor::showFrame));
+        commands.setAction(Command.SET_KEY, () -> actions.now().ifPresent(actions::setKeys));
+        commands.setAction(Command.DELETE_KEYS, () -> {
+            Scene shown = editor.scene();
+            actions.edit(scene -> KeyEdits.without(scene, shown, keyChoice.keys()));
         });
-        model.commands().setAction(Command.LINEAR_KEYS, () -> actions.passing(Passage.LINEAR));
-        model.commands().setAction(Command.SMOOTH_KEYS, () -> actions.passing(Passage.SMOOTH));
-        model.commands().setAction(Command.STEPPED_KEYS, () -> actions.passing(Passage.STEPPED));
+        commands.setAction(Command.LINEAR_KEYS, () -> actions.passing(Passage.LINEAR));
+        commands.setAction(Command.SMOOTH_KEYS, () -> actions.passing(Passage.SMOOTH));
+        commands.setAction(Command.STEPPED_KEYS, () -> actions.passing(Passage.STEPPED));
     }
 
     private void edit(UnaryOperator<AnimatedScene> edit) {
-        model.editAll(edit, null).ifPresent(model::say);
+        editor.editAllOrReport(edit, null);
+    }
+
+    /** The frame that is shown; empty where the scene has no shot. */
+    private Optional<Moment> now() {
+        return editor.document().moment();
     }
 
     private void passing(Passage passage) {
-        edit(scene -> KeyEdits.passing(scene, model.keyChoice().keys(), passage));
+        edit(scene -> KeyEdits.passing(scene, keyChoice.keys(), passage));
     }
 
     /** Of all that is selected and has keys. */
     private void setKeys(Moment now) {
-        Scene shown = model.scene();
+        Scene shown = editor.scene();
         edit(scene -> {
             AnimatedScene keyed = scene;
             for (Track track : now.shot().tracks()) {
-                if (model.situationProperty().get().isSelected(track.target())) {
+                if (editor.situationProperty().get().isSelected(track.target())) {
                     keyed = KeyEdits.key(keyed, shown, track.target(), track.attribute(), now.frame());
                 }
             }

@@ -3,6 +3,7 @@ package lightning.editor.window.model;
 import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.Optional;
+import javafx.beans.value.ObservableValue;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import lightning.bench.accuracy.WarmSaving;
@@ -32,12 +33,16 @@ public final class UpdateLog {
         }
     }
 
+    UpdateLog(ObservableValue<RenderState> rendering) {
+        rendering.subscribe(this::add);
+    }
+
     /** The latest first. */
     public ObservableList<Entry> entries() {
         return FXCollections.unmodifiableObservableList(entries);
     }
 
-    void hear(RenderState state) {
+    private void add(RenderState state) {
         Frame frame = state.frame();
         if (frame == null) {
             return;

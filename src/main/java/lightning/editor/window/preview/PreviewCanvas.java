@@ -1,6 +1,7 @@
 package lightning.editor.window.preview;
 
 import java.util.List;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
 import javafx.animation.PauseTransition;
 import javafx.beans.property.ObjectProperty;
@@ -18,11 +19,14 @@ import javafx.util.Duration;
 import lightning.base.text.Texts;
 import lightning.editor.document.GroupBox;
 import lightning.editor.document.LightGizmo;
+import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Viewport;
+import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Grip;
 import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.editor.window.widget.PixelImage;
@@ -37,9 +41,13 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     private static final double WHEEL = 0.5;
 
     private final EditorModel model;
+    private final SceneEditor editor;
+    private final PreviewLook settings;
+    private final ObjectProperty<PreviewCamera> camera;
     private final ImageView image = new ImageView();
     private final GizmoLayer gizmos = new GizmoLayer();
     private final PreviewMouse mouse;
+    private final ShapeMenu menu;
     private final PreviewShapes shapes;
     private final PreviewLoop loop;
     private final PreviewScene look = new PreviewScene();
@@ -53,25 +61,29 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
 
     PreviewCanvas(EditorModel model) {
         this.model = model;
-        mouse = new PreviewMouse(model);
-        shapes = new PreviewShapes(model, this);
-        loop = new PreviewLoop(this::drawn, problem -> model.window().execute(() -> model.say(Sentence.of(problem))));
+        editor = model.editor();
+        settings = model.previewLook();
+        camera = settings.cameraProperty();
+        mouse = new PreviewMouse(editor, settings);
+        Executor window = model.files().window();
+        menu = new ShapeMenu(editor, model.materials(), model.commands());
+        shapes = new PreviewShapes(editor, menu, camera, window, this);
+        loop = new PreviewLoop(this::drawn, problem -> window.execute(() -> editor.message().show(Sentence.of(problem))));
         setId("preview-canvas");
         setFocusTraversable(true);
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
         setAccessibleText(Texts.of("Preview of the scene with its lights"));
         getChildren().addAll(image, gizmos);
-        model.documentProperty().subscribe(_ -> opened = true);
-        model.sceneProperty().subscribe(_ -> requestLayout());
-        model.selectedLightProperty().subscribe(_ -> requestLayout());
-        model.situationProperty().map(Situation::node).subscribe(_ -> requestLayout());
-        model.viewProperty().subscribe(_ -> requestLayout());
-        PreviewLook settings = model.previewLook();
+        editor.documentProperty().subscribe(_ -> opened = true);
+        editor.sceneProperty().subscribe(_ -> requestLayout());
+        editor.selection().lightProperty().subscribe(_ -> requestLayout());
+        editor.situationProperty().map(Situation::node).subscribe(_ -> requestLayout());
+        model.picture().viewProperty().subscribe(_ -> requestLayout());
         settings.glowingProperty().subscribe(_ -> requestLayout());
         settings.gizmosHiddenProperty().subscribe(_ -> requestLayout());
         settings.sizeProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
-        model.previewCameraProperty().subscribe(_ -> {
+        camera.subscribe(_ -> {
             moving = true;
             rest.playFromStart();
             requestLayout();
@@ -94,17 +106,17 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     }
 
     private void listen() {
-        var keys = new PreviewKeys(model, mouse);
+        var keys = new PreviewKeys(editor, model.commands(), camera, mouse);
         addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
         addEventHandler(KeyEvent.KEY_RELEASED, _ -> keys.released());
         addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
             requestFocus();
-            shapes.hide();
+            menu.hide();
             mouse.press(e.getX() - left(), e.getY() - top(), Grip.of(e), e.isShiftDown());
         });
         addEventHandler(ScrollEvent.SCROLL, e -> {
             if (e.getDeltaY() != 0) {
-                model.previewCameraProperty().set(model.previewCameraProperty().get().zoomed(e.getDeltaY() * WHEEL, viewport()));
+                camera.set(camera.get().zoomed(e.getDeltaY() * WHEEL, viewport()));
                 e.consume();
             }
         });
@@ -113,7 +125,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
             mouse.release();
             var place = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
             if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !e.isShiftDown()
-                    && !model.previewLook().gizmosHiddenProperty().get() && !mouse.takes(place.x(), place.y())) {
+                    && !settings.gizmosHiddenProperty().get() && !mouse.takes(place.x(), place.y())) {
                 shapes.select(mouse.canvas(), place);
             }
             if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(place.x(), place.y()).isEmpty()) {
@@ -132,7 +144,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
 
     /** Goes back with the camera until all lights are in view. */
     void frameLights() {
-        model.previewCameraProperty().set(LightMarker.framing(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+        camera.set(LightMarker.framing(editor.scene().lights(), camera.get(), mouse.canvas()));
     }
 
     /** Where a place of the canvas is on the screen. */
@@ -152,7 +164,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
             return;
         }
         double screen = getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
-        var frame = size.get().within(getWidth(), getHeight(), model.scene().picture(), screen);
+        var frame = size.get().within(getWidth(), getHeight(), editor.scene().picture(), screen);
         image.setFitWidth(frame.shownWidth());
         image.setFitHeight(frame.shownHeight());
         image.relocate(Math.rint((getWidth() - frame.shownWidth()) / 2), Math.rint((getHeight() - frame.shownHeight()) / 2));
@@ -161,30 +173,30 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
         if (opened) {
             opened = false;
-            model.previewCameraProperty().set(
-                    LightMarker.firstView(model.lights(), model.previewCameraProperty().get(), mouse.canvas()));
+            camera.set(
+                    LightMarker.firstView(editor.scene().lights(), camera.get(), mouse.canvas()));
         }
-        gizmos.setVisible(!model.previewLook().gizmosHiddenProperty().get());
-        List<LightGizmo.Stroke> group = model.selectedNode().filter(Group.class::isInstance).map(Group.class::cast).map(g -> GroupBox
-                .strokes(box.lines(model.scene(), g), model.previewCameraProperty().get(), mouse.canvas())).orElse(List.of());
-        gizmos.draw(model.scene(), model.selectedLight(), new GizmoLayer.Marks(group, mouse.handles()), model.previewCameraProperty().get(),
-                mouse.canvas(), model.previewLook().sizeProperty().get().factor());
-        loop.draw(new PreviewLoop.Wish(look.of(model.scene()), model.previewCameraProperty().get(), frame.width(), frame.height(),
-                model.viewProperty().get().ofPicture(),
-                model.previewLook().glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
-                moving, model.frame() == null ? null : model.frame().geometry()));
+        gizmos.setVisible(!settings.gizmosHiddenProperty().get());
+        List<LightGizmo.Stroke> group = editor.selection().node().filter(Group.class::isInstance).map(Group.class::cast).map(g -> GroupBox
+                .strokes(box.lines(editor.scene(), g), camera.get(), mouse.canvas())).orElse(List.of());
+        gizmos.draw(editor.scene(), editor.selection().light(), new GizmoLayer.Marks(group, mouse.handles()), camera.get(),
+                mouse.canvas(), settings.sizeProperty().get().factor());
+        loop.draw(new PreviewLoop.Wish(look.of(editor.scene()), camera.get(), frame.width(), frame.height(),
+                model.picture().viewProperty().get().ofPicture(),
+                settings.glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
+                moving, model.picture().frame() == null ? null : model.picture().frame().geometry()));
     }
 
     private void drawn(PreviewLoop.Picture picture) {
         if (drawn.getAndSet(picture) == null) {
-            model.window().execute(this::show);
+            model.files().window().execute(this::show);
         }
     }
 
     private void show() {
         PreviewLoop.Picture picture = drawn.getAndSet(null);
         image.setImage(PixelImage.of(picture.width(), picture.height(), picture.pixels()));
-        model.previewFramesProperty().set(model.previewFramesProperty().get() + 1);
+        settings.framesProperty().set(settings.framesProperty().get() + 1);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package lightning.editor.window.preview;
 
+import java.util.List;
+import javafx.beans.property.ObjectProperty;
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.CameraDrag;
 import lightning.editor.document.Command;
@@ -8,7 +10,8 @@ import lightning.editor.document.LightManipulation;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeKeys;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 
 /**
@@ -21,12 +24,16 @@ final class PreviewKeys {
     /** One press of a key is a drag of so many pixels. */
     private static final double STEP = 8;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Commands commands;
+    private final ObjectProperty<PreviewCamera> camera;
     private final PreviewMouse mouse;
     private Object gesture = new Object();
 
-    PreviewKeys(EditorModel model, PreviewMouse mouse) {
-        this.model = model;
+    PreviewKeys(SceneEditor editor, Commands commands, ObjectProperty<PreviewCamera> camera, PreviewMouse mouse) {
+        this.editor = editor;
+        this.commands = commands;
+        this.camera = camera;
         this.mouse = mouse;
     }
 
@@ -36,7 +43,7 @@ final class PreviewKeys {
     }
 
     void pressed(KeyEvent e) {
-        if (handles(e) || ShapeKeys.pressed(model, e)) {
+        if (handles(e) || ShapeKeys.pressed(commands, e)) {
             e.consume();
         }
     }
@@ -66,44 +73,44 @@ final class PreviewKeys {
     }
 
     private boolean arrow(KeyEvent e, double right, double up) {
-        PreviewCamera view = model.previewCameraProperty().get();
+        PreviewCamera view = camera.get();
         Viewport canvas = mouse.canvas();
         if (e.isShiftDown()) {
             CameraDrag drag = e.isControlDown() ? CameraDrag.TRACKBALL : up == 0 ? CameraDrag.PAN : CameraDrag.ZOOM;
             return view(drag.applied(view, canvas, right, -up));
         }
-        Light light = model.selectedLight();
+        Light light = editor.selection().light();
         return light != null && edit(e.isControlDown()
                 ? LightManipulation.translate(light, view, canvas, right, up)
                 : LightManipulation.rotate(light, view, canvas, right, up));
     }
 
     private boolean moved(double away) {
-        Light light = model.selectedLight();
+        Light light = editor.selection().light();
         return light != null
-                && edit(LightManipulation.dolly(light, model.previewCameraProperty().get(), mouse.canvas(), away));
+                && edit(LightManipulation.dolly(light, camera.get(), mouse.canvas(), away));
     }
 
     private boolean edit(Light moved) {
-        model.edit(scene -> LightEdits.with(scene, moved.name(), _ -> moved), gesture).ifPresent(model::say);
+        editor.editOrReport(scene -> LightEdits.with(scene, moved.name(), _ -> moved), gesture);
         return true;
     }
 
-    private boolean view(PreviewCamera camera) {
-        model.previewCameraProperty().set(camera);
+    private boolean view(PreviewCamera moved) {
+        camera.set(moved);
         return true;
     }
 
     private boolean run(Command command) {
-        model.commands().run(command);
+        commands.run(command);
         return true;
     }
 
     private boolean select(int step) {
-        int count = model.lights().size();
-        if (count > 0) {
-            int now = model.lights().indexOf(model.selectedLight());
-            model.selectLight(model.lights().get(Math.floorMod(now < 0 ? 0 : now + step, count)).name());
+        List<Light> lights = editor.scene().lights();
+        if (!lights.isEmpty()) {
+            int now = lights.indexOf(editor.selection().light());
+            editor.selection().selectLight(lights.get(Math.floorMod(now < 0 ? 0 : now + step, lights.size())).name());
         }
         return true;
     }

@@ -3,6 +3,7 @@ package lightning.editor.window.preview;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 import lightning.editor.document.CameraDrag;
 import lightning.editor.document.LightDrag;
 import lightning.editor.document.LightEdits;
@@ -11,7 +12,9 @@ import lightning.editor.document.NodeEdits;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.SceneSelection;
 import lightning.scene.Light;
 
 /**
@@ -25,7 +28,10 @@ final class PreviewMouse {
     /** How far a drag goes before it is told whether it is vertical, pixels. */
     private static final double DECISION = 4;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final SceneSelection selection;
+    private final PreviewLook look;
+    private final ObjectProperty<PreviewCamera> camera;
     private Viewport canvas = new Viewport(1, 1);
     private Object gesture;
     private Light begin;
@@ -39,8 +45,11 @@ final class PreviewMouse {
     private double pressX;
     private double pressY;
 
-    PreviewMouse(EditorModel model) {
-        this.model = model;
+    PreviewMouse(SceneEditor editor, PreviewLook look) {
+        this.editor = editor;
+        this.look = look;
+        selection = editor.selection();
+        camera = look.cameraProperty();
     }
 
     void setCanvas(Viewport v) {
@@ -53,13 +62,13 @@ final class PreviewMouse {
 
     /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first, none while they are hidden. */
     List<Light> lightsAt(double x, double y) {
-        if (model.previewLook().gizmosHiddenProperty().get()) {
+        if (look.gizmosHiddenProperty().get()) {
             return List.of();
         }
-        double size = model.previewLook().sizeProperty().get().factor();
-        PreviewCamera view = model.previewCameraProperty().get();
+        double size = look.sizeProperty().get().factor();
+        PreviewCamera view = camera.get();
         var place = new Viewport.Pixel(x, y);
-        List<Light> left = new ArrayList<>(model.lights());
+        List<Light> left = new ArrayList<>(editor.scene().lights());
         List<Light> hits = new ArrayList<>();
         Optional<Light> hit = LightGizmo.pick(left, view, canvas, size, place, TOLERANCE);
         while (hit.isPresent()) {
@@ -75,8 +84,8 @@ final class PreviewMouse {
 
     /** The handles of the selected shape or group; empty where none is selected, while they are hidden, or where it is behind the eye. */
     Optional<NodeGizmo> handles() {
-        return model.previewLook().gizmosHiddenProperty().get() ? Optional.empty()
-                : model.selectedNode().flatMap(n -> NodeGizmo.of(model.scene(), n, model.previewCameraProperty().get(), canvas));
+        return look.gizmosHiddenProperty().get() ? Optional.empty()
+                : selection.node().flatMap(n -> NodeGizmo.of(editor.scene(), n, camera.get(), canvas));
     }
 
     /** Whether a drag from a place takes a light or a handle. */
@@ -85,7 +94,7 @@ final class PreviewMouse {
     }
 
     private Optional<NodeGizmo.Handle> pick(NodeGizmo of, double x, double y) {
-        return of.pick(model.previewCameraProperty().get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
+        return of.pick(camera.get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
     }
 
     /** @param shift moves the camera, whatever is taken */
@@ -93,7 +102,7 @@ final class PreviewMouse {
         pressX = x;
         pressY = y;
         if (shift) {
-            cameraBegin = model.previewCameraProperty().get();
+            cameraBegin = camera.get();
             cameraDrag = null;
             return;
         }
@@ -107,14 +116,14 @@ final class PreviewMouse {
         if (hits.isEmpty()) {
             return;
         }
-        Light selected = model.selectedLight();
+        Light selected = selection.light();
         // The selected light is taken again where others lie over it; a click without a drag goes on to them.
         boolean again = hits.contains(selected);
         next = again ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
         begin = again ? selected : hits.getFirst();
         by = pressed;
         gesture = new Object();
-        model.selectLight(begin.name());
+        selection.selectLight(begin.name());
     }
 
     void drag(double x, double y) {
@@ -126,15 +135,15 @@ final class PreviewMouse {
         } else if (handle != null) {
             var from = new Viewport.Pixel(pressX, pressY);
             var to = new Viewport.Pixel(x, y);
-            PreviewCamera view = model.previewCameraProperty().get();
+            PreviewCamera view = camera.get();
             NodeGizmo taken = gizmo;
             NodeGizmo.Handle at = handle;
-            model.edit(scene -> NodeEdits.placement(scene, taken.node().name(), _ -> taken.dragged(at, view, canvas, from, to)), gesture)
-                    .ifPresent(model::say);
+            editor.editOrReport(scene -> NodeEdits.placement(scene, taken.node().name(), _ -> taken.dragged(at, view, canvas, from, to)),
+                    gesture);
         } else if (begin != null) {
-            PreviewCamera view = model.previewCameraProperty().get();
+            PreviewCamera view = camera.get();
             Light moved = by.applied(begin, view, canvas, right, -down);
-            model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> moved), gesture).ifPresent(model::say);
+            editor.editOrReport(scene -> LightEdits.with(scene, begin.name(), _ -> moved), gesture);
         }
     }
 
@@ -143,13 +152,13 @@ final class PreviewMouse {
             cameraDrag = CameraDrag.begun(canvas, pressX, pressY, right, down);
         }
         if (cameraDrag != null) {
-            model.previewCameraProperty().set(cameraDrag.applied(cameraBegin, canvas, right, down));
+            camera.set(cameraDrag.applied(cameraBegin, canvas, right, down));
         }
     }
 
     void release() {
         if (next != null) {
-            model.selectLight(next.name());
+            selection.selectLight(next.name());
         }
         next = null;
         begin = null;

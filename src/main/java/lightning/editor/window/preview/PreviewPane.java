@@ -11,23 +11,29 @@ import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.SizeMenu;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
-    private final EditorModel model;
+    private final PreviewLook look;
+    private final Commands commands;
     private final PreviewCanvas canvas;
 
     public PreviewPane(EditorModel model) {
-        this.model = model;
+        look = model.previewLook();
+        commands = model.commands();
+        SceneEditor editor = model.editor();
         setId("preview");
         getStyleClass().add("canvas-pane");
         canvas = new PreviewCanvas(model);
-        model.commands().setAction(Command.VIEW_X, () -> look(PreviewCamera.alongX(model.scene())));
-        model.commands().setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(model.scene())));
-        model.commands().setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(model.scene())));
-        model.commands().setAction(Command.VIEW_ALL, canvas::frameLights);
+        commands.setAction(Command.VIEW_X, () -> look(PreviewCamera.alongX(editor.scene())));
+        commands.setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(editor.scene())));
+        commands.setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(editor.scene())));
+        commands.setAction(Command.VIEW_ALL, canvas::frameLights);
         var waiting = new Label(Texts.of("Drawing …"));
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());
@@ -52,16 +58,16 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         sizes.setId("preview-size");
         sizes.getStyleClass().add("flat");
         sizes.setTooltip(new Tooltip(Texts.of("Size of the preview's canvas")));
-        sizes.getItems().setAll(SizeMenu.ofPreview(model, canvas.sizeProperty()));
+        sizes.getItems().setAll(SizeMenu.ofPreview(commands, canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(Texts.of(v.title())));
-        return new PaneHeader(Texts.of("Preview"), sizes, CommandButton.view(model, Command.VIEW_ALL, Texts.of("All")),
-                CommandButton.view(model, Command.VIEW_X, "X"), CommandButton.view(model, Command.VIEW_Y, "−Y"),
-                CommandButton.view(model, Command.VIEW_Z, "−Z"), CommandButton.view(model, Command.HIDE_GIZMOS),
-                CommandButton.view(model, Command.LOOK_THROUGH_LIGHT));
+        return new PaneHeader(Texts.of("Preview"), sizes, CommandButton.view(commands, Command.VIEW_ALL, Texts.of("All")),
+                CommandButton.view(commands, Command.VIEW_X, "X"), CommandButton.view(commands, Command.VIEW_Y, "−Y"),
+                CommandButton.view(commands, Command.VIEW_Z, "−Z"), CommandButton.view(commands, Command.HIDE_GIZMOS),
+                CommandButton.view(commands, Command.LOOK_THROUGH_LIGHT));
     }
 
     private void look(PreviewCamera camera) {
-        model.previewCameraProperty().set(camera);
+        look.cameraProperty().set(camera);
     }
 
     @Override

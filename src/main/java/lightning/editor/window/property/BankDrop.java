@@ -4,7 +4,7 @@ import javafx.css.PseudoClass;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.TransferMode;
 import lightning.editor.document.BankEdits;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 
 /** Drags a light from its line to that of a bank or of a light in one, which it joins; anywhere else it leaves its bank. */
 final class BankDrop {
@@ -12,7 +12,7 @@ final class BankDrop {
 
     private BankDrop() {}
 
-    static void between(LightCell cell, EditorModel model) {
+    static void between(LightCell cell, SceneEditor editor) {
         LinkDrop.drag(cell, LinkDrop.LIGHT, () -> cell.light() == null ? null : cell.light().name());
         cell.setOnDragOver(event -> {
             if (event.getDragboard().hasContent(LinkDrop.LIGHT)) {
@@ -22,20 +22,21 @@ final class BankDrop {
         });
         cell.setOnDragEntered(event -> cell.pseudoClassStateChanged(OVER, event.getDragboard().hasContent(LinkDrop.LIGHT)));
         cell.setOnDragExited(_ -> cell.pseudoClassStateChanged(OVER, false));
-        cell.setOnDragDropped(event -> drop(event, cell, model));
+        cell.setOnDragDropped(event -> drop(event, cell, editor));
     }
 
-    private static void drop(DragEvent event, LightCell on, EditorModel model) {
+    private static void drop(DragEvent event, LightCell on, SceneEditor editor) {
         if (event.getDragboard().getContent(LinkDrop.LIGHT) instanceof String light) {
-            drop(light, on.bank(), model);
+            drop(light, on.bank(), editor);
             event.setDropCompleted(true);
             event.consume();
         }
     }
 
     /** @param bank where it is dropped; empty for none */
-    static void drop(String light, String bank, EditorModel model) {
-        model.edit(scene -> bank.isEmpty() ? BankEdits.leave(scene, light) : BankEdits.join(scene, light, bank))
-                .ifPresentOrElse(model::say, () -> model.selectLight(light));
+    static void drop(String light, String bank, SceneEditor editor) {
+        if (editor.editOrReport(scene -> bank.isEmpty() ? BankEdits.leave(scene, light) : BankEdits.join(scene, light, bank)).isEmpty()) {
+            editor.selection().selectLight(light);
+        }
     }
 }

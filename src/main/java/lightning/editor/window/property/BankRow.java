@@ -9,7 +9,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import lightning.base.text.Texts;
 import lightning.editor.document.BankEdits;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Paints;
 import lightning.scene.Bank;
@@ -20,7 +20,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
 /** A bank in the list of lights: whether its lights are listed, its gel, name and master, solo and on. A double click renames it. */
 final class BankRow extends HBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
     private final ObservableSet<String> folded;
     private final Button fold = new Button();
     private final FontIcon arrow = new FontIcon();
@@ -37,8 +37,8 @@ final class BankRow extends HBox {
      * @param folded  the names of the banks whose lights are not listed
      * @param renamed called when a name was taken: keys go on to the list
      */
-    BankRow(EditorModel model, ObservableSet<String> folded, Runnable renamed) {
-        this.model = model;
+    BankRow(SceneEditor editor, ObservableSet<String> folded, Runnable renamed) {
+        this.editor = editor;
         this.folded = folded;
         getStyleClass().addAll("light-row", "bank-row");
         fold.setGraphic(arrow);
@@ -46,7 +46,7 @@ final class BankRow extends HBox {
         fold.setFocusTraversable(false);
         fold.setOnAction(_ -> fold());
         gel.getStyleClass().add("light-chip");
-        field = new NameField(model, name, (old, typed) -> model.edit(scene -> BankEdits.rename(scene, old, typed)), () -> {
+        field = new NameField(name, (old, typed) -> editor.editOrReport(scene -> BankEdits.rename(scene, old, typed)), () -> {
             endRename();
             renamed.run();
         }, this::endRename);
@@ -94,7 +94,7 @@ final class BankRow extends HBox {
 
     private void edit(UnaryOperator<Bank> edit) {
         String bank = shown.name();
-        model.edit(scene -> BankEdits.with(scene, bank, edit)).ifPresent(model::say);
+        editor.editOrReport(scene -> BankEdits.with(scene, bank, edit));
     }
 
     void startRename() {

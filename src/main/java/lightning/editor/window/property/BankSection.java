@@ -16,7 +16,7 @@ import lightning.editor.document.BankEdits;
 import lightning.editor.document.Hsv;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
@@ -30,7 +30,7 @@ import lightning.scene.Quantity;
 final class BankSection extends VBox {
     private static final String NO_BANK = Texts.key("the light is in no bank");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
     private final ComboBox<String> bank = new ComboBox<>();
     private final Obstacle noLight;
     private final ArrowWidget master;
@@ -38,8 +38,8 @@ final class BankSection extends VBox {
     private boolean showing;
 
     /** @param seen as in {@link PropertyPane} */
-    BankSection(EditorModel model, ObservableValue<Situation> seen) {
-        this.model = model;
+    BankSection(SceneEditor editor, ObservableValue<Situation> seen) {
+        this.editor = editor;
         getStyleClass().add("section-content");
         bank.setId("light-bank");
         bank.setAccessibleText(Texts.of("bank"));
@@ -57,9 +57,8 @@ final class BankSection extends VBox {
         });
         bank.valueProperty().addListener((_, _, now) -> {
             if (!showing && now != null) {
-                String light = model.selectedLight().name();
-                model.edit(scene -> now.isEmpty() ? BankEdits.leave(scene, light) : BankEdits.join(scene, light, now))
-                        .ifPresent(model::say);
+                String light = editor.selection().lightName();
+                editor.editOrReport(scene -> now.isEmpty() ? BankEdits.leave(scene, light) : BankEdits.join(scene, light, now));
             }
         });
         StackPane around = new StackPane(bank);
@@ -103,8 +102,9 @@ final class BankSection extends VBox {
     }
 
     private <V> Optional<String> edit(Attribute<Bank, V> attribute, UnaryOperator<V> with, Object gesture) {
-        String name = model.selectedLight() == null ? "" : model.selectedLight().bank();
-        return model.edit(scene -> BankEdits.with(scene, name, b -> attribute.with(b, with.apply(attribute.of(b)))), gesture);
+        Light light = editor.selection().light();
+        String name = light == null ? "" : light.bank();
+        return editor.edit(scene -> BankEdits.with(scene, name, b -> attribute.with(b, with.apply(attribute.of(b)))), gesture);
     }
 
     /** The colour of the bank. */

@@ -6,17 +6,17 @@ import lightning.base.text.Measure;
 import lightning.editor.document.Dial;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.Gauge;
 import lightning.scene.Light;
 
 /** A dial of the selected light, or of the scene. */
-record DialGauge(EditorModel model, Dial dial) implements Gauge {
+record DialGauge(SceneEditor editor, Dial dial) implements Gauge {
 
     /** @param seen as in {@link PropertyPane} */
-    static ArrowWidget widget(EditorModel model, Dial dial, ObservableValue<Situation> seen) {
-        ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()), dial.title(), new DialGauge(model, dial));
+    static ArrowWidget widget(SceneEditor editor, Dial dial, ObservableValue<Situation> seen) {
+        ArrowWidget widget = new ArrowWidget(Sections.title(dial.label()), dial.title(), new DialGauge(editor, dial));
         widget.setId(dial.isOfScene() ? dial.title().replace(' ', '-') : dial.label());
         seen.subscribe(now -> show(now, dial, widget));
         return widget;
@@ -49,10 +49,6 @@ record DialGauge(EditorModel model, Dial dial) implements Gauge {
 
     @Override
     public Optional<String> set(double value, Object gesture) {
-        return model.edit(scene -> dial.set(scene, light(), value), gesture);
-    }
-
-    private String light() {
-        return model.selectedLight() == null ? "" : model.selectedLight().name();
+        return editor.edit(scene -> dial.set(scene, editor.selection().lightName(), value), gesture);
     }
 }

@@ -12,7 +12,8 @@ import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
 import lightning.format.jen.FileKind;
 
 /** Offers the files of a kind that lie beside the scene, pictures with what they show, none, and to bring one from elsewhere; what lies there is seen a moment after the menu opens. */
@@ -20,7 +21,8 @@ final class FileMenu extends MenuButton {
     /** So many are shown with a small picture. */
     private static final int SMALL = 60;
 
-    private final EditorModel model;
+    private final Commands commands;
+    private final FileBringer files;
     private final Command command;
     private final FileKind kind;
     private final Consumer<String> chosen;
@@ -31,11 +33,12 @@ final class FileMenu extends MenuButton {
      * @param chosen  hears the name of the file; empty for none
      * @param browse  asks for one from elsewhere
      */
-    FileMenu(EditorModel model, String text, Command command, FileKind kind, Consumer<String> chosen, Runnable browse) {
+    FileMenu(Commands commands, FileBringer files, String text, Command command, FileKind kind, Consumer<String> chosen, Runnable browse) {
         super(text);
         // An underscore in a file's name is one.
         setMnemonicParsing(false);
-        this.model = model;
+        this.commands = commands;
+        this.files = files;
         this.command = command;
         this.kind = kind;
         this.chosen = chosen;
@@ -45,8 +48,8 @@ final class FileMenu extends MenuButton {
     }
 
     private void fill() {
-        Path folder = folder(model);
-        model.files().beside(() -> found(folder), this::offer, _ -> offer(List.of()));
+        Path folder = files.folder();
+        files.files().beside(() -> found(folder), this::offer, _ -> offer(List.of()));
     }
 
     /** A file that is offered. */
@@ -61,7 +64,7 @@ final class FileMenu extends MenuButton {
     private void offer(List<Found> names) {
         List<MenuItem> items = new ArrayList<>();
         items.add(item(Texts.of("None"), ""));
-        items.add(CommandItems.of(model).value(command, Texts.of("Browse…"), browse));
+        items.add(CommandItems.of(commands).value(command, Texts.of("Browse…"), browse));
         items.add(new SeparatorMenuItem());
         names.forEach(found -> {
             MenuItem item = item(found.name(), found.name());
@@ -72,11 +75,6 @@ final class FileMenu extends MenuButton {
     }
 
     private MenuItem item(String title, String name) {
-        return CommandItems.of(model).value(command, title, () -> chosen.accept(name));
-    }
-
-    /** The folder that the scene lies in. */
-    static Path folder(EditorModel model) {
-        return model.document().file().toAbsolutePath().getParent();
+        return CommandItems.of(commands).value(command, title, () -> chosen.accept(name));
     }
 }

@@ -9,7 +9,9 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.Situation;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.Obstacle;
 import lightning.format.jen.FileKind;
@@ -25,7 +27,8 @@ import lightning.scene.World;
 
 /** What the selected light or the world has from a file: one of those that lie beside the scene. It is read on a thread of its own. */
 final class FilePart<F extends FromFile> extends StackPane {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final FileBringer files;
     private final Owner<F> owner;
     private final MenuButton choice;
     private final Obstacle obstacle;
@@ -93,10 +96,12 @@ final class FilePart<F extends FromFile> extends StackPane {
         }
     }
 
-    private FilePart(EditorModel model, Owner<F> owner, FileUse use, ObservableValue<Situation> seen) {
-        this.model = model;
+    private FilePart(SceneEditor editor, Commands commands, FileBringer files, Owner<F> owner, FileUse use,
+            ObservableValue<Situation> seen) {
+        this.editor = editor;
+        this.files = files;
         this.owner = owner;
-        choice = new FileMenu(model, Texts.of("none"), use.command(), use.kind(), this::set,
+        choice = new FileMenu(commands, files, Texts.of("none"), use.command(), use.kind(), this::set,
                 () -> browse(use.command(), use.kind()));
         choice.setId(owner.attribute().name());
         choice.setAccessibleText(Texts.of(owner.attribute().title()));
@@ -112,14 +117,14 @@ final class FilePart<F extends FromFile> extends StackPane {
      * @param kind that of the attribute
      * @param seen as in {@link PropertyPane}
      */
-    static <F extends FromFile> FilePart<F> of(EditorModel model, LightAttribute<Optional<F>> attribute, ValueKind.Filed<?> kind,
-            ObservableValue<Situation> seen) {
-        return new FilePart<>(model, new OfLight<>(attribute), FileUse.of(kind), seen);
+    static <F extends FromFile> FilePart<F> of(SceneEditor editor, Commands commands, FileBringer files,
+            LightAttribute<Optional<F>> attribute, ValueKind.Filed<?> kind, ObservableValue<Situation> seen) {
+        return new FilePart<>(editor, commands, files, new OfLight<>(attribute), FileUse.of(kind), seen);
     }
 
     /** The same of the environment. */
-    static FilePart<Panorama> ofWorld(EditorModel model, ObservableValue<Situation> seen) {
-        return new FilePart<>(model, new OfWorld(World.ENVIRONMENT), FileUse.of(new ValueKind.Surrounding()), seen);
+    static FilePart<Panorama> ofWorld(SceneEditor editor, Commands commands, FileBringer files, ObservableValue<Situation> seen) {
+        return new FilePart<>(editor, commands, files, new OfWorld(World.ENVIRONMENT), FileUse.of(new ValueKind.Surrounding()), seen);
     }
 
     private void show(Situation now) {
@@ -128,26 +133,21 @@ final class FilePart<F extends FromFile> extends StackPane {
     }
 
     private void browse(Command command, FileKind kind) {
-        String who = selected();
-        model.bringer().browse(command.plainTitle(), kind, file -> {
-            if (selected().equals(who)) {
+        String who = editor.selection().lightName();
+        files.browse(command.plainTitle(), kind, file -> {
+            if (editor.selection().lightName().equals(who)) {
                 set(file);
             }
-        }, model::say);
-    }
-
-    /** The light that has it; empty where none is selected. */
-    private String selected() {
-        return model.selectedLight() == null ? "" : model.selectedLight().name();
+        }, editor.message()::show);
     }
 
     /** What was read is taken over by the scene as it is then. */
     private void set(String file) {
-        String who = selected();
-        Path folder = FileMenu.folder(model);
-        Scene asked = model.scene();
-        model.files().beside(() -> owner.read(asked, who, file, folder),
-                read -> model.edit(scene -> Change.of(() -> owner.copy(read, scene, who))).ifPresent(model::say),
-                e -> model.say(Sentence.of(e)));
+        String who = editor.selection().lightName();
+        Path folder = files.folder();
+        Scene asked = editor.scene();
+        files.files().beside(() -> owner.read(asked, who, file, folder),
+                read -> editor.editOrReport(scene -> Change.of(() -> owner.copy(read, scene, who))),
+                e -> editor.message().show(Sentence.of(e)));
     }
 }

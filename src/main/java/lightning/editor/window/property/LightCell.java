@@ -12,7 +12,8 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Paints;
 import lightning.scene.Light;
@@ -33,16 +34,18 @@ final class LightCell extends NamedCell<RigRow> {
     private final ToggleButton solo = toggle("solo");
     private final ToggleButton on = toggle("on");
     private final FontIcon bulb = new FontIcon();
+    private final SceneEditor editor;
     private final HBox row;
     private final BankRow bank;
     private Light shown;
 
     /** @param folded the names of the banks whose lights are not listed */
-    LightCell(EditorModel model, ObservableSet<String> folded) {
-        super(model, Command.RENAME_LIGHT, (old, typed) -> model.edit(scene -> LightEdits.rename(scene, old, typed)));
-        bank = new BankRow(model, folded, () -> getListView().requestFocus());
-        BankDrop.between(this, model);
-        LinkDrop.ontoLight(this, model);
+    LightCell(SceneEditor editor, Commands commands, ObservableSet<String> folded) {
+        super(commands, Command.RENAME_LIGHT, (old, typed) -> editor.editOrReport(scene -> LightEdits.rename(scene, old, typed)));
+        this.editor = editor;
+        bank = new BankRow(editor, folded, () -> getListView().requestFocus());
+        BankDrop.between(this, editor);
+        LinkDrop.ontoLight(this, editor);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
@@ -51,10 +54,10 @@ final class LightCell extends NamedCell<RigRow> {
         on.setOnAction(_ -> edit((scene, light) -> LightEdits.on(scene, light, on.isSelected())));
         row = new HBox(type, chip, name, solo, on);
         row.getStyleClass().add("light-row");
-        model.sceneProperty().subscribe(_ -> show());
+        editor.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && getItem() instanceof RigRow.OfLight) {
-                model.commands().run(Command.RENAME_LIGHT);
+                commands.run(Command.RENAME_LIGHT);
             }
         });
     }
@@ -69,18 +72,19 @@ final class LightCell extends NamedCell<RigRow> {
 
     private void edit(BiFunction<Scene, String, Change> edit) {
         String light = shown.name();
-        model.edit(scene -> edit.apply(scene, light)).ifPresent(model::say);
+        editor.editOrReport(scene -> edit.apply(scene, light));
     }
 
     /** The light at the cell's place; null where there is none. */
     Light light() {
-        return getItem() instanceof RigRow.OfLight(int place) && place < model.lights().size() ? model.lights().get(place) : null;
+        return getItem() instanceof RigRow.OfLight(int place) && place < editor.scene().lights().size()
+                ? editor.scene().lights().get(place) : null;
     }
 
     /** The bank whose line it is, or in which its light is; empty for none. */
     String bank() {
-        return getItem() instanceof RigRow.OfBank(int place) && place < model.scene().rig().banks().size()
-                ? model.scene().rig().banks().get(place).name() : light() == null ? "" : light().bank();
+        return getItem() instanceof RigRow.OfBank(int place) && place < editor.scene().rig().banks().size()
+                ? editor.scene().rig().banks().get(place).name() : light() == null ? "" : light().bank();
     }
 
     /** Renames the bank whose line it is. */
@@ -103,8 +107,8 @@ final class LightCell extends NamedCell<RigRow> {
 
     private void show() {
         show(light());
-        if (getItem() instanceof RigRow.OfBank(int place) && place < model.scene().rig().banks().size()) {
-            bank.show(model.scene().rig().banks().get(place));
+        if (getItem() instanceof RigRow.OfBank(int place) && place < editor.scene().rig().banks().size()) {
+            bank.show(editor.scene().rig().banks().get(place));
             setAccessibleText(bank.text());
         }
     }
@@ -127,7 +131,7 @@ final class LightCell extends NamedCell<RigRow> {
             solo.setSelected(light.solo());
             on.setSelected(light.on());
             // Another light that is solo darkens this one.
-            row.pseudoClassStateChanged(DARK, !model.scene().shines(light));
+            row.pseudoClassStateChanged(DARK, !editor.scene().shines(light));
         }
     }
 

@@ -18,7 +18,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.SceneSelection;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Obstacle;
 import lightning.scene.Light;
@@ -29,7 +31,9 @@ import org.kordamp.ikonli.javafx.FontIcon;
 final class LightHeader extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final SceneSelection selection;
+    private final Commands commands;
     private final TextField name = new TextField();
     private final Label refusal = new Label();
     private final ComboBox<LightType> type = new ComboBox<>();
@@ -38,8 +42,10 @@ final class LightHeader extends VBox {
     private String shownName = "";
     private boolean showing;
 
-    LightHeader(EditorModel model) {
-        this.model = model;
+    LightHeader(SceneEditor editor, Commands commands) {
+        this.editor = editor;
+        this.commands = commands;
+        selection = editor.selection();
         getStyleClass().add("light-header");
         buildName();
         buildType();
@@ -50,15 +56,15 @@ final class LightHeader extends VBox {
         HBox.setHgrow(identity.getChildren().getFirst(), Priority.ALWAYS);
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        HBox commands = row(onBox, soloBox, gap,
-                CommandButton.icon(model, Command.UNDO_LIGHT),
-                CommandButton.icon(model, Command.REDO_LIGHT),
-                CommandButton.icon(model, Command.COPY_SETTINGS),
-                CommandButton.icon(model, Command.PASTE_SETTINGS),
-                CommandButton.icon(model, Command.LOOK_THROUGH_LIGHT));
-        getChildren().addAll(identity, refusal, commands);
-        model.commands().setAction(Command.CHANGE_TYPE, type::show);
-        model.situationProperty().subscribe(this::show);
+        HBox buttons = row(onBox, soloBox, gap,
+                CommandButton.icon(commands, Command.UNDO_LIGHT),
+                CommandButton.icon(commands, Command.REDO_LIGHT),
+                CommandButton.icon(commands, Command.COPY_SETTINGS),
+                CommandButton.icon(commands, Command.PASTE_SETTINGS),
+                CommandButton.icon(commands, Command.LOOK_THROUGH_LIGHT));
+        getChildren().addAll(identity, refusal, buttons);
+        commands.setAction(Command.CHANGE_TYPE, type::show);
+        editor.situationProperty().subscribe(this::show);
     }
 
     private void buildName() {
@@ -72,7 +78,7 @@ final class LightHeader extends VBox {
             }
         });
         name.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
-            if (event.getCode() == KeyCode.ESCAPE && !name.getText().equals(selectedName())) {
+            if (event.getCode() == KeyCode.ESCAPE && !name.getText().equals(selection.lightName())) {
                 revert();
                 event.consume();
             }
@@ -89,8 +95,8 @@ final class LightHeader extends VBox {
         type.getItems().setAll(LightType.values());
         type.setConverter(LightTypes.CONVERTER);
         type.valueProperty().addListener((_, _, now) -> {
-            if (!showing && now != null && model.selectedLight() != null) {
-                model.edit(scene -> LightEdits.type(scene, selectedName(), now)).ifPresent(model::say);
+            if (!showing && now != null && selection.light() != null) {
+                editor.editOrReport(scene -> LightEdits.type(scene, selection.lightName(), now));
             }
         });
     }
@@ -101,8 +107,8 @@ final class LightHeader extends VBox {
         button.getStyleClass().add("small");
         button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(_ -> {
-            model.commands().run(command);
-            show(model.situationProperty().get());
+            commands.run(command);
+            show(editor.situationProperty().get());
         });
         if (command == Command.SWITCH_ON) {
             FontIcon icon = new FontIcon();
@@ -116,7 +122,7 @@ final class LightHeader extends VBox {
         control.setMaxWidth(Double.MAX_VALUE);
         StackPane around = new StackPane(control);
         var obstacle = new Obstacle(around, control, hint);
-        model.situationProperty().subscribe(_ -> obstacle.set(model.commands().reason(command)));
+        editor.situationProperty().subscribe(_ -> obstacle.set(commands.reason(command)));
         return around;
     }
 
@@ -133,25 +139,25 @@ final class LightHeader extends VBox {
         showing = false;
         on.setSelected(light.map(Light::on).orElse(false));
         solo.setSelected(light.map(Light::solo).orElse(false));
-        if (!shownName.equals(selectedName())) {
+        if (!shownName.equals(selection.lightName())) {
             revert();
         }
     }
 
     /** Forgets what was typed. */
     void revert() {
-        shownName = selectedName();
+        shownName = selection.lightName();
         name.setText(shownName);
         mark("");
     }
 
     private void rename() {
         String typed = name.getText().strip();
-        if (model.selectedLight() == null || typed.equals(selectedName())) {
+        if (selection.light() == null || typed.equals(selection.lightName())) {
             revert();
         } else {
-            String old = selectedName();
-            model.edit(scene -> LightEdits.rename(scene, old, typed)).ifPresentOrElse(this::mark, this::revert);
+            String old = selection.lightName();
+            editor.edit(scene -> LightEdits.rename(scene, old, typed)).ifPresentOrElse(this::mark, this::revert);
         }
     }
 
@@ -159,9 +165,5 @@ final class LightHeader extends VBox {
         refusal.setText(reason);
         name.setAccessibleHelp(reason);
         name.pseudoClassStateChanged(REFUSED, !reason.isEmpty());
-    }
-
-    private String selectedName() {
-        return model.selectedLight() == null ? "" : model.selectedLight().name();
     }
 }

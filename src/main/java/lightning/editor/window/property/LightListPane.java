@@ -24,7 +24,8 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.LightTypes;
 import lightning.editor.window.widget.Obstacle;
 import lightning.scene.LightType;
@@ -37,36 +38,38 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
  * makes solo.
  */
 public final class LightListPane extends VBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Commands commands;
     private final ListView<RigRow> list = new ListView<>();
     private final ObservableSet<String> folded = FXCollections.observableSet();
     /** The bank whose line is selected; empty while that of the selected light is. */
     private String bankInHand = "";
     private boolean showing;
 
-    public LightListPane(EditorModel model) {
-        this.model = model;
+    public LightListPane(SceneEditor editor, Commands commands) {
+        this.editor = editor;
+        this.commands = commands;
         setId("lights");
         getStyleClass().add("lights");
         list.setId("light-list");
         list.getStyleClass().addAll("light-list", "edge-to-edge");
         list.setAccessibleText(Texts.of("lights"));
         list.setPlaceholder(new Label(Texts.of("No lights. Add one above.")));
-        list.setCellFactory(_ -> new LightCell(model, folded));
-        folded.addListener((SetChangeListener<String>) _ -> show(model.situationProperty().get()));
+        list.setCellFactory(_ -> new LightCell(editor, commands, folded));
+        folded.addListener((SetChangeListener<String>) _ -> show(editor.situationProperty().get()));
         list.setContextMenu(menu());
         list.addEventHandler(KeyEvent.KEY_PRESSED, this::press);
         list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
         setVgrow(list, Priority.ALWAYS);
         getChildren().addAll(tools(), list);
-        model.commands().setAction(Command.RENAME_LIGHT, this::rename);
-        model.situationProperty().subscribe(this::show);
+        commands.setAction(Command.RENAME_LIGHT, this::rename);
+        editor.situationProperty().subscribe(this::show);
     }
 
     private HBox tools() {
         MenuButton add = new MenuButton(Texts.of("Add Light"), new FontIcon(MaterialDesignP.PLUS));
         add.setId("add-light");
-        CommandItems items = CommandItems.of(model);
+        CommandItems items = CommandItems.of(commands);
         for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC)) {
             MenuItem item = items.value(Command.ADD_LIGHT, LightTypes.title(type), () -> add(type));
             item.setGraphic(new FontIcon(LightTypes.icon(type)));
@@ -74,23 +77,24 @@ public final class LightListPane extends VBox {
         }
         StackPane around = new StackPane(add);
         var obstacle = new Obstacle(around, add, Texts.of("Add a light at the camera's upper right"));
-        model.situationProperty().subscribe(_ -> obstacle.set(model.commands().reason(Command.ADD_LIGHT)));
+        editor.situationProperty().subscribe(_ -> obstacle.set(commands.reason(Command.ADD_LIGHT)));
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox tools = new HBox(around, gap,
-                CommandButton.icon(model, Command.DUPLICATE_LIGHT),
-                CommandButton.icon(model, Command.DELETE_LIGHT));
+                CommandButton.icon(commands, Command.DUPLICATE_LIGHT),
+                CommandButton.icon(commands, Command.DELETE_LIGHT));
         tools.getStyleClass().add("lights-tools");
         return tools;
     }
 
     private void add(LightType type) {
-        model.edit(scene -> LightEdits.add(scene, type)).ifPresentOrElse(model::say,
-                () -> model.selectLight(model.lights().getLast().name()));
+        if (editor.editOrReport(scene -> LightEdits.add(scene, type)).isEmpty()) {
+            editor.selection().selectLight(editor.scene().lights().getLast().name());
+        }
     }
 
     private ContextMenu menu() {
-        CommandItems items = CommandItems.of(model, "of-light-");
+        CommandItems items = CommandItems.of(commands, "of-light-");
         return new ContextMenu(items.item(Command.RENAME_LIGHT), items.item(Command.DUPLICATE_LIGHT), items.item(Command.DELETE_LIGHT),
                 new SeparatorMenuItem(), items.item(Command.NEW_BANK), items.item(Command.DELETE_BANK),
                 new SeparatorMenuItem(), items.item(Command.COPY_SETTINGS), items.item(Command.PASTE_SETTINGS), new SeparatorMenuItem(),
@@ -111,7 +115,7 @@ public final class LightListPane extends VBox {
             default -> null;
         };
         if (command != null && list.getEditingIndex() < 0) {
-            model.commands().run(command);
+            commands.run(command);
             event.consume();
         }
     }
@@ -120,9 +124,9 @@ public final class LightListPane extends VBox {
     private boolean pressOnBank(KeyCode key) {
         String bank = bankInHand;
         switch (key) {
-            case DELETE, BACK_SPACE -> model.edit(scene -> BankEdits.delete(scene, bank)).ifPresent(model::say);
-            case SPACE -> model.edit(scene -> BankEdits.with(scene, bank, b -> b.withOn(!b.on()))).ifPresent(model::say);
-            case S -> model.edit(scene -> BankEdits.with(scene, bank, b -> b.withSolo(!b.solo()))).ifPresent(model::say);
+            case DELETE, BACK_SPACE -> editor.editOrReport(scene -> BankEdits.delete(scene, bank));
+            case SPACE -> editor.editOrReport(scene -> BankEdits.with(scene, bank, b -> b.withOn(!b.on())));
+            case S -> editor.editOrReport(scene -> BankEdits.with(scene, bank, b -> b.withSolo(!b.solo())));
             case F2 -> list.lookupAll(".list-cell").stream().map(LightCell.class::cast)
                     .filter(c -> c.getItem() instanceof RigRow.OfBank && c.bank().equals(bank)).forEach(LightCell::renameBank);
             default -> {
@@ -142,8 +146,8 @@ public final class LightListPane extends VBox {
         if (!showing && index >= 0) {
             bankInHand = "";
             switch (list.getItems().get(index)) {
-                case RigRow.OfLight(int place) -> model.selectLight(model.lights().get(place).name());
-                case RigRow.OfBank(int place) -> bankInHand = model.scene().rig().banks().get(place).name();
+                case RigRow.OfLight(int place) -> editor.selection().selectLight(editor.scene().lights().get(place).name());
+                case RigRow.OfBank(int place) -> bankInHand = editor.scene().rig().banks().get(place).name();
             }
         }
     }

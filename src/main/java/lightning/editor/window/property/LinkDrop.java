@@ -12,7 +12,7 @@ import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
 import lightning.base.text.Texts;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.LightAttribute;
 import lightning.scene.Links;
 
@@ -47,15 +47,15 @@ final class LinkDrop {
     }
 
     /** A light's line takes shapes and groups. */
-    static void ontoLight(LightCell cell, EditorModel model) {
+    static void ontoLight(LightCell cell, SceneEditor editor) {
         takes(cell, SHAPE, () -> cell.light() == null ? null : cell.light().name(),
-                (shape, light, shadows) -> drop(light, shape, shadows, model));
+                (shape, light, shadows) -> drop(light, shape, shadows, editor));
     }
 
     /** The line of a shape or a group takes lights, and is dragged onto them. */
-    static void ofShape(Cell<?> cell, Supplier<String> name, EditorModel model) {
+    static void ofShape(Cell<?> cell, Supplier<String> name, SceneEditor editor) {
         drag(cell, SHAPE, name);
-        takes(cell, LIGHT, name, (light, shape, shadows) -> drop(light, shape, shadows, model));
+        takes(cell, LIGHT, name, (light, shape, shadows) -> drop(light, shape, shadows, editor));
     }
 
     /** What is done with what was dragged and what it was dropped on. */
@@ -91,11 +91,13 @@ final class LinkDrop {
     }
 
     /** @param shadows whether it is the shadow of the shape, and not the light on it */
-    static void drop(String light, String shape, boolean shadows, EditorModel model) {
+    static void drop(String light, String shape, boolean shadows, SceneEditor editor) {
         LightAttribute<Links> attribute = shadows ? LightAttribute.SHADOWED_BY : LightAttribute.ILLUMINATES;
-        model.edit(scene -> LightEdits.with(scene, light, l -> attribute.with(l, flipped(attribute.of(l), shape))))
-                .ifPresentOrElse(model::say, () -> model.scene().light(light).map(attribute::of)
-                        .ifPresent(links -> model.say(told(light, shape, shadows, links.only() == links.names().contains(shape)))));
+        if (editor.editOrReport(scene -> LightEdits.with(scene, light, l -> attribute.with(l, flipped(attribute.of(l), shape))))
+                .isEmpty()) {
+            editor.scene().light(light).map(attribute::of).ifPresent(
+                    links -> editor.message().show(told(light, shape, shadows, links.only() == links.names().contains(shape))));
+        }
     }
 
     private static Links flipped(Links links, String name) {

@@ -16,7 +16,8 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.Obstacle;
 import lightning.scene.Group;
 import lightning.scene.Light;
@@ -32,17 +33,17 @@ final class LinksPart extends StackPane {
     private static final int MOST = 200;
     private static final double INDENT = 16;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
     private final LightAttribute<Links> attribute;
     private final CommandItems make;
     private final MenuButton choice = new MenuButton();
     private final Obstacle obstacle;
 
     /** @param seen as in {@link PropertyPane} */
-    LinksPart(EditorModel model, LightAttribute<Links> attribute, String what, ObservableValue<Situation> seen) {
-        this.model = model;
+    LinksPart(SceneEditor editor, Commands commands, LightAttribute<Links> attribute, String what, ObservableValue<Situation> seen) {
+        this.editor = editor;
         this.attribute = attribute;
-        make = CommandItems.of(model);
+        make = CommandItems.of(commands);
         choice.setId(attribute.name());
         choice.setAccessibleText(Texts.of(attribute.title()));
         choice.setMaxWidth(Double.MAX_VALUE);
@@ -61,7 +62,7 @@ final class LinksPart extends StackPane {
     }
 
     private void fill() {
-        Light light = model.selectedLight();
+        Light light = editor.selection().light();
         List<MenuItem> items = new ArrayList<>();
         if (light != null) {
             Links links = attribute.of(light);
@@ -79,7 +80,7 @@ final class LinksPart extends StackPane {
 
     /** All of the scene itself comes first, then what is in groups, as far as whole groups find room. */
     private void offer(Links links, List<MenuItem> items) {
-        Stage stage = model.scene().stage();
+        Stage stage = editor.scene().stage();
         Set<String> open = new HashSet<>();
         int room = MOST - stage.nodes().size();
         List<Group> groups = new ArrayList<>(links.names().stream().flatMap(name -> stage.around(name).stream()).distinct().toList());
@@ -117,8 +118,7 @@ final class LinksPart extends StackPane {
     }
 
     private void set(UnaryOperator<Links> edit) {
-        String name = model.selectedLight().name();
-        model.edit(scene -> LightEdits.with(scene, name, light -> attribute.with(light, edit.apply(attribute.of(light)))))
-                .ifPresent(model::say);
+        String name = editor.selection().lightName();
+        editor.editOrReport(scene -> LightEdits.with(scene, name, light -> attribute.with(light, edit.apply(attribute.of(light)))));
     }
 }

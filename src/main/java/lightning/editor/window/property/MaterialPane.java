@@ -23,8 +23,10 @@ import lightning.editor.document.Command;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
 import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
@@ -45,7 +47,11 @@ final class MaterialPane extends VBox {
     /** Of shapes; takes some tens of microseconds. */
     private static final int WALKED_AT_ONCE = 1000;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final MaterialChoice materials;
+    private final Commands commands;
+    private final FileBringer files;
+    private final PropertyMenu menu;
     private final ComboBox<String> name = new ComboBox<>();
     private final Label users = new Label();
     private final List<Row> rows = new ArrayList<>();
@@ -83,8 +89,13 @@ final class MaterialPane extends VBox {
         }
     }
 
-    MaterialPane(EditorModel model) {
-        this.model = model;
+    /** @param menu opens on each property */
+    MaterialPane(SceneEditor editor, MaterialChoice materials, Commands commands, FileBringer files, PropertyMenu menu) {
+        this.editor = editor;
+        this.materials = materials;
+        this.commands = commands;
+        this.files = files;
+        this.menu = menu;
         setId("material");
         getStyleClass().add("properties");
         name.setId("material-name");
@@ -93,7 +104,7 @@ final class MaterialPane extends VBox {
         var named = new StackPane(name);
         unnamed = new Obstacle(named, name, Texts.of("The material that is edited, with all shapes that have it"));
         HBox.setHgrow(named, Priority.ALWAYS);
-        var row = new HBox(named, CommandButton.icon(model, Command.PICK_MATERIAL));
+        var row = new HBox(named, CommandButton.icon(commands, Command.PICK_MATERIAL));
         row.getStyleClass().add("header-row");
         users.setId("material-users");
         users.getStyleClass().add("caption");
@@ -106,13 +117,13 @@ final class MaterialPane extends VBox {
         getChildren().add(scroll);
         name.valueProperty().addListener((_, _, now) -> {
             if (!showing && now != null) {
-                model.materials().choose(now);
+                materials.choose(now);
             }
         });
-        model.materials().materialProperty().subscribe(this::show);
-        model.sceneProperty().subscribe((before, now) -> {
+        materials.materialProperty().subscribe(this::show);
+        editor.sceneProperty().subscribe((before, now) -> {
             if (!MaterialChoice.haveSameMaterials(before, now)) {
-                show(model.materials().material());
+                show(materials.material());
             }
         });
     }
@@ -122,7 +133,7 @@ final class MaterialPane extends VBox {
         var part = new Part(Sections.section(Sections.title(section.name())), new ArrayList<>());
         return Stream.concat(Stream.of(() -> {
             parts.add(part);
-            part.fit(model.materials().material());
+            part.fit(materials.material());
             Sections.add(box, part.pane());
         }), MaterialAttribute.ALL.stream().filter(a -> a.section() == section).map(a -> () -> rows(a).forEach(row -> add(part, row))));
     }
@@ -130,8 +141,8 @@ final class MaterialPane extends VBox {
     private void add(Part part, Row row) {
         rows.add(row);
         part.rows().add(row);
-        PropertyMenu.on(row.node(), model, new PropertyOwner.OfMaterial(model, row.attribute()));
-        Material material = model.materials().material();
+        menu.on(row.node(), new PropertyOwner.OfMaterial(materials, row.attribute()));
+        Material material = materials.material();
         row.obstacle().accept(obstacle(material));
         part.fit(material);
         if (material == null) {
@@ -161,7 +172,7 @@ final class MaterialPane extends VBox {
     }
 
     private <V> Row color(MaterialAttribute<V> attribute, Quantity<V> q) {
-        ColorSliders sliders = new SurfaceColor<>(model, attribute, q).sliders();
+        ColorSliders sliders = new SurfaceColor<>(editor, materials, attribute, q).sliders();
         return new Row(attribute, sliders, sliders::setObstacle, m -> sliders.show(q.color(attribute.of(m))), sliders::showNothing,
                 sliders::revert);
     }
@@ -171,7 +182,7 @@ final class MaterialPane extends VBox {
         String title = label.isEmpty() ? attribute.title() : attribute.title() + " " + label;
         ArrowWidget widget = new ArrowWidget(Sections.title(label.isEmpty() ? title : label), title,
                 Gauge.of(title, new Steps(q.step(), q.min(), q.max()), q.measure(),
-                        (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
+                        (v, gesture) -> editor.edit(scene -> MaterialEdits.with(scene, shown,
                                 m -> attribute.with(m, q.with(attribute.of(m), index, v))), gesture)));
         widget.setId(title);
         return new Row(attribute, widget, widget::setObstacle, m -> widget.show(q.number(attribute.of(m), index)), widget::showNothing,
@@ -180,7 +191,7 @@ final class MaterialPane extends VBox {
 
     private <V> Row choice(MaterialAttribute<V> attribute, Choice<V> choice) {
         var words = new WordBox<>(attribute, choice, Texts.of(attribute.help()),
-                v -> model.edit(scene -> MaterialEdits.set(scene, shown, attribute, v), null));
+                v -> editor.edit(scene -> MaterialEdits.set(scene, shown, attribute, v), null));
         Node node = attribute.section() == Section.MODEL ? words : named(Sections.title(attribute.title()), words);
         return new Row(attribute, node, words::setObstacle, m -> words.show(attribute.of(m)), words::showNothing, () -> {});
     }
@@ -203,7 +214,7 @@ final class MaterialPane extends VBox {
     }
 
     private Row picture(MaterialAttribute<Optional<TextureMap>> attribute) {
-        var part = new TexturePart(model, attribute);
+        var part = new TexturePart(editor, commands, files, attribute);
         // It knows itself whether it shows another material.
         return new Row(attribute, part, part::setObstacle, part::show, part::showNothing, () -> {});
     }
@@ -238,13 +249,13 @@ final class MaterialPane extends VBox {
 
     private void showNames() {
         showing = true;
-        List<String> names = MaterialChoice.names(model.scene());
+        List<String> names = MaterialChoice.names(editor.scene());
         if (!name.getItems().equals(names)) {
             name.getItems().setAll(names);
         }
         name.setValue(shown);
         showing = false;
-        if (!shown.equals(toldUsersOf) || model.scene().nodes() != toldAmong) {
+        if (!shown.equals(toldUsersOf) || editor.scene().nodes() != toldAmong) {
             tellUsers();
         }
     }
@@ -252,14 +263,14 @@ final class MaterialPane extends VBox {
     /** All shapes are walked, so not for edits of the material itself; many of them not on the window's thread. */
     private void tellUsers() {
         toldUsersOf = shown;
-        toldAmong = model.scene().nodes();
-        Scene scene = model.scene();
+        toldAmong = editor.scene().nodes();
+        Scene scene = editor.scene();
         if (scene.stage().shapeCount() <= WALKED_AT_ONCE) {
             tell(MaterialChoice.shapesOf(scene, shown));
         } else if (!walking) {
             walking = true;
             String of = shown;
-            model.files().beside(() -> MaterialChoice.shapesOf(scene, of), shapes -> {
+            files.files().beside(() -> MaterialChoice.shapesOf(scene, of), shapes -> {
                 walking = false;
                 if (of.equals(toldUsersOf) && scene.nodes() == toldAmong) {
                     tell(shapes);

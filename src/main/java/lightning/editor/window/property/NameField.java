@@ -14,13 +14,11 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Priority;
 import lightning.base.text.Texts;
-import lightning.editor.window.model.EditorModel;
 
 /** Stands in place of a name in a row while another is typed, and says why that is refused. */
 final class NameField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
-    private final EditorModel model;
     private final Label label;
     private final BiFunction<String, String, Optional<String>> rename;
     private final Runnable taken;
@@ -28,12 +26,11 @@ final class NameField extends TextField {
 
     /**
      * @param label  what shows the name, in a row of nodes
-     * @param rename gives what is called by the first name the second, stripped; tells why it refuses to
+     * @param rename gives what is called by the first name the second, stripped; tells why it refuses to, here and to the artist
      * @param taken  called when it did
      * @param left   called when Escape is pressed or keys go elsewhere
      */
-    NameField(EditorModel model, Label label, BiFunction<String, String, Optional<String>> rename, Runnable taken, Runnable left) {
-        this.model = model;
+    NameField(Label label, BiFunction<String, String, Optional<String>> rename, Runnable taken, Runnable left) {
         this.label = label;
         this.rename = rename;
         this.taken = taken;
@@ -73,7 +70,9 @@ final class NameField extends TextField {
     private void rename() {
         Optional<String> refusal = rename.apply(old, getText().strip());
         mark(refusal);
-        refusal.ifPresentOrElse(model::say, taken);
+        if (refusal.isEmpty()) {
+            taken.run();
+        }
     }
 
     private void mark(Optional<String> refusal) {

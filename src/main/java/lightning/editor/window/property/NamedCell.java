@@ -5,11 +5,11 @@ import java.util.function.BiFunction;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 
 /** A line of a list that shows a name, which is renamed in its place; the list can be edited only meanwhile. */
 abstract class NamedCell<T> extends ListCell<T> {
-    final EditorModel model;
+    private final Commands commands;
     /** What shows the name. */
     final Label name = new Label();
     private final Command command;
@@ -19,10 +19,10 @@ abstract class NamedCell<T> extends ListCell<T> {
      * @param command what renaming is
      * @param rename  gives what is called by the first name the second; tells why it refuses to
      */
-    NamedCell(EditorModel model, Command command, BiFunction<String, String, Optional<String>> rename) {
-        this.model = model;
+    NamedCell(Commands commands, Command command, BiFunction<String, String, Optional<String>> rename) {
+        this.commands = commands;
         this.command = command;
-        field = new NameField(model, name, rename, this::cancelEdit, this::leave);
+        field = new NameField(name, rename, this::cancelEdit, this::leave);
     }
 
     /** What can be renamed here, by its name; empty where nothing is. */
@@ -31,7 +31,7 @@ abstract class NamedCell<T> extends ListCell<T> {
     @Override
     public void startEdit() {
         Optional<String> old = renamed();
-        if (old.isEmpty() || !model.commands().isEnabled(command)) {
+        if (old.isEmpty() || !commands.isEnabled(command)) {
             return;
         }
         super.startEdit();

@@ -20,7 +20,8 @@ import lightning.editor.document.NodeEdits;
 import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.VectorField;
@@ -35,7 +36,8 @@ final class NodePane extends VBox {
     private static final String NO_SHAPE = Texts.key("no shape is selected");
     private static final Steps DEGREES = new Steps(5, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final PropertyMenu menu;
     private final Label name = new Label();
     private final Label about = new Label();
     private final VectorField at;
@@ -43,9 +45,13 @@ final class NodePane extends VBox {
     private final VectorField scale;
     private String shown = "";
 
-    /** @param inFront whether the pane is seen; else it does not follow what is edited */
-    NodePane(EditorModel model, ObservableValue<Boolean> inFront) {
-        this.model = model;
+    /**
+     * @param menu    opens on each property
+     * @param inFront whether the pane is seen; else it does not follow what is edited
+     */
+    NodePane(SceneEditor editor, Commands commands, PropertyMenu menu, ObservableValue<Boolean> inFront) {
+        this.editor = editor;
+        this.menu = menu;
         setId("shape");
         getStyleClass().add("properties");
         name.setId("shape-name");
@@ -58,7 +64,7 @@ final class NodePane extends VBox {
         scale = vector("scale", (p, v) -> new Placement(p.at(), p.rotate(), v));
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        var row = new HBox(name, gap, CommandButton.icon(model, Command.RENAME_SHAPE));
+        var row = new HBox(name, gap, CommandButton.icon(commands, Command.RENAME_SHAPE));
         row.getStyleClass().add("header-row");
         var header = new VBox(row, about);
         header.getStyleClass().add("light-header");
@@ -69,7 +75,7 @@ final class NodePane extends VBox {
                 () -> Sections.add(box, Sections.section(Texts.of("Scale"), scale))));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
-        model.situationProperty().when(inFront).subscribe(this::show);
+        editor.situationProperty().when(inFront).subscribe(this::show);
     }
 
     private interface WithVector {
@@ -78,18 +84,18 @@ final class NodePane extends VBox {
 
     private VectorField vector(String property, WithVector with) {
         var field = new VectorField(property,
-                (v, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> with.on(p, v)), gesture));
+                (v, gesture) -> editor.edit(scene -> NodeEdits.placement(scene, shown, p -> with.on(p, v)), gesture));
         field.setId("shape-" + property);
-        PropertyMenu.on(field, model, new PropertyOwner.OfNode(model, property));
+        menu.on(field, new PropertyOwner.OfNode(editor.selection(), property));
         return field;
     }
 
     private ArrowWidget turn(int axis) {
         String label = List.of("x", "y", "z").get(axis);
         var widget = new ArrowWidget(Texts.of("About {0}", label), "rotate " + label, Gauge.of("rotate " + label, DEGREES, Measure.DEGREES,
-                (degrees, gesture) -> model.edit(scene -> NodeEdits.placement(scene, shown, p -> turned(p, axis, degrees)), gesture)));
+                (degrees, gesture) -> editor.edit(scene -> NodeEdits.placement(scene, shown, p -> turned(p, axis, degrees)), gesture)));
         widget.setId("rotate-" + label);
-        PropertyMenu.on(widget, model, new PropertyOwner.OfNode(model, "rotate"));
+        menu.on(widget, new PropertyOwner.OfNode(editor.selection(), "rotate"));
         return widget;
     }
 

@@ -10,7 +10,8 @@ import javafx.scene.layout.HBox;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Shape;
@@ -36,6 +37,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
             Solid.Plane.class, MaterialDesignS.SQUARE_OUTLINE,
             Solid.Triangles.class, MaterialDesignV.VECTOR_POLYGON);
 
+    private final SceneEditor editor;
     private final OutlinePane pane;
     private final Button fold = new Button();
     private final FontIcon arrow = new FontIcon();
@@ -45,8 +47,9 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     private final HBox row = new HBox(fold, kind, name, eye);
     private Node shown;
 
-    OutlineCell(EditorModel model, OutlinePane pane) {
-        super(model, Command.RENAME_SHAPE, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed));
+    OutlineCell(SceneEditor editor, Commands commands, OutlinePane pane) {
+        super(commands, Command.RENAME_SHAPE, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed));
+        this.editor = editor;
         this.pane = pane;
         fold.setGraphic(arrow);
         fold.getStyleClass().addAll("flat", "fold");
@@ -55,15 +58,15 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         kind.getStyleClass().add("light-type");
         eye.setGraphic(lid);
         eye.setOnAction(_ -> {
-            model.edit(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible())).ifPresent(model::say);
+            editor.editOrReport(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible()));
             show();
         });
-        LinkDrop.ofShape(this, () -> shown == null ? null : shown.name(), model);
+        LinkDrop.ofShape(this, () -> shown == null ? null : shown.name(), editor);
         row.getStyleClass().add("light-row");
-        model.sceneProperty().subscribe(_ -> show());
+        editor.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
             if (event.getClickCount() == 2 && shown != null) {
-                model.commands().run(Command.RENAME_SHAPE);
+                commands.run(Command.RENAME_SHAPE);
             }
         });
     }
@@ -75,7 +78,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     }
 
     private void show() {
-        Node node = isEmpty() || getItem() == null ? null : getItem().node(model.scene().stage());
+        Node node = isEmpty() || getItem() == null ? null : getItem().node(editor.scene().stage());
         setGraphic(node == null ? null : row);
         if (node == null) {
             setAccessibleText(null);

@@ -21,7 +21,8 @@ import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
 import lightning.editor.window.command.ShapeKeys;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Stage;
@@ -31,7 +32,8 @@ import lightning.scene.Stage;
  * Delete deletes, Ctrl+D duplicates, H or Space hides and shows, left and right fold and unfold.
  */
 final class OutlinePane extends VBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Commands commands;
     private final ListView<OutlineRow> list = new ListView<>();
     private final Label count = new Label();
     /** Made once: to look up how a language writes numbers takes a twentieth of an edit. */
@@ -42,16 +44,17 @@ final class OutlinePane extends VBox {
     private Node selected;
     private boolean showing;
 
-    OutlinePane(EditorModel model) {
-        this.model = model;
+    OutlinePane(SceneEditor editor, Commands commands) {
+        this.editor = editor;
+        this.commands = commands;
         setId("shapes");
         getStyleClass().add("lights");
         list.setId("shape-list");
         list.getStyleClass().addAll("light-list", "shape-list", "edge-to-edge");
         list.setAccessibleText(Texts.of("shapes and groups"));
         list.setPlaceholder(new Label(Texts.of("No shapes.")));
-        list.setCellFactory(_ -> new OutlineCell(model, this));
-        CommandItems items = CommandItems.of(model, "of-shape-");
+        list.setCellFactory(_ -> new OutlineCell(editor, commands, this));
+        CommandItems items = CommandItems.of(commands, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
                 items.item(Command.DELETE_SHAPE), new SeparatorMenuItem(), items.item(Command.SHOW_SHAPE)));
         list.addEventHandler(KeyEvent.KEY_PRESSED, this::press);
@@ -61,12 +64,12 @@ final class OutlinePane extends VBox {
         count.getStyleClass().add("caption");
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        var tools = new HBox(count, gap, CommandButton.icon(model, Command.SHOW_SHAPE),
-                CommandButton.icon(model, Command.DUPLICATE_SHAPE), CommandButton.icon(model, Command.DELETE_SHAPE));
+        var tools = new HBox(count, gap, CommandButton.icon(commands, Command.SHOW_SHAPE),
+                CommandButton.icon(commands, Command.DUPLICATE_SHAPE), CommandButton.icon(commands, Command.DELETE_SHAPE));
         tools.getStyleClass().add("lights-tools");
         getChildren().addAll(tools, list);
-        model.commands().setAction(Command.RENAME_SHAPE, this::rename);
-        model.situationProperty().subscribe(this::show);
+        commands.setAction(Command.RENAME_SHAPE, this::rename);
+        editor.situationProperty().subscribe(this::show);
     }
 
     private void press(KeyEvent event) {
@@ -74,11 +77,11 @@ final class OutlinePane extends VBox {
             return;
         }
         switch (event.getCode()) {
-            case F2 -> model.commands().run(Command.RENAME_SHAPE);
+            case F2 -> commands.run(Command.RENAME_SHAPE);
             case LEFT -> fold(false);
             case RIGHT -> fold(true);
             default -> {
-                if (!ShapeKeys.pressed(model, event)) {
+                if (!ShapeKeys.pressed(commands, event)) {
                     return;
                 }
             }
@@ -101,8 +104,8 @@ final class OutlinePane extends VBox {
         if (!unfolded.remove(group)) {
             unfolded.add(group);
         }
-        list(model.scene().stage());
-        mark(model.scene().stage(), false);
+        list(editor.scene().stage());
+        mark(editor.scene().stage(), false);
     }
 
     /** Only until the cell ends it is the list editable, or a second click on a shape would rename it. */
@@ -113,21 +116,21 @@ final class OutlinePane extends VBox {
 
     /** Renames a shape or a group, and goes on with it; returns why it was refused. */
     Optional<String> rename(String name, String typed) {
-        Optional<String> refusal = model.edit(scene -> NodeEdits.rename(scene, name, typed));
+        Optional<String> refusal = editor.editOrReport(scene -> NodeEdits.rename(scene, name, typed));
         if (refusal.isEmpty()) {
             if (unfolded.remove(name)) {
                 unfolded.add(typed);
             }
-            model.selectNode(typed);
+            editor.selection().selectNode(typed);
         }
         return refusal;
     }
 
     private void select(int index) {
         if (!showing && index >= 0) {
-            Node node = list.getItems().get(index).node(model.scene().stage());
+            Node node = list.getItems().get(index).node(editor.scene().stage());
             if (node != null) {
-                model.selectNode(node.name());
+                editor.selection().selectNode(node.name());
             }
         }
     }

@@ -14,7 +14,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.KeyEdits;
 import lightning.editor.document.Moment;
 import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Arrangement;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Track;
@@ -27,26 +29,25 @@ final class PropertyMenu {
     private static final PseudoClass KEYED = PseudoClass.getPseudoClass("keyed");
     private static final PseudoClass KEY_HERE = PseudoClass.getPseudoClass("key-here");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Arrangement arrangement;
     private final CommandItems items;
-    private final PropertyOwner property;
 
-    private PropertyMenu(EditorModel model, PropertyOwner property) {
-        this.model = model;
-        this.property = property;
-        items = CommandItems.of(model);
+    PropertyMenu(SceneEditor editor, Commands commands, Arrangement arrangement) {
+        this.editor = editor;
+        this.arrangement = arrangement;
+        items = CommandItems.of(commands);
     }
 
     /** Opens at a right click on what shows the property. */
-    static void on(Node widget, EditorModel model, PropertyOwner property) {
-        var menu = new PropertyMenu(model, property);
+    void on(Node widget, PropertyOwner property) {
         var shown = new ContextMenu();
         widget.setOnContextMenuRequested(e -> {
-            shown.getItems().setAll(menu.items());
+            shown.getItems().setAll(items(property));
             shown.show(widget, e.getScreenX(), e.getScreenY());
             e.consume();
         });
-        model.situationProperty().subscribe(now -> {
+        editor.situationProperty().subscribe(now -> {
             Optional<Track> keys = now.moment().filter(_ -> property.text().isPresent())
                     .flatMap(m -> m.shot().track(property.keyTarget(), property.name()));
             widget.pseudoClassStateChanged(KEYED, keys.isPresent());
@@ -54,44 +55,51 @@ final class PropertyMenu {
         });
     }
 
-    private MenuItem[] items() {
+    private MenuItem[] items(PropertyOwner property) {
         String title = Sections.title(property.title());
-        String there = value(copied());
-        var copy = items.value(Command.COPY_PROPERTY, Texts.of("Copy {0}", title), this::copy);
+        String there = value(property, copied());
+        var copy = items.value(Command.COPY_PROPERTY, Texts.of("Copy {0}", title), () -> copy(property));
         var paste = items.value(Command.PASTE_PROPERTY,
                 Texts.of("Paste {0}", title) + (there.isEmpty() ? Texts.of(" (none is copied)") : " " + Quote.of(there)),
-                this::paste);
+                () -> paste(property));
         var reset =
-                items.value(Command.RESET_PROPERTY, Texts.of("Reset {0}", title), () -> model.edit(property::reset).ifPresent(model::say));
+                items.value(Command.RESET_PROPERTY, Texts.of("Reset {0}", title), () -> editor.editOrReport(property::reset));
         boolean none = property.text().isEmpty();
         copy.setDisable(copy.isDisable() || none);
         paste.setDisable(paste.isDisable() || none || there.isEmpty());
         reset.setDisable(reset.isDisable() || none);
-        if (!property.keyed(model.scene())) {
+        if (!property.keyed(editor.scene())) {
             return new MenuItem[] {copy, paste, reset};
         }
-        var key = items.value(Command.KEY_PROPERTY, keyTitle(title), this::key);
-        var unkey = items.value(Command.UNKEY_PROPERTY, Texts.of("Remove Keys of {0}", title), this::unkey);
-        unkey.setDisable(unkey.isDisable() || model.moment().flatMap(m -> m.shot().track(property.keyTarget(), property.name())).isEmpty());
+        var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> key(property));
+        var unkey = items.value(Command.UNKEY_PROPERTY, Texts.of("Remove Keys of {0}", title), () -> unkey(property));
+        unkey.setDisable(unkey.isDisable() || moment().flatMap(m -> m.shot().track(property.keyTarget(), property.name())).isEmpty());
         return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
     }
 
     private String keyTitle(String title) {
-        return model.moment().map(m -> Texts.of("Key {0} at Frame {1}", title, m.frame())).orElse(Texts.of("Key {0} in a New Shot", title));
+        return moment().map(m -> Texts.of("Key {0} at Frame {1}", title, m.frame())).orElse(Texts.of("Key {0} in a New Shot", title));
     }
 
-    private void key() {
-        Scene shown = model.scene();
-        model.editAll(scene -> {
+    private void key(PropertyOwner property) {
+        Scene shown = editor.scene();
+        Optional<String> refusal = editor.editAllOrReport(scene -> {
             AnimatedScene begun = KeyEdits.begin(scene);
-            int frame = model.moment().map(Moment::frame).orElseGet(() -> begun.shot().orElseThrow().first());
+            int frame = moment().map(Moment::frame).orElseGet(() -> begun.shot().orElseThrow().first());
             return KeyEdits.key(begun, shown, property.keyTarget(), property.name(), frame);
-        }, null).ifPresentOrElse(model::say, () -> model.arrangement().timelineShownProperty().set(true));
+        }, null);
+        if (refusal.isEmpty()) {
+            arrangement.timelineShownProperty().set(true);
+        }
     }
 
-    private void unkey() {
-        Scene shown = model.scene();
-        model.editAll(scene -> KeyEdits.unkey(scene, shown, property.keyTarget(), property.name()), null).ifPresent(model::say);
+    private Optional<Moment> moment() {
+        return editor.document().moment();
+    }
+
+    private void unkey(PropertyOwner property) {
+        Scene shown = editor.scene();
+        editor.editAllOrReport(scene -> KeyEdits.unkey(scene, shown, property.keyTarget(), property.name()), null);
     }
 
     private static String copied() {
@@ -100,20 +108,20 @@ final class PropertyMenu {
     }
 
     /** What a copied text says of the property; empty where it speaks of another. */
-    private String value(String text) {
+    private String value(PropertyOwner property, String text) {
         return text.startsWith(property.name() + " ") && text.indexOf('\n') < 0 ? text.substring(property.name().length() + 1).strip()
                 : "";
     }
 
-    private void copy() {
+    private void copy(PropertyOwner property) {
         var content = new ClipboardContent();
         content.putString(property.name() + " " + property.text().orElseThrow());
         Clipboard.getSystemClipboard().setContent(content);
-        model.say(Texts.of("Copied {0}", content.getString()));
+        editor.message().show(Texts.of("Copied {0}", content.getString()));
     }
 
-    private void paste() {
-        String value = value(copied());
-        model.edit(scene -> property.set(scene, value)).ifPresent(model::say);
+    private void paste(PropertyOwner property) {
+        String value = value(property, copied());
+        editor.editOrReport(scene -> property.set(scene, value));
     }
 }

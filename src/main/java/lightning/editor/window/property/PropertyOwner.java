@@ -5,7 +5,8 @@ import lightning.editor.document.Change;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.NodeEdits;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.window.model.SceneSelection;
 import lightning.format.jen.NameText;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Attribute;
@@ -52,7 +53,7 @@ sealed interface PropertyOwner {
     String target();
 
     /** Of the selected light. */
-    record OfLight(EditorModel model, LightAttribute<?> attribute) implements PropertyOwner {
+    record OfLight(SceneSelection selection, LightAttribute<?> attribute) implements PropertyOwner {
         @Override
         public String name() {
             return attribute.name();
@@ -65,22 +66,22 @@ sealed interface PropertyOwner {
 
         @Override
         public Optional<String> text() {
-            return Optional.ofNullable(model.selectedLight()).map(light -> PropertyEdit.text(light, attribute));
+            return Optional.ofNullable(selection.light()).map(light -> PropertyEdit.text(light, attribute));
         }
 
         @Override
         public String target() {
-            return NameText.of(model.selectedLight().name());
+            return NameText.of(selection.light().name());
         }
 
         @Override
         public Change reset(Scene scene) {
-            return LightEdits.with(scene, model.selectedLight().name(), light -> initial(light, attribute));
+            return LightEdits.with(scene, selection.light().name(), light -> initial(light, attribute));
         }
 
         @Override
         public Target keyTarget() {
-            return Target.light(model.selectedLight().name());
+            return Target.light(selection.light().name());
         }
 
         private static <V> Light initial(Light light, LightAttribute<V> attribute) {
@@ -89,7 +90,7 @@ sealed interface PropertyOwner {
     }
 
     /** Of the material that is edited. */
-    record OfMaterial(EditorModel model, MaterialAttribute<?> attribute) implements PropertyOwner {
+    record OfMaterial(MaterialChoice materials, MaterialAttribute<?> attribute) implements PropertyOwner {
         @Override
         public String name() {
             return attribute.name();
@@ -102,17 +103,17 @@ sealed interface PropertyOwner {
 
         @Override
         public Optional<String> text() {
-            return Optional.ofNullable(model.materials().material()).map(material -> PropertyEdit.text(material, attribute.name()));
+            return Optional.ofNullable(materials.material()).map(material -> PropertyEdit.text(material, attribute.name()));
         }
 
         @Override
         public String target() {
-            return PropertyEdit.target(model.materials().material());
+            return PropertyEdit.target(materials.material());
         }
 
         @Override
         public Change reset(Scene scene) {
-            return MaterialEdits.with(scene, model.materials().material().name(), material -> initial(material, attribute));
+            return MaterialEdits.with(scene, materials.material().name(), material -> initial(material, attribute));
         }
 
         @Override
@@ -131,7 +132,7 @@ sealed interface PropertyOwner {
     }
 
     /** Of the placement of the selected shape or group. */
-    record OfNode(EditorModel model, String name) implements PropertyOwner {
+    record OfNode(SceneSelection selection, String name) implements PropertyOwner {
         @Override
         public String title() {
             return switch (name) {
@@ -143,23 +144,23 @@ sealed interface PropertyOwner {
 
         @Override
         public Optional<String> text() {
-            return model.selectedNode().map(node -> PropertyEdit.text(node, name));
+            return selection.node().map(node -> PropertyEdit.text(node, name));
         }
 
         @Override
         public String target() {
-            return NameText.of(model.selectedNode().map(Node::name).orElse(""));
+            return NameText.of(selection.node().map(Node::name).orElse(""));
         }
 
         @Override
         public Target keyTarget() {
-            return Target.node(model.selectedNode().map(Node::name).orElse(""));
+            return Target.node(selection.node().map(Node::name).orElse(""));
         }
 
         @Override
         public Change reset(Scene scene) {
             Placement still = Placement.IDENTITY;
-            return NodeEdits.placement(scene, model.selectedNode().map(Node::name).orElse(""), p -> switch (name) {
+            return NodeEdits.placement(scene, selection.node().map(Node::name).orElse(""), p -> switch (name) {
                 case "at" -> new Placement(still.at(), p.rotate(), p.scale());
                 case "rotate" -> new Placement(p.at(), still.rotate(), p.scale());
                 default -> new Placement(p.at(), p.rotate(), still.scale());

@@ -17,7 +17,9 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.VectorField;
@@ -34,7 +36,10 @@ import lightning.scene.ValueKind;
 public final class PropertyPane extends VBox {
     private static final String NO_LIGHT = Texts.key("no light is selected");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Commands commands;
+    private final FileBringer files;
+    private final PropertyMenu menu;
     private final List<ArrowWidget> dials = new ArrayList<>();
     private final List<Row> rows = new ArrayList<>();
     private final LightHeader header;
@@ -56,16 +61,22 @@ public final class PropertyPane extends VBox {
     /** @param light its number in the document's history; −1 for none */
     private record Shown(OpenDocument document, long light) {}
 
-    /** @param inFront whether the pane is seen: else only what was typed is heard to be of another light, and nothing is shown */
-    PropertyPane(EditorModel model, ObservableValue<Boolean> inFront) {
-        this.model = model;
-        seen = model.situationProperty().when(inFront);
+    /**
+     * @param menu    opens on each property
+     * @param inFront whether the pane is seen: else only what was typed is heard to be of another light, and nothing is shown
+     */
+    PropertyPane(SceneEditor editor, Commands commands, FileBringer files, PropertyMenu menu, ObservableValue<Boolean> inFront) {
+        this.editor = editor;
+        this.commands = commands;
+        this.files = files;
+        this.menu = menu;
+        seen = editor.situationProperty().when(inFront);
         setId("properties");
         getStyleClass().add("properties");
-        header = new LightHeader(model);
-        color = new ColorSliders(new LightColor(model));
+        header = new LightHeader(editor, commands);
+        color = new ColorSliders(new LightColor(editor));
         color.setId("color");
-        bank = new BankSection(model, seen);
+        bank = new BankSection(editor, seen);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
                 Stream.of(Sections.section(Texts.of("Links"), Sections.caption(Texts.of("Shines on")),
@@ -74,14 +85,14 @@ public final class PropertyPane extends VBox {
                         links(LightAttribute.SHADOWED_BY, Texts.of("The shapes and groups that throw shadows in its light"))),
                         Sections.section(Texts.of("Bank"), bank),
                         Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
-                                FilePart.ofWorld(model, seen),
+                                FilePart.ofWorld(editor, commands, files, seen),
                                 dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
                                 dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
-        model.situationProperty().subscribe(this::revert);
+        editor.situationProperty().subscribe(this::revert);
         seen.subscribe(this::show);
     }
 
@@ -104,7 +115,7 @@ public final class PropertyPane extends VBox {
                 case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
             case ValueKind.Filed<?> kind -> List.of(Sections.caption(Sections.title(attribute.title())),
-                    withMenu(FilePart.of(model, filed(attribute), kind, seen), attribute));
+                    withMenu(FilePart.of(editor, commands, files, filed(attribute), kind, seen), attribute));
             case Choice<V> c -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(choice(attribute, c), attribute));
             case ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ ->
                     throw new IllegalStateException("there is no widget for " + attribute.title());
@@ -118,30 +129,30 @@ public final class PropertyPane extends VBox {
     }
 
     private <V> Node choice(LightAttribute<V> attribute, Choice<V> choice) {
-        var words = new WordBox<>(attribute, choice, "", v -> model.edit(scene -> LightEdits.with(scene, model.selectedLight().name(),
-                light -> attribute.with(light, v))).ifPresent(model::say));
+        var words = new WordBox<>(attribute, choice, "", v -> editor.editOrReport(
+                scene -> LightEdits.with(scene, editor.selection().lightName(), light -> attribute.with(light, v))));
         rows.add(new Row(attribute, words::setObstacle, light -> words.show(attribute.of(light)), words::showNothing, () -> {}));
         return words;
     }
 
     private Node links(LightAttribute<Links> attribute, String what) {
-        return withMenu(new LinksPart(model, attribute, what, seen), attribute);
+        return withMenu(new LinksPart(editor, commands, attribute, what, seen), attribute);
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
-        PropertyMenu.on(widget, model, new PropertyOwner.OfLight(model, attribute));
+        menu.on(widget, new PropertyOwner.OfLight(editor.selection(), attribute));
         return widget;
     }
 
     private ArrowWidget dial(Dial dial) {
-        ArrowWidget widget = DialGauge.widget(model, dial, seen);
+        ArrowWidget widget = DialGauge.widget(editor, dial, seen);
         dials.add(widget);
         return widget;
     }
 
     private <V> VectorField vector(LightAttribute<V> attribute, Quantity<V> quantity) {
-        VectorField field = new VectorField(attribute.title(), (v, gesture) -> model.edit(scene -> LightEdits.with(scene,
-                model.selectedLight().name(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z())))),
+        VectorField field = new VectorField(attribute.title(), (v, gesture) -> editor.edit(scene -> LightEdits.with(scene,
+                editor.selection().lightName(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z())))),
                 gesture));
         field.setId(attribute.title());
         rows.add(new Row(attribute, field::setObstacle, light -> field.show(quantity.vector(attribute.of(light))), field::showNothing,
@@ -150,14 +161,14 @@ public final class PropertyPane extends VBox {
     }
 
     private Node aim() {
-        CommandButton aim = CommandButton.titled(model, Command.AIM);
+        CommandButton aim = CommandButton.titled(commands, Command.AIM);
         aim.button().setMaxWidth(Double.MAX_VALUE);
         return aim;
     }
 
     /** What was typed was meant for the light selected then. */
     private void revert(Situation now) {
-        var selected = new Shown(model.document(), now.selected().map(l -> model.document().history().id(l.name())).orElse(-1L));
+        var selected = new Shown(editor.document(), now.selected().map(l -> editor.document().history().id(l.name())).orElse(-1L));
         if (!selected.equals(shown)) {
             shown = selected;
             header.revert();

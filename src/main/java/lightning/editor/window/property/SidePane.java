@@ -6,7 +6,9 @@ import javafx.scene.Node;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import lightning.base.text.Texts;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 
 /** The properties of what the artist works on: the selected light, a material, or the selected shape. */
 public final class SidePane extends TabPane {
@@ -19,13 +21,18 @@ public final class SidePane extends TabPane {
         setAccessibleText(Texts.of("Properties"));
         getStyleClass().addAll("dense", "side");
         setTabClosingPolicy(TabClosingPolicy.UNAVAILABLE);
-        Tab light = tab(Texts.of("Light"), "light-tab", tab -> new PropertyPane(model, tab.selectedProperty()));
-        Tab material = tab(Texts.of("Material"), "material-tab", _ -> new MaterialPane(model));
-        Tab shape = tab(Texts.of("Shape"), "shape-tab", tab -> new NodePane(model, tab.selectedProperty()));
+        SceneEditor editor = model.editor();
+        Commands commands = model.commands();
+        var menu = new PropertyMenu(editor, commands, model.arrangement());
+        Tab light = tab(Texts.of("Light"), "light-tab",
+                tab -> new PropertyPane(editor, commands, model.bringer(), menu, tab.selectedProperty()));
+        Tab material = tab(Texts.of("Material"), "material-tab",
+                _ -> new MaterialPane(editor, model.materials(), commands, model.bringer(), menu));
+        Tab shape = tab(Texts.of("Shape"), "shape-tab", tab -> new NodePane(editor, commands, menu, tab.selectedProperty()));
         getTabs().setAll(light, material, shape);
-        var inFront = model.materials().inFrontProperty();
+        var inFront = editor.materialInFrontProperty();
         inFront.subscribe(on -> show(on ? material : ofShape ? shape : light));
-        model.situationProperty().map(s -> s.node().isPresent()).subscribe(now -> {
+        editor.situationProperty().map(s -> s.node().isPresent()).subscribe(now -> {
             ofShape = now;
             if (!inFront.get()) {
                 show(ofShape ? shape : light);

@@ -8,14 +8,16 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Hsv;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.Steps;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Quantity;
 
 /** A colour of the edited material. */
-record SurfaceColor<V>(EditorModel model, MaterialAttribute<V> attribute, Quantity<V> quantity) implements ColorSliders.Target {
+record SurfaceColor<V>(SceneEditor editor, MaterialChoice materials, MaterialAttribute<V> attribute, Quantity<V> quantity)
+        implements ColorSliders.Target {
 
     /** The sliders of the colour; whoever made them shows it. */
     ColorSliders sliders() {
@@ -51,7 +53,7 @@ record SurfaceColor<V>(EditorModel model, MaterialAttribute<V> attribute, Quanti
     }
 
     private Optional<String> edit(UnaryOperator<V> with, Object gesture) {
-        var material = model.materials().material();
-        return model.edit(scene -> MaterialEdits.set(scene, material.name(), attribute, with.apply(attribute.of(material))), gesture);
+        var material = materials.material();
+        return editor.edit(scene -> MaterialEdits.set(scene, material.name(), attribute, with.apply(attribute.of(material))), gesture);
     }
 }

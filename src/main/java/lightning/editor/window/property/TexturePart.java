@@ -15,7 +15,9 @@ import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.MaterialEdits;
 import lightning.editor.document.Steps;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.Gauge;
@@ -34,7 +36,8 @@ import lightning.scene.ValueKind;
 final class TexturePart extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final FileBringer files;
     private final MaterialAttribute<Optional<TextureMap>> attribute;
     private final Optional<String> missing;
     private final TextField file = new TextField();
@@ -45,8 +48,9 @@ final class TexturePart extends VBox {
     private final Obstacle obstacle;
     private Material shown;
 
-    TexturePart(EditorModel model, MaterialAttribute<Optional<TextureMap>> attribute) {
-        this.model = model;
+    TexturePart(SceneEditor editor, Commands commands, FileBringer files, MaterialAttribute<Optional<TextureMap>> attribute) {
+        this.editor = editor;
+        this.files = files;
         this.attribute = attribute;
         String title = attribute.title();
         missing = Optional.of(Texts.of("the material has no {0}", title));
@@ -67,7 +71,7 @@ final class TexturePart extends VBox {
             }
         });
         HBox.setHgrow(file, Priority.ALWAYS);
-        found = new FileMenu(model, Texts.of("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
+        found = new FileMenu(commands, files, Texts.of("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
         found.setId(title + "-found");
         found.setAccessibleText(Texts.of("Choose a picture: {0}", title));
         found.setMinWidth(USE_PREF_SIZE);
@@ -101,7 +105,7 @@ final class TexturePart extends VBox {
 
     private ArrowWidget repeat(String id, String label, String title, Repeat with) {
         var widget = new ArrowWidget(label, title, Gauge.of(title, new Steps(1, -Limits.MAX_REPEAT, Limits.MAX_REPEAT),
-                (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown.name(),
+                (v, gesture) -> editor.edit(scene -> MaterialEdits.with(scene, shown.name(),
                         m -> attribute.with(m, attribute.of(m).map(map -> with.of(map, v)))), gesture)));
         widget.setId(id);
         return widget;
@@ -163,18 +167,18 @@ final class TexturePart extends VBox {
     private void set(String wanted) {
         String material = shown.name();
         if (wanted.isEmpty()) {
-            model.edit(scene -> MaterialEdits.set(scene, material, attribute, Optional.empty())).ifPresent(this::mark);
+            editor.edit(scene -> MaterialEdits.set(scene, material, attribute, Optional.empty())).ifPresent(this::mark);
             return;
         }
-        var scene = model.scene();
-        Path folder = FileMenu.folder(model);
-        model.files().beside(() -> MaterialEdits.picture(scene, material, attribute, wanted, folder), read -> take(material, read),
+        var scene = editor.scene();
+        Path folder = files.folder();
+        files.files().beside(() -> MaterialEdits.picture(scene, material, attribute, wanted, folder), read -> take(material, read),
                 why -> mark(Sentence.of(why)));
     }
 
     private void browse() {
         String material = shown.name();
-        model.bringer().browse(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
+        files.browse(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
             if (shown.name().equals(material)) {
                 set(name);
             }
@@ -184,7 +188,7 @@ final class TexturePart extends VBox {
     private void take(String material, Change read) {
         switch (read) {
             case Change.Refused refused -> mark(refused.reason());
-            case Change.To to -> model.edit(scene -> MaterialEdits.with(scene, material,
+            case Change.To to -> editor.edit(scene -> MaterialEdits.with(scene, material,
                     m -> attribute.copy(to.scene().materialsByName().get(material), m))).ifPresentOrElse(this::mark, this::revert);
         }
     }

@@ -1,24 +1,30 @@
 package lightning.editor.window.timeline;
 
+import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import lightning.editor.document.Situation;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.render.image.Film;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
 
 /** Shows a frame that the artist goes to in the large picture as another machine has it, while this one makes it. On the window's thread. */
 final class FilmAhead {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final Executor window;
     private final BiConsumer<Film, Scene> show;
     private int frame = -1;
     /** The scene of the frame gone to, until its picture is there; null then. */
     private volatile Scene awaited;
     private Scene asked;
 
-    /** @param show gets the film of a scene, on the window's thread */
-    FilmAhead(EditorModel model, BiConsumer<Film, Scene> show) {
-        this.model = model;
+    /**
+     * @param window runs tasks in turn on the window's thread
+     * @param show   gets the film of a scene, on the window's thread
+     */
+    FilmAhead(SceneEditor editor, Executor window, BiConsumer<Film, Scene> show) {
+        this.editor = editor;
+        this.window = window;
         this.show = show;
     }
 
@@ -29,13 +35,13 @@ final class FilmAhead {
             frame = to;
             awaited = inWork;
         }
-        if (inWork != awaited || inWork != model.document().scene()) {
+        if (inWork != awaited || inWork != editor.document().scene()) {
             awaited = null;
         }
-        if (awaited != null && awaited != asked && strip.machines().isPresent() && strip.state(to) == FrameState.CURRENT) {
+        if (awaited != null && awaited != asked && strip.frames().machines().isPresent() && strip.state(to) == FrameState.CURRENT) {
             Scene scene = awaited;
             asked = scene;
-            strip.fetch(to, () -> awaited == scene, film -> model.window().execute(() -> show.accept(film, scene)));
+            strip.fetch(to, () -> awaited == scene, film -> window.execute(() -> show.accept(film, scene)));
         }
     }
 }

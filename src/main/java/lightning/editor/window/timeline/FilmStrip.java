@@ -3,7 +3,6 @@ package lightning.editor.window.timeline;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
@@ -118,11 +117,6 @@ final class FilmStrip implements AutoCloseable {
         } catch (RejectedExecutionException e) {
             // Closed meanwhile.
         }
-    }
-
-    /** Whether the large picture is worked at. */
-    void setUrgent(boolean v) {
-        frames.setUrgent(v);
     }
 
     /** Shows the pictures in another way. */
@@ -244,11 +238,6 @@ final class FilmStrip implements AutoCloseable {
             count += state(frame) == state ? 1 : 0;
         }
         return count;
-    }
-
-    /** How many other machines hold the frames; empty where they are kept here. */
-    OptionalInt machines() {
-        return frames.machines();
     }
 
     /** Returns at once; what is under way ends on a thread of its own. */

@@ -11,7 +11,9 @@ import javafx.scene.input.MouseEvent;
 import lightning.editor.document.KeyEdits;
 import lightning.editor.document.KeyPlace;
 import lightning.editor.document.Selection;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.KeyChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Target;
 
@@ -22,31 +24,33 @@ import lightning.scene.shot.Target;
 final class KeyMouse {
     private final Timeline timeline;
     private final ListView<Row> rows;
+    private final Workbench workbench;
+    private final SceneEditor editor;
+    private final KeyChoice keyChoice;
     private Drag drag;
 
     /** @param keys where they were when it began */
     private record Drag(AnimatedScene before, Set<KeyPlace> keys, double x, Object gesture) {}
 
-    private KeyMouse(Timeline timeline, ListView<Row> rows) {
+    private KeyMouse(Timeline timeline, ListView<Row> rows, Workbench workbench) {
         this.timeline = timeline;
         this.rows = rows;
+        this.workbench = workbench;
+        editor = timeline.editor();
+        keyChoice = timeline.keyChoice();
     }
 
-    static void follow(Timeline timeline, ListView<Row> rows) {
-        var mouse = new KeyMouse(timeline, rows);
+    static void follow(Timeline timeline, ListView<Row> rows, Workbench workbench) {
+        var mouse = new KeyMouse(timeline, rows, workbench);
         rows.addEventFilter(MouseEvent.MOUSE_PRESSED, mouse::press);
         rows.addEventFilter(MouseEvent.MOUSE_DRAGGED, mouse::drag);
         rows.addEventFilter(MouseEvent.MOUSE_RELEASED, _ -> mouse.release());
     }
 
-    private EditorModel model() {
-        return timeline.model();
-    }
-
     private void press(MouseEvent event) {
         Node hit = event.getPickResult().getIntersectedNode();
         TrackCell cell = cell(hit);
-        if (cell == null || cell.isEmpty() || model().isAnimating()) {
+        if (cell == null || cell.isEmpty() || editor.isAnimating()) {
             return;
         }
         rows.requestFocus();
@@ -54,7 +58,7 @@ final class KeyMouse {
         if (hit.getUserData() instanceof Lane.Mark(List<KeyPlace> keys)) {
             choose(keys, more, event.getButton());
             drag = event.getButton() == MouseButton.PRIMARY
-                    ? new Drag(model().document().content(), model().keyChoice().keys(), event.getX(), new Object()) : null;
+                    ? new Drag(editor.document().content(), keyChoice.keys(), event.getX(), new Object()) : null;
         } else if (rows.sceneToLocal(event.getSceneX(), event.getSceneY()).getX() < TrackCell.NAME) {
             select(cell.getItem().target());
             choose(cell.getItem().tracks().stream().flatMap(t -> t.keys().stream()
@@ -62,7 +66,7 @@ final class KeyMouse {
         } else if (event.getButton() == MouseButton.PRIMARY && event.getClickCount() == 2) {
             key(cell.getItem(), timeline.scaleProperty().get().frame(event.getX() - TrackCell.NAME));
         } else if (event.getButton() == MouseButton.PRIMARY && !more) {
-            model().keyChoice().set(Set.of());
+            keyChoice.set(Set.of());
         }
         if (event.getButton() == MouseButton.PRIMARY) {
             event.consume();
@@ -78,7 +82,7 @@ final class KeyMouse {
     }
 
     private void choose(List<KeyPlace> keys, boolean more, MouseButton button) {
-        Set<KeyPlace> chosen = model().keyChoice().keys();
+        Set<KeyPlace> chosen = keyChoice.keys();
         boolean all = chosen.containsAll(keys);
         if (more) {
             Set<KeyPlace> other = new HashSet<>(chosen);
@@ -87,16 +91,16 @@ final class KeyMouse {
             } else {
                 other.addAll(keys);
             }
-            model().keyChoice().set(other);
+            keyChoice.set(other);
         } else if (!all || button == MouseButton.PRIMARY && chosen.size() == keys.size()) {
-            model().keyChoice().set(Set.copyOf(keys));
+            keyChoice.set(Set.copyOf(keys));
         }
     }
 
     private void select(Target target) {
         switch (target.what()) {
-            case LIGHT -> model().selectLight(target.name());
-            case NODE -> model().workbench().select(new Selection.OfNode(target.name()));
+            case LIGHT -> editor.selection().selectLight(target.name());
+            case NODE -> workbench.select(new Selection.OfNode(target.name()));
             case CAMERA, BANK -> {
                 // Neither can be selected.
             }
@@ -105,14 +109,14 @@ final class KeyMouse {
 
     /** A key that says what is there at that frame, which is shown. */
     private void key(Row row, int frame) {
-        model().showFrame(frame);
-        model().moment().ifPresent(now -> model().editAll(scene -> {
+        editor.showFrame(frame);
+        editor.document().moment().ifPresent(now -> editor.editAllOrReport(scene -> {
             AnimatedScene keyed = scene;
             for (var track : row.tracks()) {
-                keyed = KeyEdits.key(keyed, model().scene(), track.target(), track.attribute(), now.frame());
+                keyed = KeyEdits.key(keyed, editor.scene(), track.target(), track.attribute(), now.frame());
             }
             return keyed;
-        }, null).ifPresent(model()::say));
+        }, null));
     }
 
     private void drag(MouseEvent event) {
@@ -123,8 +127,9 @@ final class KeyMouse {
         FrameScale scale = timeline.scaleProperty().get();
         int by = KeyEdits.within(drag.keys(), scale.frame(event.getX() - TrackCell.NAME) - scale.frame(drag.x() - TrackCell.NAME));
         Drag now = drag;
-        model().editAll(_ -> KeyEdits.later(now.before(), now.keys(), by), now.gesture()).ifPresentOrElse(model()::say,
-                () -> model().keyChoice().set(now.keys().stream().map(k -> k.later(by)).collect(Collectors.toSet())));
+        if (editor.editAllOrReport(_ -> KeyEdits.later(now.before(), now.keys(), by), now.gesture()).isEmpty()) {
+            keyChoice.set(now.keys().stream().map(k -> k.later(by)).collect(Collectors.toSet()));
+        }
         event.consume();
     }
 

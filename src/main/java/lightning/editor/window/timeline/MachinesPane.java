@@ -11,16 +11,19 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Texts;
 import lightning.base.work.OwnThread;
+import lightning.editor.document.FileThread;
 import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.MachineChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.scene.shot.Shot;
 import lightning.shot.cluster.HostPort;
 
 /** Where the other machines are, and the file that lets this one take part. */
 final class MachinesPane extends VBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final FileThread files;
+    private final MachineChoice choice;
     private final TextField hosts = new TextField();
     private final TextField certificate = new TextField();
     private final Button begin = new Button(Texts.of("Keep the Frames There"));
@@ -29,11 +32,12 @@ final class MachinesPane extends VBox {
     /** Of what was begun last: whoever is of another time comes too late. */
     private int attempt;
 
-    MachinesPane(EditorModel model, PathAsk ask) {
-        this.model = model;
+    MachinesPane(SceneEditor editor, FileThread files, MachineChoice choice, PathAsk ask) {
+        this.editor = editor;
+        this.files = files;
+        this.choice = choice;
         setId("machines");
         getStyleClass().add("shot-export");
-        MachineChoice choice = model.machineChoice();
         var about = new Label(Texts.of("Nodes on these machines hold the frames at their full size. The scene and its files go to them, "
                 + "encrypted; who has the certificate takes part, and nobody else."));
         about.getStyleClass().add("pane-note");
@@ -80,7 +84,7 @@ final class MachinesPane extends VBox {
     }
 
     private void begin() {
-        if (begin.isDisabled() || model.moment().isEmpty()) {
+        if (begin.isDisabled() || editor.document().moment().isEmpty()) {
             return;
         }
         String asked = hosts.getText().strip();
@@ -97,16 +101,15 @@ final class MachinesPane extends VBox {
             certificate.requestFocus();
             return;
         }
-        MachineChoice choice = model.machineChoice();
         choice.hostsProperty().set(asked);
         choice.certificateProperty().set(certificate.getText().strip());
-        Shot shot = model.moment().orElseThrow().shot();
-        Path folder = model.document().file().toAbsolutePath().getParent();
+        Shot shot = editor.document().moment().orElseThrow().shot();
+        Path folder = editor.document().file().toAbsolutePath().getParent();
         String file = choice.certificateProperty().get();
         begin.setDisable(true);
         status.setText(Texts.of("Asking for the machines…"));
         int mine = ++attempt;
-        model.files().beside(() -> FramesElsewhere.join(asked, machines, Path.of(file), folder, shot), frames -> {
+        files.beside(() -> FramesElsewhere.join(asked, machines, Path.of(file), folder, shot), frames -> {
             if (mine == attempt) {
                 begin.setDisable(false);
                 joined.accept(frames);

@@ -6,8 +6,10 @@ import lightning.base.text.Decimal;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.Moment;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.FramePlayer;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.TracedPicture;
 import lightning.scene.shot.AnimatedScene;
 
 /**
@@ -17,7 +19,7 @@ import lightning.scene.shot.AnimatedScene;
 public final class Playback {
     private static final double SECOND = 1e9;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
     private final FramePlayer player;
     private final ReadOnlyStringWrapper pace = new ReadOnlyStringWrapper("");
     private AnimatedScene content;
@@ -27,11 +29,11 @@ public final class Playback {
     private int shown;
 
     /** Says what Play Shot does. */
-    public Playback(EditorModel model) {
-        this.model = model;
-        player = new FramePlayer(model, () -> model.document().content() != content || model.isAnimating(), this::showDue);
+    public Playback(SceneEditor editor, TracedPicture picture, Commands commands) {
+        this.editor = editor;
+        player = new FramePlayer(editor, picture, () -> editor.document().content() != content || editor.isAnimating(), this::showDue);
         player.playingProperty().subscribe(_ -> pace.set(""));
-        model.commands().setSwitch(Command.PLAY_SHOT, player.playingProperty(), this::toggle);
+        commands.setSwitch(Command.PLAY_SHOT, player.playingProperty(), this::toggle);
     }
 
     private void toggle() {
@@ -48,9 +50,9 @@ public final class Playback {
     }
 
     private void begin() {
-        Moment now = model.moment().orElseThrow();
-        content = model.document().content();
-        model.go();
+        Moment now = editor.document().moment().orElseThrow();
+        content = editor.document().content();
+        editor.go();
         firstFrame = now.frame() < now.shot().last() ? now.frame() : now.shot().first();
         begun = -1;
         player.play();
@@ -62,13 +64,13 @@ public final class Playback {
             counted = now;
             shown = 0;
         }
-        Moment moment = model.moment().orElseThrow();
+        Moment moment = editor.document().moment().orElseThrow();
         int frames = moment.shot().last() - moment.shot().first() + 1;
         long passed = (long) ((now - begun) / SECOND * moment.shot().rate());
         int due = moment.shot().first() + (int) ((firstFrame - moment.shot().first() + passed) % frames);
         boolean isDue = due != moment.frame();
         if (isDue) {
-            model.showFrame(due);
+            editor.showFrame(due);
             shown++;
         }
         if (now - counted > SECOND) {

@@ -32,10 +32,10 @@ final class Ruler extends Pane {
     }
 
     private void scrub(MouseEvent event) {
-        if (event.getButton() == MouseButton.PRIMARY && timeline.shotProperty().get() != null && !timeline.model().isAnimating()) {
+        if (event.getButton() == MouseButton.PRIMARY && timeline.shotProperty().get() != null && !timeline.editor().isAnimating()) {
             int frame = timeline.scaleProperty().get().frame(event.getX());
-            if (timeline.model().moment().filter(m -> m.frame() == frame).isEmpty()) {
-                timeline.model().showFrame(frame);
+            if (timeline.editor().document().moment().filter(m -> m.frame() == frame).isEmpty()) {
+                timeline.editor().showFrame(frame);
             }
             event.consume();
         }

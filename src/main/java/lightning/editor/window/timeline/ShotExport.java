@@ -12,7 +12,6 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
 import lightning.scene.Picture;
-import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.shot.movie.Ffmpeg;
 import lightning.shot.movie.FrameFiles;
@@ -67,13 +66,9 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotKind kind, ViewT
     private void run(Progress progress, Listener listener, long beside, FrameRun.Listener sink) throws IOException {
         List<Integer> all = IntStream.rangeClosed(first, last).boxed().toList();
         Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withMemory(Memory.available() - beside);
-        FrameRun.render(all, this::at, options, progress, (frame, film, update) -> {
+        FrameRun.render(all, scene::at, options, progress, (frame, film, update) -> {
             sink.rendered(frame, film, update);
             listener.written(frame - first + 1);
         });
-    }
-
-    private Scene at(int frame) {
-        return scene.at(frame);
     }
 }

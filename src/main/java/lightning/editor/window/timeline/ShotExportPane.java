@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 import javafx.concurrent.Worker;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -15,10 +16,11 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
+import lightning.editor.document.FileThread;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Remaining;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
@@ -30,7 +32,9 @@ import lightning.shot.movie.Ffmpeg;
 
 /** Which frames of the shot become what files, and how far that is. */
 final class ShotExportPane extends VBox {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final FileThread files;
+    private final ObjectProperty<ViewTransform> viewProperty;
     private final PathAsk ask;
     private final ChoiceBox<ShotKind> kind = new ChoiceBox<>();
     private final NumberField first;
@@ -47,12 +51,14 @@ final class ShotExportPane extends VBox {
     private boolean ffmpeg;
     private ShotExportTask task;
 
-    ShotExportPane(EditorModel model, PathAsk ask) {
-        this.model = model;
+    ShotExportPane(SceneEditor editor, FileThread files, ObjectProperty<ViewTransform> viewProperty, PathAsk ask) {
+        this.editor = editor;
+        this.files = files;
+        this.viewProperty = viewProperty;
         this.ask = ask;
         setId("shot-export");
         getStyleClass().add("shot-export");
-        Shot shot = model.moment().orElseThrow().shot();
+        Shot shot = editor.document().moment().orElseThrow().shot();
         from = shot.first();
         to = shot.last();
         kind.setId("shot-kind");
@@ -83,12 +89,12 @@ final class ShotExportPane extends VBox {
         getChildren().addAll(row(new Label(Texts.of("Files")), kind),
                 row(new Label(Texts.of("Frames")), first, new Label(Texts.of("to")), last),
                 about, row(around, cancel), bar, status);
-        model.files().beside(Ffmpeg::installed, found -> {
+        files.beside(Ffmpeg::installed, found -> {
             ffmpeg = found.isPresent();
             tell();
         }, _ -> {});
         kind.valueProperty().subscribe(_ -> tell());
-        model.viewProperty().subscribe(_ -> tell());
+        viewProperty.subscribe(_ -> tell());
     }
 
     private static HBox row(Node... nodes) {
@@ -121,7 +127,7 @@ final class ShotExportPane extends VBox {
     }
 
     private void tell() {
-        ViewTransform view = model.viewProperty().get().ofPicture();
+        ViewTransform view = viewProperty.get().ofPicture();
         boolean film = kind.getValue().movie().isPresent();
         String shown = kind.getValue() == ShotKind.EXR ? Texts.of("Every linear value in full.")
                 : Texts.of("As the picture is shown: {0}.", view.text());
@@ -136,7 +142,7 @@ final class ShotExportPane extends VBox {
     }
 
     private void begin() {
-        String name = model.document().name().replaceFirst("\\.jen$", "");
+        String name = editor.document().name().replaceFirst("\\.jen$", "");
         ShotKind wanted = kind.getValue();
         if (wanted.movie().isEmpty()) {
             ask.folder(Texts.of("Export pictures to")).ifPresent(folder -> begin(folder, name));
@@ -147,7 +153,7 @@ final class ShotExportPane extends VBox {
                 } else {
                     // The system asked about the name as it was typed only.
                     Path named = file.resolveSibling(file.getFileName() + wanted.ending());
-                    model.files().beside(() -> Files.exists(named), there -> {
+                    files.beside(() -> Files.exists(named), there -> {
                         if (there) {
                             status.setText(Texts.of("{0} is there already; choose it by its whole name", Quote.path(named.getFileName())));
                         } else {
@@ -160,8 +166,8 @@ final class ShotExportPane extends VBox {
     }
 
     private void begin(Path where, String name) {
-        task = new ShotExportTask(new ShotExport(model.document().content(), from, to, kind.getValue(),
-                model.viewProperty().get().ofPicture(), where, name));
+        task = new ShotExportTask(new ShotExport(editor.document().content(), from, to, kind.getValue(),
+                viewProperty.get().ofPicture(), where, name));
         bar.progressProperty().bind(task.progressProperty());
         bar.setVisible(true);
         cancel.setDisable(false);

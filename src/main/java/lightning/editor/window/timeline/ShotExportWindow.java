@@ -4,6 +4,7 @@ import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
@@ -14,12 +15,13 @@ public final class ShotExportWindow extends PanelWindow {
 
     /** The scene must have a shot. */
     public ShotExportWindow(EditorModel model, Window owner) {
-        this(model, owner, new ShotExportPane(model, PathAsk.inWindows(owner, model.document().file().toAbsolutePath().getParent())));
+        this(model.commands(), owner, new ShotExportPane(model.editor(), model.files(), model.picture().viewProperty(),
+                PathAsk.inWindows(owner, model.bringer().folder())));
     }
 
-    private ShotExportWindow(EditorModel model, Window owner, ShotExportPane pane) {
+    private ShotExportWindow(Commands commands, Window owner, ShotExportPane pane) {
         super(owner, Command.EXPORT_SHOT.plainTitle(), pane, WIDTH, HEIGHT);
-        CommandKeys.take(getScene(), model);
+        CommandKeys.take(getScene(), commands);
         setOnHidden(_ -> pane.stop());
     }
 }

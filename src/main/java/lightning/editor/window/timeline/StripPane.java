@@ -14,13 +14,19 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 import lightning.base.text.Texts;
 import lightning.base.work.Memory;
 import lightning.editor.document.Situation;
+import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PixelImage;
+import lightning.render.image.Film;
 import lightning.scene.Picture;
+import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
 
@@ -36,6 +42,7 @@ final class StripPane extends StackPane implements AutoCloseable {
     private static final double ALONE = 420;
 
     private final EditorModel model;
+    private final SceneEditor editor;
     private final Timeline timeline;
     private final Pane slots = new Pane();
     private final Label cost = new Label();
@@ -72,8 +79,9 @@ final class StripPane extends StackPane implements AutoCloseable {
 
     StripPane(EditorModel model, Timeline timeline) {
         this.model = model;
+        editor = model.editor();
         this.timeline = timeline;
-        ahead = new FilmAhead(model, model::showAhead);
+        ahead = new FilmAhead(editor, model.files().window(), this::showAhead);
         setId("strip");
         getStyleClass().add("film-strip");
         setMinHeight(HEIGHT + 4);
@@ -103,14 +111,14 @@ final class StripPane extends StackPane implements AutoCloseable {
         setAlignment(told, Pos.TOP_LEFT);
         getChildren().addAll(slots, told, question);
         slots.setOnMouseClicked(e -> {
-            if (e.getButton() == MouseButton.PRIMARY && !model.isAnimating()) {
+            if (e.getButton() == MouseButton.PRIMARY && !editor.isAnimating()) {
                 shown.stream().filter(s -> s.getBoundsInParent().contains(e.getX(), e.getY())).findFirst()
-                        .ifPresent(s -> model.showFrame(s.frame));
+                        .ifPresent(s -> editor.showFrame(s.frame));
             }
         });
         following = Subscription.combine(timeline.scaleProperty().subscribe(_ -> draw()),
-                model.situationProperty().subscribe(this::follow),
-                model.viewProperty().subscribe(v -> {
+                editor.situationProperty().subscribe(this::follow),
+                model.picture().viewProperty().subscribe(v -> {
                     if (strip != null) {
                         strip.setView(v.ofPicture());
                     }
@@ -119,16 +127,17 @@ final class StripPane extends StackPane implements AutoCloseable {
 
     private void keepHere() {
         end();
-        Situation now = model.situationProperty().get();
+        Situation now = editor.situationProperty().get();
         now.moment().filter(m -> fits(m.shot())).ifPresent(m -> {
             var news = new StripNews();
-            begin(FramesHere.of(m.shot(), model.document().content().still(), news), news);
+            begin(FramesHere.of(m.shot(), editor.document().content().still(), news), news);
         });
         follow(now);
     }
 
     private void begin(StripFrames frames, StripNews news) {
-        strip = new FilmStrip(frames, news, model.viewProperty().get().ofPicture(), model.window(), this::heard, model::say);
+        strip = new FilmStrip(frames, news, model.picture().viewProperty().get().ofPicture(), model.files().window(), this::heard,
+                editor.message()::show);
     }
 
     /** Empty where no frames are kept. */
@@ -137,7 +146,14 @@ final class StripPane extends StackPane implements AutoCloseable {
     }
 
     private Path folder() {
-        return model.document().file().toAbsolutePath().getParent();
+        return model.bringer().folder();
+    }
+
+    /** Shows a film in the large picture until that is rendered here, unless something else is rendered or only a part is shown. */
+    private void showAhead(Film film, Scene of) {
+        if (editor.situationProperty().get().inWork().filter(s -> s == of).isPresent() && model.look().isPlain()) {
+            model.picture().showAhead(film, of);
+        }
     }
 
     private void askMachines() {
@@ -145,18 +161,18 @@ final class StripPane extends StackPane implements AutoCloseable {
             asking.toFront();
             return;
         }
-        asking = new MachinesWindow(model, getScene().getWindow(), this::keepElsewhere);
-        asking.setOnHidden(_ -> {
-            asking.stop();
-            asking = null;
-        });
+        Window owner = getScene().getWindow();
+        asking = new MachinesWindow(
+                new MachinesPane(editor, model.files(), model.machineChoice(), PathAsk.inWindows(owner, folder())), owner, model.commands(),
+                this::keepElsewhere);
+        asking.addEventHandler(WindowEvent.WINDOW_HIDDEN, _ -> asking = null);
         asking.show();
     }
 
     private void keepElsewhere(FramesElsewhere frames) {
         end();
         begin(frames, frames.news());
-        follow(model.situationProperty().get());
+        follow(editor.situationProperty().get());
     }
 
     /** Lets go of all frames, and hears no more. */
@@ -183,9 +199,9 @@ final class StripPane extends StackPane implements AutoCloseable {
             // Other frames take other room: that is asked anew.
             end();
         }
-        if (strip != null && !model.isAnimating()) {
-            strip.setUrgent(now.inWork().isPresent() || now.verifying());
-            strip.show(model.document().content(), now.moment().orElseThrow().frame());
+        if (strip != null && !editor.isAnimating()) {
+            strip.frames().setUrgent(now.inWork().isPresent() || now.verifying());
+            strip.show(editor.document().content(), now.moment().orElseThrow().frame());
             ahead.follow(now, strip);
         }
         if (strip == null) {
@@ -200,18 +216,18 @@ final class StripPane extends StackPane implements AutoCloseable {
     }
 
     private void heard() {
-        if (strip != null && !model.isAnimating()) {
-            ahead.follow(model.situationProperty().get(), strip);
+        if (strip != null && !editor.isAnimating()) {
+            ahead.follow(editor.situationProperty().get(), strip);
         }
         draw();
     }
 
     private boolean fits(Shot shot) {
-        return FramesHere.bytes(model.document().content().still(), shot) <= Memory.available() / 2;
+        return FramesHere.bytes(editor.document().content().still(), shot) <= Memory.available() / 2;
     }
 
     private void ask(Shot shot) {
-        long bytes = FramesHere.bytes(model.document().content().still(), shot);
+        long bytes = FramesHere.bytes(editor.document().content().still(), shot);
         cost.setText(Texts.of("The strip keeps {0} small frames and relights them after each edit: at most {1} MB of memory.",
                 (long) shot.last() - shot.first() + 1, Math.max(1, Math.round(bytes / MEGABYTE)))
                 + (fits(shot) ? "" : " " + Texts.of("That is more than there is for it.")));
@@ -227,7 +243,7 @@ final class StripPane extends StackPane implements AutoCloseable {
         }
         Shot shot = timeline.shotProperty().get();
         FrameScale scale = timeline.scaleProperty().get();
-        Picture picture = FilmStrip.small(model.document().content().still()).picture();
+        Picture picture = FilmStrip.small(editor.document().content().still()).picture();
         double width = Math.max(8, HEIGHT * picture.width() / picture.height()) + 2;
         List<Place> places = places(shot, scale, width);
         while (shown.size() < places.size()) {
@@ -238,19 +254,19 @@ final class StripPane extends StackPane implements AutoCloseable {
         while (shown.size() > places.size()) {
             slots.getChildren().remove(shown.removeLast());
         }
-        int now = nearest(places, model.moment().map(m -> m.frame()).orElse(-1));
+        int now = nearest(places, editor.document().moment().map(m -> m.frame()).orElse(-1));
         strip.see(nearestFirst(places, now));
         for (int i = 0; i < places.size(); i++) {
             show(shown.get(i), places.get(i), width, now);
         }
-        tell(StripWords.of(strip, shot), strip.machines().isPresent());
+        tell(StripWords.of(strip, shot), strip.frames().machines().isPresent());
     }
 
     private void tell(String words, boolean far) {
         progress.setText(words);
         progress.setVisible(!words.isEmpty());
         // Where nobody makes any, what is told may lie over the pictures.
-        told.setMaxWidth(far && strip.machines().orElseThrow() == 0 ? ALONE : TrackCell.NAME);
+        told.setMaxWidth(far && strip.frames().machines().orElseThrow() == 0 ? ALONE : TrackCell.NAME);
         here.setVisible(far);
         here.setManaged(far);
     }

@@ -16,7 +16,7 @@ final class StripWords {
         int all = shot.last() - shot.first() + 1;
         int current = strip.count(FrameState.CURRENT);
         int failed = strip.count(FrameState.FAILED);
-        OptionalInt machines = strip.machines();
+        OptionalInt machines = strip.frames().machines();
         if (machines.isEmpty() && current == all) {
             return "";
         }

@@ -5,12 +5,14 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.editor.document.Situation;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.KeyChoice;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.Shot;
 
 /** What the parts of the timeline share: the shot, and where its frames stand. */
 final class Timeline {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final KeyChoice keyChoice;
     private final ObjectProperty<Shot> shot = new SimpleObjectProperty<>();
     private final ReadOnlyObjectWrapper<FrameScale> scale = new ReadOnlyObjectWrapper<>(FrameScale.of(Shot.DEFAULT, 1));
     private double width = 1;
@@ -18,12 +20,18 @@ final class Timeline {
     private boolean all = true;
     private boolean held;
 
-    Timeline(EditorModel model) {
-        this.model = model;
+    Timeline(SceneEditor editor, KeyChoice keyChoice) {
+        this.editor = editor;
+        this.keyChoice = keyChoice;
     }
 
-    EditorModel model() {
-        return model;
+    SceneEditor editor() {
+        return editor;
+    }
+
+    /** Which keys are chosen. */
+    KeyChoice keyChoice() {
+        return keyChoice;
     }
 
     /** Null where the scene has none. */

@@ -28,7 +28,9 @@ import lightning.editor.document.Situation;
 import lightning.editor.document.Steps;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
 import lightning.scene.Limits;
@@ -44,6 +46,8 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     private static final double LEAST = 156;
 
     private final EditorModel model;
+    private final SceneEditor editor;
+    private final Commands commands;
     private final Timeline timeline;
     private final ListView<Row> rows = new ListView<>();
     private final Region head = new Region();
@@ -58,11 +62,13 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
 
     public TimelinePane(EditorModel model, Playback playback) {
         this.model = model;
-        timeline = new Timeline(model);
+        editor = model.editor();
+        commands = model.commands();
+        timeline = new Timeline(editor, model.keyChoice());
         setId("timeline");
         getStyleClass().add("timeline");
         frame = number(Texts.key("frame"), 0, Shot.MAX_FRAME, (v, _) -> {
-            model.showFrame((int) v);
+            editor.showFrame((int) v);
             return Optional.empty();
         });
         first = number(Texts.key("first frame"), 0, Shot.MAX_FRAME,
@@ -80,7 +86,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         setCenter(new StackPane(keys, empty));
         timeline.scaleProperty().subscribe(_ -> placeHead());
         model.arrangement().filmStripShownProperty().subscribe(this::showStrip);
-        model.situationProperty().subscribe(this::show);
+        editor.situationProperty().subscribe(this::show);
     }
 
     private void showStrip(boolean on) {
@@ -111,13 +117,13 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         add(bar, Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS);
         bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labelled(Texts.of("from"), first), labelled(Texts.of("to"), last),
                 labelled(Texts.of("a second"), rate),
-                new Separator(Orientation.VERTICAL), CommandButton.icon(model, Command.FILM_STRIP), note);
+                new Separator(Orientation.VERTICAL), CommandButton.icon(commands, Command.FILM_STRIP), note);
         return bar;
     }
 
-    private void add(FlowPane bar, Command... commands) {
-        for (Command command : commands) {
-            bar.getChildren().add(CommandButton.icon(model, command));
+    private void add(FlowPane bar, Command... added) {
+        for (Command command : added) {
+            bar.getChildren().add(CommandButton.icon(commands, command));
         }
     }
 
@@ -156,7 +162,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     }
 
     private Optional<String> lasting(Lasting edit, Object gesture) {
-        return model.editAll(scene -> lasting(scene, edit), gesture);
+        return editor.editAll(scene -> lasting(scene, edit), gesture);
     }
 
     private static AnimatedScene lasting(AnimatedScene scene, Lasting edit) {
@@ -172,7 +178,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         rows.setCellFactory(_ -> new TrackCell(timeline));
         rows.setContextMenu(menu());
         rows.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
-        KeyMouse.follow(timeline, rows);
+        KeyMouse.follow(timeline, rows, model.workbench());
         var ruler = new Ruler(timeline);
         HBox.setHgrow(ruler, Priority.ALWAYS);
         var top = new HBox(space(TrackCell.NAME), ruler, space(SCROLL));
@@ -199,7 +205,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     }
 
     private ContextMenu menu() {
-        var items = CommandItems.of(model, "timeline-");
+        var items = CommandItems.of(commands, "timeline-");
         var menu = new ContextMenu();
         for (Command command : List.of(Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS,
                 Command.STEPPED_KEYS)) {
@@ -211,7 +217,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     private Region empty() {
         var text = new Label(Texts.of("The scene has no shot: nothing of it moves"));
         text.getStyleClass().add("pane-note");
-        var both = new HBox(text, CommandButton.titled(model, Command.NEW_SHOT));
+        var both = new HBox(text, CommandButton.titled(commands, Command.NEW_SHOT));
         both.getStyleClass().add("no-shot");
         return both;
     }
@@ -228,7 +234,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         };
         boolean plain = !event.isShortcutDown() && !event.isAltDown() && !event.isShiftDown();
         if (command != null && plain) {
-            model.commands().run(command);
+            commands.run(command);
             event.consume();
         } else if (plain && (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN)) {
             // Nothing is selected among the lines.
@@ -254,7 +260,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         Shot shot = timeline.shotProperty().get();
         keys.setVisible(shot != null);
         empty.setVisible(shot == null);
-        boolean held = shot == null || model.isAnimating();
+        boolean held = shot == null || editor.isAnimating();
         for (NumberField field : List.of(frame, first, last, rate)) {
             field.setDisable(held);
         }
@@ -299,7 +305,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
 
     private void placeHead() {
         FrameScale scale = timeline.scaleProperty().get();
-        Optional<Moment> now = model.moment();
+        Optional<Moment> now = editor.document().moment();
         head.setVisible(now.filter(m -> scale.shows(m.frame())).isPresent());
         now.ifPresent(m -> head.resizeRelocate(TrackCell.NAME + scale.x(m.frame()) - 1, 0, 2, keys == null ? 0 : keys.getHeight()));
     }

@@ -28,7 +28,7 @@ final class TrackCell extends ListCell<Row> {
         setPrefWidth(0);
         setPrefHeight(HEIGHT);
         timeline.scaleProperty().subscribe(_ -> draw());
-        timeline.model().keyChoice().keysProperty().subscribe(_ -> draw());
+        timeline.keyChoice().keysProperty().subscribe(_ -> draw());
     }
 
     @Override
@@ -51,7 +51,7 @@ final class TrackCell extends ListCell<Row> {
 
     private void draw() {
         if (!isEmpty() && getItem() != null && timeline != null) {
-            lane.show(getItem(), timeline.scaleProperty().get(), timeline.model().keyChoice().keys(), HEIGHT);
+            lane.show(getItem(), timeline.scaleProperty().get(), timeline.keyChoice().keys(), HEIGHT);
         }
     }
 }

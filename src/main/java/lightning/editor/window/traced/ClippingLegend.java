@@ -1,15 +1,15 @@
 package lightning.editor.window.traced;
 
+import javafx.beans.value.ObservableValue;
 import lightning.base.text.Texts;
-import lightning.editor.window.model.EditorModel;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 
 /** Which mark says what, while pixels that are cut off are marked. */
 final class ClippingLegend extends Legend {
-    ClippingLegend(EditorModel model) {
+    ClippingLegend(ObservableValue<ViewTransform> view) {
         super("clipping-legend", Texts.of("Marks of pixels that are cut off"),
-                model.viewProperty().map(view -> view.marked() && view.curve() != DisplayCurve.FALSE));
+                view.map(now -> now.marked() && now.curve() != DisplayCurve.FALSE));
         add(Texts.of("brighter than white"), ViewTransform.OVER_WHITE, false);
         add(Texts.of("black"), ViewTransform.BLACK, true);
     }

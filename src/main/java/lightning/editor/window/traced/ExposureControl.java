@@ -2,6 +2,7 @@ package lightning.editor.window.traced;
 
 import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.ObjectProperty;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Slider;
@@ -10,10 +11,11 @@ import javafx.scene.layout.HBox;
 import lightning.base.text.Measure;
 import lightning.base.text.Texts;
 import lightning.editor.document.Steps;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.StatusMessage;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
+import lightning.render.image.ViewTransform;
 import lightning.scene.Limits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
@@ -26,12 +28,14 @@ final class ExposureControl extends HBox {
     /** So that a pixel is not much more than a tenth of a stop. */
     private static final double TRACK = 136;
 
-    private final EditorModel model;
+    private final ObjectProperty<ViewTransform> view;
+    private final StatusMessage message;
     private final Slider slider = new Slider(-MOST_STOPS, MOST_STOPS, 0);
     private boolean showing;
 
-    ExposureControl(EditorModel model) {
-        this.model = model;
+    ExposureControl(ObjectProperty<ViewTransform> view, StatusMessage message) {
+        this.view = view;
+        this.message = message;
         slider.setId("exposure");
         slider.setAccessibleText(Texts.of("Exposure"));
         slider.setBlockIncrement(KEY_STOPS);
@@ -54,11 +58,11 @@ final class ExposureControl extends HBox {
         setAlignment(Pos.CENTER);
         setSpacing(4);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));
-        model.viewProperty().subscribe(view -> {
+        view.subscribe(now -> {
             showing = true;
-            slider.setValue(view.exposure());
+            slider.setValue(now.exposure());
             showing = false;
-            stops.show(view.exposure());
+            stops.show(now.exposure());
         });
     }
 
@@ -66,10 +70,10 @@ final class ExposureControl extends HBox {
         try {
             Limits.range("exposure", stops, -MOST_STOPS, MOST_STOPS);
         } catch (IllegalArgumentException e) {
-            model.say(Sentence.of(e));
+            message.show(Sentence.of(e));
             return Optional.of(e.getMessage());
         }
-        model.viewProperty().set(model.viewProperty().get().withExposure(stops));
+        view.set(view.get().withExposure(stops));
         return Optional.empty();
     }
 }

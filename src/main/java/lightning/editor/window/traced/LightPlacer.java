@@ -14,7 +14,8 @@ import lightning.editor.document.ScenePicker;
 import lightning.editor.document.Snap;
 import lightning.editor.document.Viewport;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
@@ -29,7 +30,7 @@ final class LightPlacer {
 
     private static final String NOTHING = Texts.key("There is nothing there; click a shape");
 
-    private final EditorModel model;
+    private final SceneEditor editor;
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private Tool tool;
     private Drag drag;
@@ -65,27 +66,27 @@ final class LightPlacer {
      */
     private record Ring(LightPlacing placing, ScenePicker.Found at, Light light) {}
 
-    private LightPlacer(EditorModel model) {
-        this.model = model;
-        model.situationProperty().subscribe(_ -> {
-            if (drag == null && ring != null && !ring.light().equals(model.selectedLight())) {
+    private LightPlacer(SceneEditor editor) {
+        this.editor = editor;
+        editor.situationProperty().subscribe(_ -> {
+            if (drag == null && ring != null && !ring.light().equals(editor.selection().light())) {
                 ring = null;
             }
         });
     }
 
     /** Does the commands that place a light. */
-    static LightPlacer of(EditorModel model) {
-        var placer = new LightPlacer(model);
-        model.commands().setAction(Command.AIM,
+    static LightPlacer of(SceneEditor editor, Commands commands) {
+        var placer = new LightPlacer(editor);
+        commands.setAction(Command.AIM,
                 () -> placer.take(Texts.of("Click where the light should shine to, or drag its pool"), new Act.Pool()));
-        model.commands().setAction(Command.PLACE_HIGHLIGHT,
+        commands.setAction(Command.PLACE_HIGHLIGHT,
                 () -> placer.take(Texts.of("Click where the highlight should be, or drag it there"), new Act.Highlight()));
-        model.commands().setAction(Command.PLACE_DIFFUSE,
+        commands.setAction(Command.PLACE_DIFFUSE,
                 () -> placer.take(Texts.of("Click what the light should shine straight onto, or drag"), new Act.Diffuse()));
-        model.commands().setAction(Command.PLACE_RIM,
+        commands.setAction(Command.PLACE_RIM,
                 () -> placer.take(Texts.of("Click where the rim of light should begin, or drag"), new Act.Rim()));
-        model.commands().setAction(Command.PLACE_SHADOW,
+        commands.setAction(Command.PLACE_SHADOW,
                 () -> placer.take(new Tool.Taking(), Texts.of("Drag a shadow or what throws it, or click what throws it")));
         return placer;
     }
@@ -146,19 +147,19 @@ final class LightPlacer {
     record Mark(Viewport.Pixel middle, double distance) {}
 
     private Viewport.Pixel middle(Ring r, Viewport canvas) {
-        return canvas.pixel(PreviewCamera.of(model.scene()), r.at().point());
+        return canvas.pixel(PreviewCamera.of(editor.scene()), r.at().point());
     }
 
     /** Takes what is there with the tool, or the ring; returns whether there is something to drag. */
     boolean press(Pointer to, double tolerance) {
-        Frame frame = model.frame();
+        Frame frame = editor.situationProperty().get().frame().orElse(null);
         gesture = new Object();
-        before = model.selectedLight();
+        before = editor.selection().light();
         if (tool == null) {
             boolean taken = mark(to.canvas()).filter(m -> Math.abs(m.middle().distance(to.at()) - RING) <= tolerance).isPresent();
             drag = taken ? new Drag.Farther(ring, to.at()) : null;
         } else if (before == null) {
-            model.say(Texts.of("No light is selected"));
+            editor.message().show(Texts.of("No light is selected"));
         } else if (frame != null) {
             ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
             to.on(picker).ifPresentOrElse(found -> {
@@ -170,7 +171,7 @@ final class LightPlacer {
                     }
                     case Tool.Taking() -> drag = new Drag.Shadow(before, found, picker);
                 }
-            }, () -> model.say(Texts.of(NOTHING)));
+            }, () -> editor.message().show(Texts.of(NOTHING)));
         }
         return drag != null;
     }
@@ -205,18 +206,17 @@ final class LightPlacer {
             Optional<Snap> snap = snapped && pool ? Optional.of(Snap.ofDirection(light)) : Optional.empty();
             show(rounded, found, snap.map(Snap::light).orElse(light), snap.map(Snap::told));
         } catch (IllegalArgumentException e) {
-            model.say(Sentence.of(e));
+            editor.message().show(Sentence.of(e));
         }
     }
 
     private void show(LightPlacing placing, ScenePicker.Found at, Light light, Optional<String> snapped) {
-        Optional<String> refusal = model.edit(scene -> LightEdits.with(scene, light.name(), _ -> light), gesture);
-        refusal.ifPresentOrElse(model::say, () -> {
+        if (editor.editOrReport(scene -> LightEdits.with(scene, light.name(), _ -> light), gesture).isEmpty()) {
             ring = new Ring(placing, at, light);
             double distance = light.position().minus(at.point()).length();
-            model.say(snapped.map(s -> Texts.of("Snapped: {0}", s))
+            editor.message().show(snapped.map(s -> Texts.of("Snapped: {0}", s))
                     .orElse(light.type().hasPosition() ? Texts.of("Distance {0}", Snap.number(distance)) : ""));
-        });
+        }
     }
 
     /** @param still whether the mouse has not moved since the press */
@@ -231,7 +231,7 @@ final class LightPlacer {
 
     /** Takes back what the drag did, and puts the tool away. */
     void giveUp() {
-        model.edit(scene -> LightEdits.with(scene, before.name(), _ -> before), gesture);
+        editor.edit(scene -> LightEdits.with(scene, before.name(), _ -> before), gesture);
         drag = null;
         ring = null;
         end();

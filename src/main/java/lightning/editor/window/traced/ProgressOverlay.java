@@ -11,14 +11,18 @@ import lightning.editor.document.Command;
 import lightning.editor.document.Situation;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.FileWork;
 import lightning.editor.window.model.Remaining;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.Lasting;
 
 /** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
 final class ProgressOverlay extends HBox {
     private static final Duration PATIENCE = Duration.millis(250);
-    private final EditorModel model;
+    private final Commands commands;
+    private final TracedPicture picture;
+    private final FileWork files;
     private final Label what = new Label();
     private final Remaining remaining = new Remaining();
     private final ProgressBar bar = new ProgressBar(0);
@@ -27,27 +31,29 @@ final class ProgressOverlay extends HBox {
         setVisible(!text.isEmpty());
     });
 
-    ProgressOverlay(EditorModel model) {
-        this.model = model;
+    ProgressOverlay(Commands commands, TracedPicture picture, FileWork files) {
+        this.commands = commands;
+        this.picture = picture;
+        this.files = files;
         setId("progress");
         getStyleClass().add("progress-overlay");
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
         bar.setAccessibleText(Texts.of("Progress of the picture"));
-        var cancel = CommandButton.icon(model, Command.CANCEL);
+        var cancel = CommandButton.icon(commands, Command.CANCEL);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(what, bar, cancel);
-        model.situationProperty().subscribe(_ -> update());
-        model.renderingProperty().subscribe(_ -> update());
+        commands.situation().subscribe(_ -> update());
+        picture.renderingProperty().subscribe(_ -> update());
     }
 
     private void update() {
-        RenderState state = model.renderingProperty().get();
-        Situation now = model.situationProperty().get();
+        RenderState state = picture.renderingProperty().get();
+        Situation now = commands.situation().get();
         boolean rendering = now.inWork().isPresent();
         String what =
-                now.reading() ? model.fileWork().title() + " " + model.fileWork().file().getFileName() : rendering ? Texts.of("Tracing")
+                now.reading() ? files.title() + " " + files.file().getFileName() : rendering ? Texts.of("Tracing")
                         : now.verifying() ? Texts.of("Verifying") : "";
         double share = now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
                 : (double) state.checked() / state.toCheck();

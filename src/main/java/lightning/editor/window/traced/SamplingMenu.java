@@ -8,7 +8,7 @@ import lightning.base.text.Texts;
 import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -20,26 +20,25 @@ public final class SamplingMenu {
     private SamplingMenu() {}
 
     /** @param items make the menu's items; the ids end in {@code off}, {@code edges}, {@code every}, and {@code 2} to {@code 8} */
-    public static Menu of(EditorModel model, CommandItems items) {
+    public static Menu of(SceneEditor editor, CommandItems items) {
         Menu menu = items.menu(Command.ANTIALIAS);
         for (Antialias antialias : Antialias.values()) {
             menu.getItems().add(items.choice(Command.ANTIALIAS, "antialias-" + antialias.name().toLowerCase(Locale.ROOT), title(antialias),
-                    model.sceneProperty().map(s -> sampling(s).antialias() == antialias),
-                    () -> choose(model, now -> new Sampling(antialias, now.grid()))));
+                    editor.sceneProperty().map(s -> sampling(s).antialias() == antialias),
+                    () -> choose(editor, now -> new Sampling(antialias, now.grid()))));
         }
         menu.getItems().add(new SeparatorMenuItem());
         for (int grid : GRIDS) {
             menu.getItems()
                     .add(items.choice(Command.SAMPLES, "antialias-" + grid, Texts.of("{0} × {1} Samples in Such a Pixel", grid, grid),
-                            model.sceneProperty().map(s -> sampling(s).grid() == grid),
-                            () -> choose(model, now -> new Sampling(now.antialias(), grid))));
+                            editor.sceneProperty().map(s -> sampling(s).grid() == grid),
+                            () -> choose(editor, now -> new Sampling(now.antialias(), grid))));
         }
         return menu;
     }
 
-    private static void choose(EditorModel model, UnaryOperator<Sampling> choice) {
-        model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSampling(choice.apply(sampling(scene))))))
-                .ifPresent(model::say);
+    private static void choose(SceneEditor editor, UnaryOperator<Sampling> choice) {
+        editor.editOrReport(scene -> Change.of(() -> scene.withPicture(scene.picture().withSampling(choice.apply(sampling(scene))))));
     }
 
     private static Sampling sampling(Scene scene) {

@@ -1,17 +1,18 @@
 package lightning.editor.window.traced;
 
+import javafx.beans.value.ObservableValue;
 import lightning.base.text.Texts;
-import lightning.editor.window.model.EditorModel;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.FalseColor;
+import lightning.render.image.ViewTransform;
 
 /** Which color stands for which stop, while the picture is shown in such colors. */
 final class StopLegend extends Legend {
     private static final int DARK = 3 * 0x60;
 
-    StopLegend(EditorModel model) {
+    StopLegend(ObservableValue<ViewTransform> view) {
         super("stop-legend", Texts.of("Stops from middle grey, by colour"),
-                model.viewProperty().map(view -> view.curve() == DisplayCurve.FALSE));
+                view.map(now -> now.curve() == DisplayCurve.FALSE));
         for (FalseColor.Band band : FalseColor.bands()) {
             int rgb = band.rgb();
             add(band.stop() > 0 ? "+" + band.stop() : String.valueOf(band.stop()), rgb,

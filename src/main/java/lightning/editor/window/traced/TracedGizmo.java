@@ -19,9 +19,10 @@ import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Snap;
 import lightning.editor.document.Viewport;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.GizmoPaint;
 import lightning.editor.window.model.Grip;
+import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
 
@@ -33,7 +34,8 @@ final class TracedGizmo extends Pane {
     private static final int RING_SIDES = 48;
     static final double TOLERANCE = 8;
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final PreviewLook look;
     private final PictureView picture;
     private final LightPlacer placer;
     private final Canvas canvas = new Canvas();
@@ -49,8 +51,10 @@ final class TracedGizmo extends Pane {
     /** @param from the place of the press, of the whole picture as it is shown */
     private record Drag(Taken taken, Viewport.Pixel from) {}
 
-    TracedGizmo(EditorModel model, PictureView picture, LightPlacer placer) {
-        this.model = model;
+    /** @param look how large lights are drawn, and whether at all */
+    TracedGizmo(SceneEditor editor, PreviewLook look, PictureView picture, LightPlacer placer) {
+        this.editor = editor;
+        this.look = look;
         this.placer = placer;
         this.picture = picture;
         setId("traced-gizmo");
@@ -60,10 +64,10 @@ final class TracedGizmo extends Pane {
         clip.heightProperty().bind(heightProperty());
         setClip(clip);
         getChildren().add(canvas);
-        model.sceneProperty().subscribe(_ -> draw());
-        model.situationProperty().subscribe(_ -> draw());
-        model.previewLook().gizmosHiddenProperty().subscribe(_ -> draw());
-        model.previewLook().sizeProperty().subscribe(_ -> draw());
+        editor.sceneProperty().subscribe(_ -> draw());
+        editor.situationProperty().subscribe(_ -> draw());
+        look.gizmosHiddenProperty().subscribe(_ -> draw());
+        look.sizeProperty().subscribe(_ -> draw());
         picture.placeProperty().subscribe(_ -> draw());
         picture.hoverProperty().subscribe(_ -> draw());
     }
@@ -75,20 +79,20 @@ final class TracedGizmo extends Pane {
     }
 
     private PreviewCamera view() {
-        return PreviewCamera.of(model.scene());
+        return PreviewCamera.of(editor.scene());
     }
 
     private boolean isThere() {
-        return !picture.isEmpty() && !model.previewLook().gizmosHiddenProperty().get();
+        return !picture.isEmpty() && !look.gizmosHiddenProperty().get();
     }
 
     private Optional<LightGizmo> light() {
-        return isThere() ? Optional.ofNullable(model.selectedLight())
-                .map(l -> LightGizmo.of(l, view(), viewport(), model.previewLook().sizeProperty().get().factor())) : Optional.empty();
+        return isThere() ? Optional.ofNullable(editor.selection().light())
+                .map(l -> LightGizmo.of(l, view(), viewport(), look.sizeProperty().get().factor())) : Optional.empty();
     }
 
     private Optional<NodeGizmo> handles() {
-        return isThere() ? model.selectedNode().flatMap(n -> NodeGizmo.of(model.scene(), n, view(), viewport())) : Optional.empty();
+        return isThere() ? editor.selection().node().flatMap(n -> NodeGizmo.of(editor.scene(), n, view(), viewport())) : Optional.empty();
     }
 
     /** Where the mouse is in it. */
@@ -104,7 +108,7 @@ final class TracedGizmo extends Pane {
         Optional<Taken> taken = gizmo.flatMap(g -> g.pick(view(), viewport(), at, TOLERANCE).map(h -> new OfHandle(g, h)));
         if (taken.isEmpty()) {
             taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE)
-                    .map(_ -> new OfLight(model.selectedLight(), Grip.of(e)));
+                    .map(_ -> new OfLight(editor.selection().light(), Grip.of(e)));
         }
         drag = taken.map(t -> new Drag(t, at)).orElse(null);
         return drag != null;
@@ -118,18 +122,17 @@ final class TracedGizmo extends Pane {
                 PreviewCamera view = view();
                 Viewport shown = viewport();
                 Viewport.Pixel from = drag.from();
-                model.edit(
-                        scene -> NodeEdits.placement(scene, gizmo.node().name(),
-                                _ -> gizmo.dragged(handle, view, shown, from, to, e.isShiftDown())),
-                        drag)
-                        .ifPresent(model::say);
+                editor.editOrReport(scene -> NodeEdits.placement(scene, gizmo.node().name(),
+                        _ -> gizmo.dragged(handle, view, shown, from, to, e.isShiftDown())), drag);
             }
             case OfLight(Light begin, LightDrag by) -> {
                 Light moved = by.applied(begin, view(), viewport(), to.x() - drag.from().x(), drag.from().y() - to.y());
                 Optional<Snap> snap = e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snap.of(begin, moved, view(), viewport()))
                         : Optional.empty();
-                model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> snap.map(Snap::light).orElse(moved)), drag)
-                        .ifPresentOrElse(model::say, () -> snap.ifPresent(s -> model.say(Texts.of("Snapped: {0}", s.told()))));
+                Light snapped = snap.map(Snap::light).orElse(moved);
+                if (editor.editOrReport(scene -> LightEdits.with(scene, begin.name(), _ -> snapped), drag).isEmpty()) {
+                    snap.ifPresent(s -> editor.message().show(Texts.of("Snapped: {0}", s.told())));
+                }
             }
         }
     }
@@ -147,9 +150,9 @@ final class TracedGizmo extends Pane {
     /** Takes back what the drag did. */
     void giveUp() {
         switch (drag.taken()) {
-            case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle _) -> model
+            case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
                     .edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
-            case OfLight(Light begin, LightDrag _) -> model.edit(scene -> LightEdits.with(scene, begin.name(), _ -> begin), drag);
+            case OfLight(Light begin, LightDrag _) -> editor.edit(scene -> LightEdits.with(scene, begin.name(), _ -> begin), drag);
         }
         release();
     }

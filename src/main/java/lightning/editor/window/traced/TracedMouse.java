@@ -1,5 +1,6 @@
 package lightning.editor.window.traced;
 
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.beans.property.BooleanProperty;
@@ -21,7 +22,9 @@ import lightning.editor.loop.Frame;
 import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.PicturePart;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.relight.Contributions;
@@ -34,7 +37,10 @@ import lightning.scene.Scene;
  * {@link LightPlacer}, frames a region, moves the picture.
  */
 final class TracedMouse implements AutoCloseable {
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture shown;
+    private final PicturePart part;
+    private final Executor window;
     private final PictureView picture;
     private final Consumer<PixelReport> hovered;
     private final PixelInspector inspector;
@@ -61,13 +67,16 @@ final class TracedMouse implements AutoCloseable {
 
     /** @param hovered hears what the pixel under the mouse shows; null where there is none */
     TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> hovered) {
-        this.model = model;
+        editor = model.editor();
+        shown = model.picture();
+        part = model.part();
+        window = model.files().window();
         this.picture = picture;
         this.hovered = hovered;
-        menu = new ShapeMenu(model);
-        inspector = new PixelInspector(model.window());
-        placer = LightPlacer.of(model);
-        gizmo = new TracedGizmo(model, picture, placer);
+        menu = new ShapeMenu(editor, model.materials(), model.commands());
+        inspector = new PixelInspector(window);
+        placer = LightPlacer.of(editor, model.commands());
+        gizmo = new TracedGizmo(editor, model.previewLook(), picture, placer);
         overlay = new StackPane(gizmo, new Pane(frame));
         overlay.setMouseTransparent(true);
         frame.getStyleClass().add("region-frame");
@@ -83,7 +92,7 @@ final class TracedMouse implements AutoCloseable {
             pick = hint.isEmpty() ? pick : null;
             ask();
         });
-        model.part().askProperty().subscribe(_ -> ask());
+        part.askProperty().subscribe(_ -> ask());
         picture.sceneProperty().subscribe(scene -> {
             if (scene != null) {
                 scene.addEventFilter(KeyEvent.KEY_PRESSED, this::key);
@@ -121,7 +130,7 @@ final class TracedMouse implements AutoCloseable {
             e.consume();
         } else if (!prompt.get().isEmpty()) {
             region.set(false);
-            model.part().askProperty().set(null);
+            part.askProperty().set(null);
             endPick();
             e.consume();
         }
@@ -165,27 +174,27 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void ask() {
-        PicturePart.Ask part = model.part().askProperty().get();
+        PicturePart.Ask asked = part.askProperty().get();
         String place = placer.promptProperty().get();
         prompt.set(pick != null ? wish : !place.isEmpty() ? Texts.of("{0}, Shift snaps", place)
                 : region.get() ? Texts.of("Drag a frame around what to trace")
-                : part != null ? part.hint() : "");
+                : asked != null ? asked.hint() : "");
         picture.setCursor(hand ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
 
     private void hover(MouseEvent e) {
-        if (model.frame() == null) {
+        Frame last = shown.frame();
+        if (last == null) {
             return;
         }
-        Frame shown = model.frame();
-        Picture size = shown.scene().picture();
+        Picture size = last.scene().picture();
         picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < size.width() && p.y() < size.height())
-                .ifPresentOrElse(p -> point(shown, p), this::leave);
+                .ifPresentOrElse(p -> point(last, p), this::leave);
     }
 
-    private void point(Frame shown, PictureView.Pixel p) {
-        model.part().pointedProperty().set(new PicturePart.Pixel(p.x(), p.y()));
-        inspector.ask(shown, p.x(), p.y(), report -> {
+    private void point(Frame last, PictureView.Pixel p) {
+        part.pointedProperty().set(new PicturePart.Pixel(p.x(), p.y()));
+        inspector.ask(last, p.x(), p.y(), report -> {
             if (picture.isHover()) {
                 hovered.accept(report);
             }
@@ -193,7 +202,7 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void leave() {
-        model.part().pointedProperty().set(null);
+        part.pointedProperty().set(null);
         hovered.accept(null);
     }
 
@@ -232,7 +241,7 @@ final class TracedMouse implements AutoCloseable {
         }
         if (e.getButton() == MouseButton.MIDDLE || e.isAltDown() || hand) {
             picture.pan(e.getX() - lastX, e.getY() - lastY);
-        } else if ((region.get() || model.part().askProperty().get() != null) && !picture.isEmpty()) {
+        } else if ((region.get() || part.askProperty().get() != null) && !picture.isEmpty()) {
             frame.setX(Math.min(pressX, e.getX()));
             frame.setY(Math.min(pressY, e.getY()));
             frame.setWidth(Math.abs(e.getX() - pressX));
@@ -272,48 +281,48 @@ final class TracedMouse implements AutoCloseable {
     }
 
     private void offer(MouseEvent e) {
-        if (model.frame() != null) {
-            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame(), p.x(), p.y(),
+        if (shown.frame() != null) {
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(shown.frame(), p.x(), p.y(),
                     report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
         }
     }
 
     private void framed(PictureView.Pixel from, PictureView.Pixel to) {
-        PicturePart.Ask part = model.part().askProperty().get();
+        PicturePart.Ask asked = part.askProperty().get();
         if (region.get()) {
             traceRegion(from, to);
             region.set(false);
-        } else if (part != null) {
-            model.part().askProperty().set(null);
-            part.picked().accept(new Contributions.Region(Math.min(from.x(), to.x()), Math.min(from.y(), to.y()),
+        } else if (asked != null) {
+            part.askProperty().set(null);
+            asked.picked().accept(new Contributions.Region(Math.min(from.x(), to.x()), Math.min(from.y(), to.y()),
                     Math.max(from.x(), to.x()) + 1, Math.max(from.y(), to.y()) + 1));
         }
     }
 
     private void traceRegion(PictureView.Pixel from, PictureView.Pixel to) {
-        var part = TracedRaster.Dirty.NONE.plus(from.x(), from.y(), from.x() + 1, from.y() + 1)
+        var traced = TracedRaster.Dirty.NONE.plus(from.x(), from.y(), from.x() + 1, from.y() + 1)
                 .plus(to.x(), to.y(), to.x() + 1, to.y() + 1);
-        TracedRaster.Pixels shown = model.raster().pixels();
-        Scene scene = model.scene().withPicture(model.scene().picture().withSize(shown.width(), shown.height()));
-        Frame known = model.frame();
+        TracedRaster.Pixels pixels = shown.raster().pixels();
+        Scene scene = editor.scene().withPicture(editor.scene().picture().withSize(pixels.width(), pixels.height()));
+        Frame known = shown.frame();
         Function<Scene, Geometry> geometry =
                 known == null ? Geometry::new : s -> known.geometry().forScene(s, known.geometry().mirrors());
-        regions.trace(scene, geometry, part, film -> {
-            model.raster().patch(film, part);
+        regions.trace(scene, geometry, traced, film -> {
+            shown.raster().patch(film, traced);
             patched = scene;
-            model.window().execute(model::repaint);
-        }, problem -> model.window().execute(() -> model.say(Sentence.of(problem))));
+            window.execute(shown::repaint);
+        }, problem -> window.execute(() -> editor.message().show(Sentence.of(problem))));
     }
 
     private void click(MouseEvent e) {
-        if (model.frame() == null) {
+        if (shown.frame() == null) {
             return;
         }
-        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(model.frame(), p.x(), p.y(), report -> {
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(shown.frame(), p.x(), p.y(), report -> {
             if (pick == null) {
-                report.strongest().ifPresent(model::selectLight);
+                report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {
-                model.say(Texts.of("There is nothing there; click a shape"));
+                editor.message().show(Texts.of("There is nothing there; click a shape"));
             } else {
                 Consumer<PixelReport> picked = pick;
                 endPick();

@@ -22,8 +22,11 @@ import lightning.editor.document.Situation;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.Sentence;
+import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.widget.Lasting;
 import lightning.editor.window.widget.Obstacle;
@@ -44,7 +47,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** As many lines as are told of a pixel, so that the picture keeps its room. */
     private static final String NO_PIXEL = " \n ";
 
-    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TracedPicture traced;
+    private final Commands commands;
     private final PictureView picture;
     private final Badge pending;
     private final Badge mirrors;
@@ -82,7 +87,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     private TracedPane(EditorModel model, PictureView picture, Lasting.Later later) {
-        this.model = model;
+        editor = model.editor();
+        traced = model.picture();
+        commands = model.commands();
         this.picture = picture;
         pending = new Badge("pending", later);
         mirrors = new Badge("mirrors", later);
@@ -90,15 +97,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         setId("traced");
         getStyleClass().add("canvas-pane");
         mouse = new TracedMouse(model, picture, this::tell);
-        model.commands().setSwitch(Command.REGION, mouse.regionProperty());
-        model.commands().setAction(Command.TRACED_FIT, picture::fit);
-        model.commands().setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
-        model.commands().setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM));
-        model.commands().setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM));
-        model.commands().setAction(Command.PICK_MATERIAL,
+        commands.setSwitch(Command.REGION, mouse.regionProperty());
+        commands.setAction(Command.TRACED_FIT, picture::fit);
+        commands.setAction(Command.TRACED_ONE_TO_ONE, picture::oneToOne);
+        commands.setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM));
+        commands.setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM));
+        commands.setAction(Command.PICK_MATERIAL,
                 () -> mouse.pickNext(Texts.of("Click the shape whose material to edit"), at -> model.materials().chooseOf(at.shape())));
         mirrors.setTooltip(new Tooltip(Texts.of("As in 1998, mirrors are updated on demand.\nA click here does it, and F6.")));
-        mirrors.setOnMouseClicked(_ -> model.commands().run(Command.UPDATE_REFLECTIONS));
+        mirrors.setOnMouseClicked(_ -> commands.run(Command.UPDATE_REFLECTIONS));
         var badges = new VBox(pending, mirrors);
         badges.getStyleClass().add("badges");
         badges.setPickOnBounds(false);
@@ -110,7 +117,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         look.setMaxHeight(Region.USE_PREF_SIZE);
         StackPane.setAlignment(look, Pos.TOP_RIGHT);
         StackPane.setMargin(look, BADGES);
-        Node progress = new ProgressOverlay(model);
+        Node progress = new ProgressOverlay(commands, traced, model.fileWork());
         StackPane.setAlignment(progress, Pos.BOTTOM_CENTER);
         card.setId("pixel-lights");
         card.getStyleClass().add("pixel-card");
@@ -126,14 +133,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         prompt.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : Texts.of("{0}  ·  Esc ends", p)));
         prompt.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
         StackPane.setAlignment(prompt, Pos.TOP_CENTER);
-        Node legend = new StopLegend(model);
+        Node legend = new StopLegend(traced.viewProperty());
         StackPane.setAlignment(legend, Pos.BOTTOM_RIGHT);
         StackPane.setMargin(legend, BADGES);
-        Node clipping = new ClippingLegend(model);
+        Node clipping = new ClippingLegend(traced.viewProperty());
         StackPane.setAlignment(clipping, Pos.BOTTOM_RIGHT);
         StackPane.setMargin(clipping, BADGES);
-        model.commands().setSwitch(Command.MARK_CLIPPING, model.viewProperty().map(ViewTransform::marked),
-                () -> model.viewProperty().set(model.viewProperty().get().withMarked(!model.viewProperty().get().marked())));
+        var view = traced.viewProperty();
+        commands.setSwitch(Command.MARK_CLIPPING, view.map(ViewTransform::marked),
+                () -> view.set(view.get().withMarked(!view.get().marked())));
         var stage = new StackPane(waiting, picture, mouse.overlay(), badges, look, card, legend, clipping, progress, prompt);
         stage.getStyleClass().add("canvas");
         setTop(header());
@@ -145,9 +153,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         setBottom(pixelLine);
         difference.setId("difference");
         difference.selectedProperty().subscribe(_ -> repaint());
-        model.repaintsProperty().subscribe(_ -> repaint());
-        model.situationProperty().subscribe(_ -> mark());
-        model.renderingProperty().subscribe(_ -> mark());
+        traced.repaintsProperty().subscribe(_ -> repaint());
+        editor.situationProperty().subscribe(_ -> mark());
+        traced.renderingProperty().subscribe(_ -> mark());
         picture.say("");
     }
 
@@ -164,10 +172,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     private Node header() {
-        var zoom = new HBox(CommandButton.icon(model, Command.TRACED_FIT), CommandButton.icon(model, Command.TRACED_ONE_TO_ONE));
+        var zoom = new HBox(CommandButton.icon(commands, Command.TRACED_FIT), CommandButton.icon(commands, Command.TRACED_ONE_TO_ONE));
         zoom.setAlignment(Pos.CENTER);
-        return new PaneHeader(Texts.of("Ray traced"), difference, CommandButton.icon(model, Command.ONLY_SELECTED), snapshot(), compareBox,
-                new ExposureControl(model), viewMenu(), CommandButton.icon(model, Command.REGION), zoom);
+        return new PaneHeader(Texts.of("Ray traced"), difference, CommandButton.icon(commands, Command.ONLY_SELECTED), snapshot(),
+                compareBox,
+                new ExposureControl(traced.viewProperty(), editor.message()), viewMenu(), CommandButton.icon(commands, Command.REGION),
+                zoom);
     }
 
     private MenuButton viewMenu() {
@@ -176,7 +186,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         menu.setAccessibleText(Texts.of("How the picture is shown"));
         menu.setTooltip(new Tooltip(Texts.of("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene.")));
         menu.getStyleClass().addAll("button-icon", "flat");
-        menu.getItems().setAll(ViewItems.of(model, CommandItems.of(model, "view-")));
+        menu.getItems().setAll(ViewItems.of(traced.viewProperty(), CommandItems.of(commands, "view-")));
         return menu;
     }
 
@@ -199,12 +209,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     }
 
     private void store() {
-        TracedRaster.Pixels pixels = model.raster().pixels();
+        TracedRaster.Pixels pixels = traced.raster().pixels();
         if (pixels != null) {
             picture.wipe().store(pixels.width(), pixels.height(), pixels.pixels());
             comparing.set(Optional.empty());
             picture.requestLayout();
-            model.say(Texts.of("Snapshot kept"));
+            editor.message().show(Texts.of("Snapshot kept"));
         }
     }
 
@@ -216,8 +226,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             Platform.runLater(this::forgetPixel);
             return;
         }
-        pixelLine.setText(report.headline(model.frame() == null ? ""
-                : PixelValues.text(model.frame().seen(), model.viewProperty().get(), report.x(), report.y())));
+        pixelLine.setText(report.headline(traced.frame() == null ? ""
+                : PixelValues.text(traced.frame().seen(), traced.viewProperty().get(), report.x(), report.y())));
         pixelTip.setText(pixelLine.getText());
         pixelLine.setTooltip(pixelTip);
     }
@@ -237,14 +247,14 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** How the picture is behind the edits; empty where it is not. */
     private String remark() {
-        Situation now = model.situationProperty().get();
-        if (model.raster().isPatched() && mouse.patched() != null && now.rendered().isPresent()
+        Situation now = editor.situationProperty().get();
+        if (traced.raster().isPatched() && mouse.patched() != null && now.rendered().isPresent()
                 && !VisiblePart.same(mouse.patched(), now.rendered().get())) {
             return VisiblePart.same(mouse.patched(), now.scene()) ? Texts.of("A region shows edits that the rest does not")
                     : Texts.of("A region shows other edits than the rest");
         }
         if (now.frame().isEmpty()) {
-            return model.raster().pixels() == null ? "" : coarse();
+            return traced.raster().pixels() == null ? "" : coarse();
         }
         // What is played is always on its way.
         boolean comes = now.animating() && now.inWork().isPresent();
@@ -257,15 +267,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** What is said in the place of a picture that is not there yet. */
     private String waiting() {
-        RenderState state = model.renderingProperty().get();
+        RenderState state = traced.renderingProperty().get();
         if (state.problem() != null) {
             return Sentence.of(state.problem());
         }
-        return state.cancelled() ? Texts.of("Cancelled. Go traces the picture.") : Texts.of("Tracing {0} …", model.document().name());
+        return state.cancelled() ? Texts.of("Cancelled. Go traces the picture.") : Texts.of("Tracing {0} …", editor.document().name());
     }
 
     private void tellPending(String remark) {
-        RenderState state = model.renderingProperty().get();
+        RenderState state = traced.renderingProperty().get();
         begun |= state.frame() != null && state.frame().finished() || state.cancelled() || state.problem() != null;
         if (begun) {
             pending.tell(remark);
@@ -277,11 +287,11 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private void mark() {
         waiting.setText(waiting());
         tellPending(remark());
-        var frame = model.renderingProperty().get().frame();
+        var frame = traced.renderingProperty().get().frame();
         String shown = frame == null ? "" : frame.look().label();
         look.tell(shown.isEmpty() ? "" : Texts.of("View: {0}", shown));
         boolean stale = frame != null && frame.looksStale();
-        mirrors.tell(stale ? model.situationProperty().get().mirrorsRemark().map(r -> Texts.of("{0}: Update Reflections", r)).orElse("")
+        mirrors.tell(stale ? editor.situationProperty().get().mirrorsRemark().map(r -> Texts.of("{0}: Update Reflections", r)).orElse("")
                 : "");
         boolean verified = verified() != null;
         difference.setVisible(verified);
@@ -293,7 +303,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
 
     /** The difference picture's films, where the last verification is of the picture shown; else null. */
     private Verification verified() {
-        var state = model.renderingProperty().get();
+        var state = traced.renderingProperty().get();
         boolean fits = state.verification() != null && state.frame() != null
                 && state.verification().speaksOf(state.frame().promise());
         return fits ? state.verification() : null;
@@ -307,8 +317,8 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             shown = null;
             return;
         }
-        TracedRaster.Pixels pixels = model.raster().pixels();
-        TracedRaster.Dirty dirty = model.raster().takeDirty();
+        TracedRaster.Pixels pixels = traced.raster().pixels();
+        TracedRaster.Dirty dirty = traced.raster().takeDirty();
         if (pixels == null) {
             picture.clear();
             shown = null;

@@ -2,23 +2,24 @@ package lightning.editor.window.traced;
 
 import java.util.ArrayList;
 import java.util.List;
+import javafx.beans.property.ObjectProperty;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.EditorModel;
 import lightning.render.image.DisplayCurve;
+import lightning.render.image.ViewTransform;
 
 /** The choices of how the traced picture is looked at, none of which is a part of the scene. */
 public final class ViewItems {
     private ViewItems() {}
 
     /** @param items make the menu's items */
-    public static List<MenuItem> of(EditorModel model, CommandItems items) {
+    public static List<MenuItem> of(ObjectProperty<ViewTransform> view, CommandItems items) {
         List<MenuItem> all = new ArrayList<>();
         for (DisplayCurve curve : DisplayCurve.values()) {
-            all.add(curve(model, items, curve));
+            all.add(curve(view, items, curve));
         }
         all.addAll(List.of(new SeparatorMenuItem(), items.item(Command.COLOR_TABLE), items.item(Command.MARK_CLIPPING),
                 new SeparatorMenuItem(),
@@ -26,8 +27,7 @@ public final class ViewItems {
         return all;
     }
 
-    private static MenuItem curve(EditorModel model, CommandItems items, DisplayCurve curve) {
-        var view = model.viewProperty();
+    private static MenuItem curve(ObjectProperty<ViewTransform> view, CommandItems items, DisplayCurve curve) {
         return items.choice(Command.CURVE, curve.word(), Texts.of(curve.title()), view.map(v -> v.curve() == curve),
                 () -> view.set(view.get().withCurve(curve)));
     }

@@ -64,7 +64,7 @@ class AnimationWindowTest {
     private void start(Stage stage) throws Exception {
         model = OpenEditor.model(folder);
         OpenEditor.show(stage, new Pane());
-        before = model.scene();
+        before = model.editor().scene();
         window = new AnimationWindow(model, stage, new Answer(folder));
         window.show();
     }
@@ -77,7 +77,7 @@ class AnimationWindowTest {
 
     @Test
     void opening_disablesWhatWouldEditTheDocument() {
-        assertThat(model.isAnimating()).isTrue();
+        assertThat(model.editor().isAnimating()).isTrue();
         assertThat(model.commands().isEnabled(Command.MAKE_ANIMATION)).isFalse();
         assertThat(model.commands().isEnabled(Command.DELETE_LIGHT)).isFalse();
     }
@@ -112,12 +112,12 @@ class AnimationWindowTest {
     void play_rendersFrameByFrameUntilStop(FxRobot robot) throws Exception {
         load(robot, 0, 8);
         robot.clickOn("#play");
-        OpenEditor.await(() -> model.frame() != null && x(model.frame().scene()) > 1);
+        OpenEditor.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) > 1);
         robot.clickOn("#stop");
         assertThat(robot.lookup("#play").query().isDisabled()).isFalse();
         assertThat(robot.lookup("#stop").query().isDisabled()).isTrue();
-        assertThat(x(model.scene())).isBetween(0.0, 8.0);
-        assertThat(model.document().scene()).isEqualTo(before);
+        assertThat(x(model.editor().scene())).isBetween(0.0, 8.0);
+        assertThat(model.editor().document().scene()).isEqualTo(before);
     }
 
     @Test
@@ -132,26 +132,26 @@ class AnimationWindowTest {
     void scrub_showsTheFrame(FxRobot robot) throws Exception {
         load(robot, 0, 8);
         robot.interact(() -> robot.lookup("#scrub").queryAs(Slider.class).setValue(5));
-        assertThat(x(model.scene())).isEqualTo(5);
-        OpenEditor.await(() -> model.frame() != null && x(model.frame().scene()) == 5);
+        assertThat(x(model.editor().scene())).isEqualTo(5);
+        OpenEditor.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) == 5);
     }
 
     @Test
     void close_restoresTheSceneAndItsPicture(FxRobot robot) throws Exception {
         load(robot, 0, 8);
-        OpenEditor.await(() -> model.frame() != null && x(model.frame().scene()) == 0);
+        OpenEditor.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) == 0);
         robot.clickOn("#close-animation");
-        assertThat(model.isAnimating()).isFalse();
-        assertThat(model.scene()).isEqualTo(before);
+        assertThat(model.editor().isAnimating()).isFalse();
+        assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
-        OpenEditor.await(() -> model.frame().scene().equals(before));
+        OpenEditor.await(() -> model.picture().frame().scene().equals(before));
     }
 
     @Test
     void escape_closesTheWindow(FxRobot robot) {
         robot.push(KeyCode.ESCAPE);
         assertThat(window.isShowing()).isFalse();
-        assertThat(model.isAnimating()).isFalse();
+        assertThat(model.editor().isAnimating()).isFalse();
     }
 
     @Test
@@ -191,8 +191,8 @@ class AnimationWindowTest {
         robot.clickOn("#record");
         for (int i = 0; i < frames; i++) {
             robot.interact(() -> {
-                model.edit(scene -> new Change.To(moved(scene)));
-                model.previewFramesProperty().set(model.previewFramesProperty().get() + 1);
+                model.editor().edit(scene -> new Change.To(moved(scene)));
+                model.previewLook().framesProperty().set(model.previewLook().framesProperty().get() + 1);
             });
         }
         robot.clickOn("#stop");

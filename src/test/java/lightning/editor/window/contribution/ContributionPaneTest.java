@@ -23,13 +23,13 @@ class ContributionPaneTest extends EditorDesk {
 
     /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */
     private Scene openWith(Light more) {
-        robot.interact(() -> model().edit(s -> LightEdits.add(s, more)));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, more)));
         robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.F9);
         waitFor("all lights are asked", () -> text("contribution-summary").contains("displayed pixel")
                 || text("contribution-summary").startsWith("Every"));
-        return model().scene();
+        return model().editor().scene();
     }
 
     private List<Contribution> rows() {
@@ -39,18 +39,18 @@ class ContributionPaneTest extends EditorDesk {
     @Test
     void lightThatChangesNothing_isSwitchedOffAndProvedInEveryBit() {
         Scene before = openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
-        Film old = model().frame().film();
+        Film old = model().picture().frame().film();
         assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
         assertThat(rows()).extracting(Contribution::light).containsExactly("lamp", "sun", "stage", "below");
         assertThat(ContributionPane.without(rows().getLast())).isEqualTo("equal in every bit");
         click("switch-off-idle");
         waitFor("it is proved", () -> text("contribution-proof").contains("equal to the old one in every bit"));
         assertThat(light("below").on()).isFalse();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertFilmIs(old);
         waitFor("it is told anew", () -> text("contribution-summary").startsWith("Every light"));
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test

@@ -35,13 +35,13 @@ class CuePaneTest extends EditorDesk {
 
     /** Two cues, of which the second is lit now. */
     private void keepTwo() {
-        day = model().scene();
+        day = model().editor().scene();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
         keep("day");
-        robot.interact(() -> model().edit(s -> LightEdits.color(s, "lamp", new Rgb(0.1, 0.1, 0.5))));
-        robot.interact(() -> model().edit(s -> LightEdits.on(s, "sun", false)));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.color(s, "lamp", new Rgb(0.1, 0.1, 0.5))));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.on(s, "sun", false)));
         go();
-        night = model().scene();
+        night = model().editor().scene();
         keep("night");
     }
 
@@ -50,7 +50,7 @@ class CuePaneTest extends EditorDesk {
     }
 
     private int[] pixels(Scene scene) {
-        return model().viewProperty().get().toPixels(new ReferenceTracer(scene).trace());
+        return model().picture().viewProperty().get().toPixels(new ReferenceTracer(scene).trace());
     }
 
     @Test
@@ -58,11 +58,11 @@ class CuePaneTest extends EditorDesk {
         keepTwo();
         assertThat(JenReader.read(folder.resolve("desk.cues/night.jen")).scene().lights()).isEqualTo(night.lights());
         click("cue-restore-day");
-        assertThat(model().scene()).isEqualTo(day);
+        assertThat(model().editor().scene()).isEqualTo(day);
         waitForPicture();
         assertFilmIs(new ReferenceTracer(day).trace());
         robot.push(KeyCode.CONTROL, KeyCode.Z);
-        assertThat(model().scene()).isEqualTo(night);
+        assertThat(model().editor().scene()).isEqualTo(night);
         waitForPicture();
         assertFilmIs(new ReferenceTracer(night).trace());
         robot.clickOn("#cue-name-day");
@@ -84,18 +84,18 @@ class CuePaneTest extends EditorDesk {
         Slider slider = robot.lookup("#cue-blend").query();
         robot.interact(() -> slider.setValue(30));
         Lighting expected = LightingBlend.at(Lighting.of(day), Lighting.of(night), 0.3);
-        assertThat(Lighting.of(model().scene())).isEqualTo(expected);
+        assertThat(Lighting.of(model().editor().scene())).isEqualTo(expected);
         waitForPicture();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         robot.interact(() -> slider.setValue(100));
-        assertThat(model().scene()).isEqualTo(night);
+        assertThat(model().editor().scene()).isEqualTo(night);
         robot.interact(() -> slider.setValue(0));
-        assertThat(model().scene()).isEqualTo(day);
+        assertThat(model().editor().scene()).isEqualTo(day);
         robot.interact(() -> slider.setValue(100));
         robot.drag("#cue-blend .thumb").moveBy(-60, 0).moveBy(-60, 0).drop();
-        assertThat(model().scene()).isNotEqualTo(night);
+        assertThat(model().editor().scene()).isNotEqualTo(night);
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(model().scene()).isEqualTo(night);
+        assertThat(model().editor().scene()).isEqualTo(night);
     }
 
     @Test
@@ -124,29 +124,29 @@ class CuePaneTest extends EditorDesk {
 
     @Test
     void pictureThatIsBehind_isNotKept() {
-        robot.interact(() -> model().edit(s -> LightEdits.on(s, "sun", false)));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.on(s, "sun", false)));
         robot.push(KeyCode.SHIFT, KeyCode.F4);
         assertThat(robot.lookup("#cue-keep").query().isDisabled()).isTrue();
     }
 
     @Test
     void lightRig_isSavedAndLoadedAndAdded() throws Exception {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         answer = folder.resolve("three.jen");
         robot.interact(() -> model().commands().run(Command.SAVE_RIG));
         waitFor("it is written", () -> Files.exists(answer));
         assertThat(Files.readString(answer)).contains("light lamp point").doesNotContain("sphere");
-        robot.interact(() -> model().edit(s -> LightEdits.delete(s, "lamp")));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.delete(s, "lamp")));
         robot.interact(() -> model().commands().run(Command.LOAD_RIG));
-        waitFor("it is loaded", () -> model().lights().size() == 3);
-        assertThat(model().scene()).isEqualTo(before);
+        waitFor("it is loaded", () -> model().editor().scene().lights().size() == 3);
+        assertThat(model().editor().scene()).isEqualTo(before);
         robot.interact(() -> model().commands().run(Command.ADD_RIG));
-        waitFor("it is added", () -> model().lights().size() == 6);
+        waitFor("it is added", () -> model().editor().scene().lights().size() == 6);
         go();
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(model().scene()).isEqualTo(before);
-        answer = model().document().file();
+        assertThat(model().editor().scene()).isEqualTo(before);
+        answer = model().editor().document().file();
         robot.interact(() -> model().commands().run(Command.SAVE_RIG));
-        assertThat(model().messageProperty().get()).contains("is the open scene");
+        assertThat(model().editor().message().textProperty().get()).contains("is the open scene");
     }
 }

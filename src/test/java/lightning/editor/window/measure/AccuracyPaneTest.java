@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 class AccuracyPaneTest extends EditorDesk {
 
     private void dim() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
     }
 
     private void measure() {
@@ -53,7 +53,7 @@ class AccuracyPaneTest extends EditorDesk {
 
     @Test
     void eachLevel_isMeasuredForTheEditsThatAreNotRenderedYet() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         dim();
         robot.push(KeyCode.F9);
         assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
@@ -62,7 +62,7 @@ class AccuracyPaneTest extends EditorDesk {
                 .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING)));
         assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
         Rung exact = rung(Grade.EXACT);
-        assertThat(exact.film().sameBits(new ReferenceTracer(model().scene(), before).trace())).isTrue();
+        assertThat(exact.film().sameBits(new ReferenceTracer(model().editor().scene(), before).trace())).isTrue();
         assertThat(model().commands().isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
     }
 
@@ -73,7 +73,7 @@ class AccuracyPaneTest extends EditorDesk {
         waitForPicture();
         robot.push(KeyCode.F9);
         measure();
-        Film full = new ReferenceTracer(model().scene()).trace();
+        Film full = new ReferenceTracer(model().editor().scene()).trace();
         Rung fast = rung(Grade.FAST_SHADING);
         robot.interact(() -> table().getSelectionModel().select(fast));
         assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(DifferencePicture.of(fast.film(), full)));
@@ -85,7 +85,7 @@ class AccuracyPaneTest extends EditorDesk {
     @Test
     void cancelledMeasuring_showsNothingAndCanBeginAgain() {
         // So large that it is not done before the click.
-        robot.interact(() -> model().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSize(800, 600)))));
+        robot.interact(() -> model().editor().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSize(800, 600)))));
         click("go");
         waitForPicture();
         dim();

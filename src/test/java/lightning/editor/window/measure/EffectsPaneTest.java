@@ -31,7 +31,7 @@ class EffectsPaneTest extends EditorDesk {
     void editThatEndsAnEffect_takesItFromTheList() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(isListed("effect-spot-cone")).isTrue();
-        robot.interact(() -> model().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
+        robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
         assertThat(isListed("effect-spot-cone")).isFalse();
     }
 
@@ -42,13 +42,13 @@ class EffectsPaneTest extends EditorDesk {
         click("effect-specular");
         waitFor("it is hidden", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No specular highlights");
-        assertCanvasShows(new ReferenceTracer(model().look().effectsProperty().get().of(model().scene())).trace());
+        assertCanvasShows(new ReferenceTracer(model().look().effectsProperty().get().of(model().editor().scene())).trace());
         assertThat(model().look().effectsProperty().get().shows(Effect.SPECULAR)).isFalse();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isEnabled(Command.GO)).isFalse();
         click("show-all-effects");
         waitFor("all is shown", () -> !isShown("look"));
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     private EffectRow row(String id) {
@@ -82,7 +82,7 @@ class EffectsPaneTest extends EditorDesk {
 
     @Test
     void editMadeLast_isTheOneMeasured() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: weight");
         assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
@@ -91,13 +91,13 @@ class EffectsPaneTest extends EditorDesk {
     @Test
     void editAfterMeasuring_marksTheCostsAsOlder() {
         openAndMeasure();
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
         assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
     }
 
     @Test
     void editThatEndedAnEffect_isNotTheOneMeasured() {
-        robot.interact(() -> model().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
+        robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: full recompute");
     }

@@ -25,7 +25,7 @@ class ScopesPaneTest extends EditorDesk {
     }
 
     private Scopes expected() {
-        return Scopes.of(model().frame().film(), model().viewProperty().get());
+        return Scopes.of(model().picture().frame().film(), model().picture().viewProperty().get());
     }
 
     @Test

@@ -35,7 +35,7 @@ class MixerPaneTest extends EditorDesk {
 
     @BeforeEach
     void openMixer() {
-        first = model().scene();
+        first = model().editor().scene();
         robot.push(KeyCode.F4);
         waitFor("the strips have pictures", () -> robot.lookup("#thumbnail-stage").<ImageView>query().getImage() != null);
     }
@@ -69,7 +69,7 @@ class MixerPaneTest extends EditorDesk {
     /** Waits for the picture of the scene as it is, and holds it against the reference. */
     private void assertPictureShowsTheScene() {
         waitForPicture();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     private List<String> strips() {
@@ -91,12 +91,12 @@ class MixerPaneTest extends EditorDesk {
     @Test
     void strip_showsItsLightsShareAndPart() {
         Film share = new ReferenceTracer(LightShare.scene(first, "stage")).trace();
-        int[] all = model().viewProperty().get().toPixels(share);
+        int[] all = model().picture().viewProperty().get().toPixels(share);
         var image = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
         int[] shown = new int[64 * 48];
         image.getPixelReader().getPixels(0, 0, 64, 48, PixelFormat.getIntArgbInstance(), shown, 0, 64);
         assertThat(shown).isEqualTo(all);
-        double part = brightness(share) / brightness(model().frame().film());
+        double part = brightness(share) / brightness(model().picture().frame().film());
         assertThat(part).isBetween(0.01, 0.99);
         assertThat(robot.lookup("#part-stage").<Labeled>query().getText()).isEqualTo(Percent.text(part));
     }
@@ -121,7 +121,7 @@ class MixerPaneTest extends EditorDesk {
         robot.release(MouseButton.PRIMARY);
         assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
         robot.push(KeyCode.CONTROL, KeyCode.Z);
-        assertThat(model().scene()).isEqualTo(first);
+        assertThat(model().editor().scene()).isEqualTo(first);
     }
 
     @Test
@@ -129,7 +129,7 @@ class MixerPaneTest extends EditorDesk {
         drag("lamp", 0, 1);
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.Z);
-        assertThat(model().scene()).isEqualTo(first);
+        assertThat(model().editor().scene()).isEqualTo(first);
         assertPictureShowsTheScene();
     }
 
@@ -151,10 +151,10 @@ class MixerPaneTest extends EditorDesk {
     @Test
     void draggedFaderOfTheSelectedLight_leavesTheMaterialInFront() {
         drag("lamp", 0, 1);
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         drag("lamp", 1, 2);
         assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
-        assertThat(model().materials().inFrontProperty().get()).isTrue();
+        assertThat(model().editor().materialInFrontProperty().get()).isTrue();
     }
 
     @Test
@@ -172,7 +172,7 @@ class MixerPaneTest extends EditorDesk {
         press("lamp", 0, 3);
         robot.push(KeyCode.ESCAPE);
         robot.release(MouseButton.PRIMARY);
-        assertThat(model().scene()).isEqualTo(first);
+        assertThat(model().editor().scene()).isEqualTo(first);
         assertThat(isShown("mixer")).isTrue();
     }
 
@@ -203,7 +203,7 @@ class MixerPaneTest extends EditorDesk {
         assertThat(List.of(light("lamp").intensity(), light("sun").intensity(), light("stage").intensity()))
                 .isEqualTo(List.of(4.0, 1.6, 1.5));
         click("undo");
-        assertThat(model().scene()).isEqualTo(first);
+        assertThat(model().editor().scene()).isEqualTo(first);
         click("mixer-absolute");
         type("intensity-sun", "3");
         assertThat(List.of(light("lamp").intensity(), light("sun").intensity(), light("stage").intensity()))
@@ -230,10 +230,10 @@ class MixerPaneTest extends EditorDesk {
         assertThat(fader("master").stops()).isZero();
         assertPictureShowsTheScene();
         click("undo");
-        assertThat(model().scene()).isEqualTo(first);
+        assertThat(model().editor().scene()).isEqualTo(first);
         type("stops-master", "-1");
         assertThat(first.lights().stream().map(Light::intensity).map(i -> i / 2).toList())
-                .isEqualTo(model().lights().stream().map(Light::intensity).toList());
+                .isEqualTo(model().editor().scene().lights().stream().map(Light::intensity).toList());
     }
 
     @Test
@@ -255,11 +255,11 @@ class MixerPaneTest extends EditorDesk {
         Bounds to = head("lamp").localToScreen(head("lamp").getBoundsInLocal());
         robot.moveTo(head("stage")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
-        assertThat(model().lights().stream().map(Light::name)).containsExactly("stage", "lamp", "sun");
+        assertThat(model().editor().scene().lights().stream().map(Light::name)).containsExactly("stage", "lamp", "sun");
         assertThat(strips()).containsExactly("stage", "lamp", "sun");
         assertThat(model().commands().reason(Command.UNDO)).isEmpty();
-        assertThat(model().situationProperty().get().undo()).hasValue("order of lights");
-        String text = model().document().text(model().document().content());
+        assertThat(model().editor().situationProperty().get().undo()).hasValue("order of lights");
+        String text = model().editor().document().text(model().editor().document().content());
         assertThat(text.indexOf("light stage")).isLessThan(text.indexOf("light lamp"));
         assertPictureShowsTheScene();
         click("undo");
@@ -269,16 +269,16 @@ class MixerPaneTest extends EditorDesk {
     @Test
     void draggedHeadOfABank_putsItBeforeAnotherWithItsLights() {
         robot.interact(() -> {
-            model().edit(scene -> BankEdits.add(scene, "sun"));
-            model().edit(scene -> BankEdits.add(scene, "stage"));
+            model().editor().edit(scene -> BankEdits.add(scene, "sun"));
+            model().editor().edit(scene -> BankEdits.add(scene, "stage"));
         });
         assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
         Bounds to = head("bank").localToScreen(head("bank").getBoundsInLocal());
         robot.moveTo(head("bank2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
-        assertThat(model().situationProperty().get().undo()).hasValue("order of banks");
-        String text = model().document().text(model().document().content());
+        assertThat(model().editor().situationProperty().get().undo()).hasValue("order of banks");
+        String text = model().editor().document().text(model().editor().document().content());
         assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
         assertPictureShowsTheScene();
         click("undo");
@@ -287,10 +287,10 @@ class MixerPaneTest extends EditorDesk {
 
     @Test
     void bank_hasAStripWhoseFaderIsItsMasterAndTakesLights() {
-        robot.interact(() -> model().edit(scene -> BankEdits.add(scene, "stage")));
+        robot.interact(() -> model().editor().edit(scene -> BankEdits.add(scene, "stage")));
         assertThat(strips()).containsExactly("lamp", "sun", "bank", "stage");
         type("stops-bank", "1");
-        assertThat(model().scene().rig().bank("bank").orElseThrow().intensity()).isEqualTo(2);
+        assertThat(model().editor().scene().rig().bank("bank").orElseThrow().intensity()).isEqualTo(2);
         assertThat(light("stage").intensity()).isEqualTo(1.5);
         assertPictureShowsTheScene();
         Bounds to = head("stage").localToScreen(head("stage").getBoundsInLocal());
@@ -328,7 +328,7 @@ class MixerPaneTest extends EditorDesk {
 
     @Test
     void renamedLight_keepsItsPicture() {
-        robot.interact(() -> model().edit(scene -> lightning.editor.document.LightEdits.rename(scene, "stage", "key")));
+        robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.rename(scene, "stage", "key")));
         assertThat(robot.lookup("#thumbnail-key").<ImageView>query().getImage()).isNotNull();
     }
 }

@@ -36,7 +36,7 @@ class FramePlayerTest {
     private void start(Stage stage) throws Exception {
         model = OpenEditor.model(folder);
         OpenEditor.show(stage, new Pane());
-        model.beginAnimation();
+        model.editor().beginAnimation();
     }
 
     @Stop
@@ -45,23 +45,23 @@ class FramePlayerTest {
     }
 
     private FramePlayer play(FxRobot robot, LongPredicate next) {
-        var player = new FramePlayer(model, () -> ends, next);
+        var player = new FramePlayer(model.editor(), model.picture(), () -> ends, next);
         robot.interact(player::play);
         return player;
     }
 
     private boolean showNext() {
-        traced.add(model.frame().scene());
+        traced.add(model.picture().frame().scene());
         Light key = OpenEditor.light(model, "key");
-        model.animate(model.scene().withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0)))));
-        shown.add(model.scene());
+        model.editor().animate(model.editor().scene().withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0)))));
+        shown.add(model.editor().scene());
         asked++;
         return true;
     }
 
     @Test
     void nextFrame_isShownWhenThePictureOfTheLastIsFinished(FxRobot robot) throws Exception {
-        Scene first = model.scene();
+        Scene first = model.editor().scene();
         FramePlayer player = play(robot, _ -> showNext());
         OpenEditor.await(() -> asked > 3);
         robot.interact(player::stop);
@@ -69,7 +69,7 @@ class FramePlayerTest {
         assertThat(traced.subList(1, traced.size())).isEqualTo(shown.subList(0, shown.size() - 1));
         assertThat(player.isPlaying()).isFalse();
         int stopped = asked;
-        OpenEditor.await(() -> model.frame().scene().equals(shown.getLast()));
+        OpenEditor.await(() -> model.picture().frame().scene().equals(shown.getLast()));
         assertThat(asked).isEqualTo(stopped);
     }
 

@@ -55,14 +55,14 @@ class PreviewTest extends EditorDesk {
     @Test
     void clickOnAGizmo_selectsItsLight() {
         robot.clickOn(inPreview(light("stage").position()));
-        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        assertThat(model().editor().selection().light().name()).isEqualTo("stage");
         robot.clickOn(inPreview(light("lamp").position()));
-        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+        assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     private void addStage2AtStage() {
-        model().edit(scene -> LightEdits.duplicate(scene, "stage"));
-        model().edit(scene -> LightEdits.with(scene, "stage2", l -> l.withPosition(light("stage").position())));
+        model().editor().edit(scene -> LightEdits.duplicate(scene, "stage"));
+        model().editor().edit(scene -> LightEdits.with(scene, "stage2", l -> l.withPosition(light("stage").position())));
     }
 
     @Test
@@ -70,18 +70,18 @@ class PreviewTest extends EditorDesk {
         robot.interact(this::addStage2AtStage);
         Point2D place = inPreview(light("stage").position());
         robot.clickOn(place);
-        String first = model().selectedLight().name();
+        String first = model().editor().selection().light().name();
         robot.clickOn(place);
-        assertThat(List.of(first, model().selectedLight().name())).containsExactlyInAnyOrder("stage", "stage2");
+        assertThat(List.of(first, model().editor().selection().light().name())).containsExactlyInAnyOrder("stage", "stage2");
         robot.clickOn(place);
-        assertThat(model().selectedLight().name()).isEqualTo(first);
+        assertThat(model().editor().selection().light().name()).isEqualTo(first);
     }
 
     @Test
     void dragOfTheSelectedLight_keepsItWhereOthersLieOverIt() {
         robot.interact(() -> {
             addStage2AtStage();
-            model().selectLight("stage2");
+            model().editor().selection().selectLight("stage2");
         });
         Light other = light("stage");
         drag(light("stage2"), MouseButton.SECONDARY, 20, 10);
@@ -93,7 +93,7 @@ class PreviewTest extends EditorDesk {
     void leftDrag_turnsTheLightInOneStep() {
         Light before = light("stage");
         drag(before, MouseButton.PRIMARY, 40, 10);
-        Light expected = LightManipulation.rotate(before, model().previewCameraProperty().get(), preview().viewport(), 40, -10);
+        Light expected = LightManipulation.rotate(before, model().previewLook().cameraProperty().get(), preview().viewport(), 40, -10);
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
         click("undo");
         assertThat(light("stage")).isEqualTo(before);
@@ -119,7 +119,7 @@ class PreviewTest extends EditorDesk {
     void middleDragUp_movesTheLightAway() {
         Light before = light("lamp");
         drag(before, MouseButton.MIDDLE, 0, -40);
-        PreviewCamera view = model().previewCameraProperty().get();
+        PreviewCamera view = model().previewLook().cameraProperty().get();
         assertThat(view.depth(light("lamp").position())).isGreaterThan(view.depth(before.position()));
     }
 
@@ -127,7 +127,7 @@ class PreviewTest extends EditorDesk {
     void altAndLeftDrag_isAMiddleDrag() {
         Light before = light("stage");
         dragHolding(KeyCode.ALT, inPreview(before.position()), 0, -40);
-        Light expected = LightManipulation.dolly(before, model().previewCameraProperty().get(), preview().viewport(), 40);
+        Light expected = LightManipulation.dolly(before, model().previewLook().cameraProperty().get(), preview().viewport(), 40);
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
     }
 
@@ -142,11 +142,11 @@ class PreviewTest extends EditorDesk {
 
     @Test
     void shiftDragUp_zoomsAndResetRestores() {
-        PreviewCamera before = model().previewCameraProperty().get();
+        PreviewCamera before = model().previewLook().cameraProperty().get();
         dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 3, -60);
-        assertThat(model().previewCameraProperty().get().distance()).isLessThan(before.distance());
+        assertThat(model().previewLook().cameraProperty().get().distance()).isLessThan(before.distance());
         click("view-z");
-        assertThat(model().previewCameraProperty().get()).isEqualTo(before);
+        assertThat(model().previewLook().cameraProperty().get()).isEqualTo(before);
     }
 
     @Test
@@ -159,16 +159,16 @@ class PreviewTest extends EditorDesk {
     @Test
     void viewButtons_lookAlongTheirAxis() {
         click("view-x");
-        assertThat(model().previewCameraProperty().get().forward().x()).isGreaterThan(0.99);
+        assertThat(model().previewLook().cameraProperty().get().forward().x()).isGreaterThan(0.99);
         click("view-y");
-        assertThat(model().previewCameraProperty().get().forward().y()).isLessThan(-0.99);
+        assertThat(model().previewLook().cameraProperty().get().forward().y()).isLessThan(-0.99);
     }
 
     @Test
     void cameraOfThePreview_neverTouchesThePicture() {
         click("view-x");
         assertThat(isEnabled(Command.GO)).isFalse();
-        assertThat(model().document().isDirty()).isFalse();
+        assertThat(model().editor().document().isDirty()).isFalse();
     }
 
     @Test
@@ -195,87 +195,91 @@ class PreviewTest extends EditorDesk {
     void bracketKeys_selectTheNextLight() {
         robot.clickOn(inPreview(light("lamp").position()));
         robot.type(KeyCode.CLOSE_BRACKET);
-        assertThat(model().selectedLight().name()).isEqualTo("sun");
+        assertThat(model().editor().selection().light().name()).isEqualTo("sun");
         robot.type(KeyCode.OPEN_BRACKET);
-        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+        assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
     void lightOutOfView_isTakenAtItsMarker() {
-        robot.interact(() -> model().previewCameraProperty().set(
-                model().previewCameraProperty().get().panned(-400, 0, preview().viewport())));
-        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()))
+        robot.interact(() -> model().previewLook().cameraProperty().set(
+                model().previewLook().cameraProperty().get().panned(-400, 0, preview().viewport())));
+        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
                 .hasSize(3);
-        var marker = LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()).getLast();
+        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())
+                .getLast();
         robot.clickOn(preview().onScreen(marker.at()));
-        assertThat(model().selectedLight()).isIn(model().lights());
+        assertThat(model().editor().selection().light()).isIn(model().editor().scene().lights());
         click("view-all");
-        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport())).isEmpty();
+        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+                .isEmpty();
     }
 
     @Test
     void hiddenGizmo_isNeitherTakenNorSelected() {
-        robot.interact(() -> model().selectLight("stage"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("hide-gizmos");
         Light lamp = light("lamp");
         robot.clickOn(inPreview(lamp.position()));
         drag(lamp, MouseButton.SECONDARY, 30, 20);
-        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        assertThat(model().editor().selection().light().name()).isEqualTo("stage");
         assertThat(light("lamp")).isEqualTo(lamp);
         assertThat(isEnabled(Command.UNDO)).isFalse();
         click("hide-gizmos");
         robot.clickOn(inPreview(lamp.position()));
-        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+        assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
     void hiddenMarker_isNotTaken() {
-        robot.interact(() -> model().previewCameraProperty().set(
-                model().previewCameraProperty().get().panned(-400, 0, preview().viewport())));
-        var marker = LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport()).getLast();
+        robot.interact(() -> model().previewLook().cameraProperty().set(
+                model().previewLook().cameraProperty().get().panned(-400, 0, preview().viewport())));
+        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())
+                .getLast();
         robot.interact(() -> {
-            model().selectLight("lamp");
+            model().editor().selection().selectLight("lamp");
             preview().requestFocus();
         });
         robot.type(KeyCode.G);
         assertThat(model().previewLook().gizmosHiddenProperty().get()).isTrue();
         robot.clickOn(preview().onScreen(marker.at()));
-        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+        assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
     void largeGizmo_isTakenWhereItIsDrawn() {
         // The sphere of a point light has a radius of 12 pixels, 19.2 where it is large; a click may be 8 beside it.
         Point2D rim = inPreview(light("lamp").position()).add(0, -24);
-        robot.interact(() -> model().selectLight("stage"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         robot.clickOn(rim);
-        assertThat(model().selectedLight().name()).isEqualTo("stage");
+        assertThat(model().editor().selection().light().name()).isEqualTo("stage");
         robot.interact(() -> model().previewLook().sizeProperty().set(GizmoSize.LARGE));
         robot.clickOn(rim);
-        assertThat(model().selectedLight().name()).isEqualTo("lamp");
+        assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
     void openedScene_isFirstSeenWithAllItsLights() throws Exception {
-        PreviewCamera own = PreviewCamera.of(model().scene());
-        assertThat(model().previewCameraProperty().get()).as("all lights are in view").isEqualTo(own);
+        PreviewCamera own = PreviewCamera.of(model().editor().scene());
+        assertThat(model().previewLook().cameraProperty().get()).as("all lights are in view").isEqualTo(own);
         String text = Files.readString(folder.resolve("desk.jen")).replace("at -2 2.2 0.5", "at -2 6.2 0.5");
         Path other = Files.writeString(folder.resolve("high.jen"), text);
         robot.interact(() -> editor.files().load(other));
-        waitFor("the scene is open", () -> model().document().name().equals("high.jen"));
+        waitFor("the scene is open", () -> model().editor().document().name().equals("high.jen"));
         waitForPicture();
-        assertThat(model().previewCameraProperty().get().distance()).isGreaterThan(own.distance());
-        assertThat(LightMarker.of(model().lights(), model().previewCameraProperty().get(), preview().viewport())).isEmpty();
-        assertThat(model().frame().scene().camera()).as("of the traced picture").isEqualTo(model().scene().camera());
-        assertThat(model().document().isDirty()).isFalse();
+        assertThat(model().previewLook().cameraProperty().get().distance()).isGreaterThan(own.distance());
+        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+                .isEmpty();
+        assertThat(model().picture().frame().scene().camera()).as("of the traced picture").isEqualTo(model().editor().scene().camera());
+        assertThat(model().editor().document().isDirty()).isFalse();
     }
 
     @Test
     void edit_leavesTheViewAsItIs() {
-        PreviewCamera before = model().previewCameraProperty().get();
-        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(0, 50, 0)))));
+        PreviewCamera before = model().previewLook().cameraProperty().get();
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(0, 50, 0)))));
         QuickRobot.settle();
-        assertThat(model().previewCameraProperty().get()).isEqualTo(before);
+        assertThat(model().previewLook().cameraProperty().get()).isEqualTo(before);
     }
 
     private NodeGizmo.Handle handle(NodeGizmo of, NodeGizmo.Act act, int axis) {
@@ -285,11 +289,11 @@ class PreviewTest extends EditorDesk {
     @Test
     void clickOnAShape_selectsItAndAnArrowMovesIt() {
         robot.clickOn(inPreview(new Vec3(0, 0.6, 0)));
-        waitFor("it is selected", () -> model().selectedNode().isPresent());
-        Node ball = model().selectedNode().orElseThrow();
+        waitFor("it is selected", () -> model().editor().selection().node().isPresent());
+        Node ball = model().editor().selection().node().orElseThrow();
         assertThat(ball.name()).isEqualTo("ball");
-        PreviewCamera view = model().previewCameraProperty().get();
-        NodeGizmo gizmo = NodeGizmo.of(model().scene(), ball, view, preview().viewport()).orElseThrow();
+        PreviewCamera view = model().previewLook().cameraProperty().get();
+        NodeGizmo gizmo = NodeGizmo.of(model().editor().scene(), ball, view, preview().viewport()).orElseThrow();
         Vec3 tip = handle(gizmo, NodeGizmo.Act.MOVE, 1).lines().getFirst().to();
         Point2D from = inPreview(tip);
         robot.moveTo(from);
@@ -297,12 +301,12 @@ class PreviewTest extends EditorDesk {
         robot.moveTo(from.add(0, -20));
         robot.moveTo(inPreview(tip.plus(new Vec3(0, 0.5, 0))));
         robot.release(MouseButton.PRIMARY);
-        Vec3 at = model().selectedNode().orElseThrow().placement().at();
+        Vec3 at = model().editor().selection().node().orElseThrow().placement().at();
         assertThat(at.x()).isZero();
         assertThat(at.z()).isZero();
         assertThat(at.y()).isBetween(1.4, 1.6);
         assertGoShowsTheScene();
         click("undo");
-        assertThat(model().selectedNode()).as("all of the drag was one step").contains(ball);
+        assertThat(model().editor().selection().node()).as("all of the drag was one step").contains(ball);
     }
 }

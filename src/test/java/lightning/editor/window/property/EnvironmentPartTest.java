@@ -26,7 +26,7 @@ class EnvironmentPartTest extends EditorDesk {
     }
 
     private World world() {
-        return model().scene().world();
+        return model().editor().scene().world();
     }
 
     private String shown() {
@@ -60,15 +60,15 @@ class EnvironmentPartTest extends EditorDesk {
     @Test
     void skyBesideTheScene_lightsItAndIsTakenBackByUndo() throws IOException {
         sky("red_dusk.hdr");
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         choose("red_dusk.hdr");
         waitFor("it is read", () -> shown().equals("red_dusk.hdr"));
         assertThat(robot.from(choice()).lookup((Node n) -> n instanceof Text t && t.getText().equals("red_dusk.hdr")).tryQuery())
                 .as("underscore and all").isPresent();
-        assertThat(model().situationProperty().get().undo()).contains("environment none → red_dusk.hdr");
+        assertThat(model().editor().situationProperty().get().undo()).contains("environment none → red_dusk.hdr");
         assertGoShowsTheScene();
         click("undo");
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(choice().getText()).isEqualTo("none");
     }
 
@@ -80,7 +80,7 @@ class EnvironmentPartTest extends EditorDesk {
         sky("dusk.hdr");
         choose("dusk.hdr");
         waitFor("it is read", () -> shown().equals("dusk.hdr"));
-        robot.interact(() -> model().selectLight(null));
+        robot.interact(() -> model().editor().selection().selectLight(null));
         type("environment-intensity", "2.5");
         type("environment-rotation", "-30");
         type("environment-softness", "0.5");
@@ -89,7 +89,7 @@ class EnvironmentPartTest extends EditorDesk {
         assertThat(world().rotation()).isEqualTo(-30);
         assertThat(world().lamps()).isEqualTo(7);
         assertThat(world().softness()).isEqualTo(0.5);
-        assertThat(model().situationProperty().get().undo()).contains("environment lamps 16 → 7");
+        assertThat(model().editor().situationProperty().get().undo()).contains("environment lamps 16 → 7");
         choose("None");
         waitFor("it is gone", () -> shown().isEmpty());
         assertThat(world().rotation()).as("is kept for the next").isEqualTo(-30);
@@ -99,7 +99,7 @@ class EnvironmentPartTest extends EditorDesk {
     void fileThatIsNoSky_isRefusedInASentence() throws IOException {
         Files.writeString(Files.createDirectories(folder.resolve("textures")).resolve("fake.hdr"), "no picture");
         choose("fake.hdr");
-        waitFor("it is refused", () -> model().messageProperty().get().contains("fake.hdr"));
+        waitFor("it is refused", () -> model().editor().message().textProperty().get().contains("fake.hdr"));
         assertThat(shown()).isEmpty();
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }

@@ -23,7 +23,7 @@ class GoboPartTest extends EditorDesk {
     }
 
     private void select(String light) {
-        robot.interact(() -> model().selectLight(light));
+        robot.interact(() -> model().editor().selection().selectLight(light));
     }
 
     private void picture(String name) throws IOException {
@@ -43,14 +43,14 @@ class GoboPartTest extends EditorDesk {
     @Test
     void pictureBesideTheScene_isProjectedAndTakenBackByUndo() throws IOException {
         picture("dots.png");
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         select("stage");
         choose("dots.png");
         waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
         assertThat(choice().getText()).isEqualTo("dots.png");
         assertGoShowsTheScene();
         click("undo");
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(choice().getText()).isEqualTo("none");
     }
 
@@ -61,7 +61,7 @@ class GoboPartTest extends EditorDesk {
         select("stage");
         answer = Files.write(Files.createDirectories(folder.resolve("elsewhere")).resolve("torn.png"), new byte[] {(byte) 137, 80});
         choose("Browse…");
-        waitFor("it says why", () -> model().messageProperty().get().contains("'torn.png'"));
+        waitFor("it says why", () -> model().editor().message().textProperty().get().contains("'torn.png'"));
         assertThat(folder.resolve("textures/torn.png")).doesNotExist();
         picture("dots.png");
         answer = Files.move(folder.resolve("textures/dots.png"), folder.resolve("elsewhere/dots.png"));
@@ -115,7 +115,7 @@ class GoboPartTest extends EditorDesk {
         Files.delete(folder.resolve("textures").resolve("dots.png"));
         MenuItem item = choice().getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
         robot.interact(item::fire);
-        waitFor("it is refused", () -> model().messageProperty().get().contains("dots.png"));
+        waitFor("it is refused", () -> model().editor().message().textProperty().get().contains("dots.png"));
         assertThat(light("stage").gobo()).isEmpty();
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }

@@ -38,7 +38,7 @@ class LightListPaneTest {
     @Start
     private void start(Stage stage) throws Exception {
         model = OpenEditor.model(folder);
-        OpenEditor.show(stage, new LightListPane(model));
+        OpenEditor.show(stage, new LightListPane(model.editor(), model.commands()));
     }
 
     @Stop
@@ -55,20 +55,20 @@ class LightListPaneTest {
     @Test
     void click_selectsTheLight(FxRobot robot) {
         robot.clickOn("sun");
-        assertThat(model.selectedLight().name()).isEqualTo("sun");
+        assertThat(model.editor().selection().light().name()).isEqualTo("sun");
     }
 
     @Test
     void arrowKeys_selectTheNextLight(FxRobot robot) {
         robot.clickOn("key").push(KeyCode.DOWN);
-        assertThat(model.selectedLight().name()).isEqualTo("fill");
+        assertThat(model.editor().selection().light().name()).isEqualTo("fill");
     }
 
     @Test
     void lightSelectedElsewhere_isSelectedHere(FxRobot robot) {
-        robot.interact(() -> model.selectLight("fill"));
+        robot.interact(() -> model.editor().selection().selectLight("fill"));
         assertThat(selected(robot)).isEqualTo("fill");
-        robot.interact(() -> model.selectLight(null));
+        robot.interact(() -> model.editor().selection().selectLight(null));
         assertThat(list(robot).getSelectionModel().isEmpty()).isTrue();
     }
 
@@ -76,7 +76,7 @@ class LightListPaneTest {
     void addLight_addsOneOfTheTypeAndSelectsIt(FxRobot robot) {
         robot.clickOn("#add-light").clickOn("Spot");
         assertThat(names(robot)).containsExactly("key", "fill", "sun", "spot");
-        assertThat(model.selectedLight().type()).isEqualTo(LightType.SPOT);
+        assertThat(model.editor().selection().light().type()).isEqualTo(LightType.SPOT);
         assertThat(selected(robot)).isEqualTo("spot");
     }
 
@@ -84,9 +84,9 @@ class LightListPaneTest {
     void duplicate_putsACopyBehindAndSelectsIt(FxRobot robot) {
         robot.clickOn("#duplicate-light");
         assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
-        assertThat(model.selectedLight().name()).isEqualTo("key2");
-        assertThat(model.selectedLight().position()).isEqualTo(new Vec3(3.9, 5, 2));
-        assertThat(model.messageProperty().get()).isEqualTo("key2 stands 0.9 beside key, along x");
+        assertThat(model.editor().selection().light().name()).isEqualTo("key2");
+        assertThat(model.editor().selection().light().position()).isEqualTo(new Vec3(3.9, 5, 2));
+        assertThat(model.editor().message().textProperty().get()).isEqualTo("key2 stands 0.9 beside key, along x");
     }
 
     @Test
@@ -110,7 +110,7 @@ class LightListPaneTest {
     void bulb_switchesItsLightWithoutSelectingIt(FxRobot robot) {
         robot.clickOn(toggle(robot, "sun on"));
         assertThat(OpenEditor.light(model, "sun").on()).isFalse();
-        assertThat(model.selectedLight().name()).isEqualTo("key");
+        assertThat(model.editor().selection().light().name()).isEqualTo("key");
         robot.clickOn(toggle(robot, "sun on"));
         assertThat(OpenEditor.light(model, "sun").on()).isTrue();
     }
@@ -134,7 +134,7 @@ class LightListPaneTest {
     void f2_renamesInPlace(FxRobot robot) {
         robot.clickOn("fill").push(KeyCode.F2).write("rim").push(KeyCode.ENTER);
         assertThat(names(robot)).containsExactly("key", "rim", "sun");
-        assertThat(model.selectedLight().name()).isEqualTo("rim");
+        assertThat(model.editor().selection().light().name()).isEqualTo("rim");
         assertThat(robot.lookup("rim").tryQuery()).isPresent();
     }
 
@@ -143,7 +143,7 @@ class LightListPaneTest {
         robot.clickOn("fill").push(KeyCode.F2).write("_7 \"a=b\" Ä").push(KeyCode.ENTER);
         assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "sun");
         assertThat(robot.lookup("_7 \"a=b\" Ä").tryQuery()).isPresent();
-        robot.interact(() -> model.edit(scene -> LightEdits.duplicate(scene, "_7 \"a=b\" Ä")));
+        robot.interact(() -> model.editor().edit(scene -> LightEdits.duplicate(scene, "_7 \"a=b\" Ä")));
         assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "_7 \"a=b\" Ä2", "sun");
     }
 
@@ -197,18 +197,18 @@ class LightListPaneTest {
     void switchesOfABank_areThoseOfAllItsLights(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn(toggle(robot, "bank on"));
-        assertThat(model.scene().rig().bank("bank").orElseThrow().on()).isFalse();
-        assertThat(model.scene().shines(OpenEditor.light(model, "key"))).isFalse();
+        assertThat(model.editor().scene().rig().bank("bank").orElseThrow().on()).isFalse();
+        assertThat(model.editor().scene().shines(OpenEditor.light(model, "key"))).isFalse();
         robot.clickOn(toggle(robot, "bank on")).clickOn(toggle(robot, "bank solo"));
-        assertThat(model.scene().shines(OpenEditor.light(model, "sun"))).isFalse();
+        assertThat(model.editor().scene().shines(OpenEditor.light(model, "sun"))).isFalse();
     }
 
     @Test
     void lightDroppedOnABank_joinsIt(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        robot.interact(() -> BankDrop.drop("sun", "bank", model));
+        robot.interact(() -> BankDrop.drop("sun", "bank", model.editor()));
         assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
-        robot.interact(() -> BankDrop.drop("key", "", model));
+        robot.interact(() -> BankDrop.drop("key", "", model.editor()));
         assertThat(names(robot)).containsExactly("key", "fill", "bank", "sun");
     }
 
@@ -218,16 +218,16 @@ class LightListPaneTest {
         robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
         assertThat(OpenEditor.light(model, "key").bank()).isEqualTo("left");
         robot.push(KeyCode.SPACE);
-        assertThat(model.scene().rig().bank("left").orElseThrow().on()).isFalse();
+        assertThat(model.editor().scene().rig().bank("left").orElseThrow().on()).isFalse();
         robot.push(KeyCode.DELETE);
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
     }
 
     @Test
     void sceneWithoutLights_saysSo(FxRobot robot) {
-        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "key")));
-        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "fill")));
-        robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, "sun")));
+        robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, "key")));
+        robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, "fill")));
+        robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, "sun")));
         assertThat(robot.lookup("No lights. Add one above.").tryQuery()).isPresent();
         assertThat(robot.lookup("#delete-light").query().isDisabled()).isTrue();
         assertThat(robot.lookup("#duplicate-light").query().isDisabled()).isTrue();

@@ -40,8 +40,8 @@ class LinksPartTest extends EditorDesk {
     @Test
     void checkedShape_isLeftOut_andUndone() {
         String shape = check("illuminates");
-        assertThat(model().selectedLight().illuminates()).isEqualTo(Links.except(shape));
-        assertThat(model().selectedLight().shadowedBy()).isEqualTo(Links.ALL);
+        assertThat(model().editor().selection().light().illuminates()).isEqualTo(Links.except(shape));
+        assertThat(model().editor().selection().light().shadowedBy()).isEqualTo(Links.ALL);
         assertThat(menu("illuminates").getText()).isEqualTo("all but '" + shape + "'");
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(menu("illuminates").getText()).isEqualTo("all");
@@ -52,27 +52,27 @@ class LinksPartTest extends EditorDesk {
         String shape = check("shadowed_by");
         MenuItem only = menu("shadowed_by").getItems().get(1);
         robot.interact(only::fire);
-        assertThat(model().selectedLight().shadowedBy()).isEqualTo(Links.only(shape));
+        assertThat(model().editor().selection().light().shadowedBy()).isEqualTo(Links.only(shape));
     }
 
     @Test
     void lightDroppedOnAShape_shinesOnItNoMore_andAgain() {
-        robot.interact(() -> LinkDrop.drop("lamp", "ball", false, model()));
+        robot.interact(() -> LinkDrop.drop("lamp", "ball", false, model().editor()));
         assertThat(light("lamp").illuminates()).isEqualTo(Links.except("ball"));
-        assertThat(model().messageProperty().get()).isEqualTo("lamp does not shine on ball");
-        assertThat(model().situationProperty().get().undo()).contains("lamp: illuminates all → all but 'ball'");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp does not shine on ball");
+        assertThat(model().editor().situationProperty().get().undo()).contains("lamp: illuminates all → all but 'ball'");
         assertGoShowsTheScene();
-        robot.interact(() -> LinkDrop.drop("lamp", "ball", false, model()));
+        robot.interact(() -> LinkDrop.drop("lamp", "ball", false, model().editor()));
         assertThat(light("lamp").illuminates()).isEqualTo(Links.ALL);
-        assertThat(model().messageProperty().get()).isEqualTo("lamp shines on ball");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp shines on ball");
     }
 
     @Test
     void lightDroppedOnAShapeWithCtrlAndShift_isShadowedByItNoMore() {
-        robot.interact(() -> LinkDrop.drop("lamp", "ball", true, model()));
+        robot.interact(() -> LinkDrop.drop("lamp", "ball", true, model().editor()));
         assertThat(light("lamp").shadowedBy()).isEqualTo(Links.except("ball"));
         assertThat(light("lamp").illuminates()).isEqualTo(Links.ALL);
-        assertThat(model().messageProperty().get()).isEqualTo("ball throws no shadow in the light of lamp");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("ball throws no shadow in the light of lamp");
         assertGoShowsTheScene();
         click("undo");
         assertThat(light("lamp").shadowedBy()).isEqualTo(Links.ALL);
@@ -80,7 +80,7 @@ class LinksPartTest extends EditorDesk {
 
     @Test
     void withoutALight_nothingCanBeLinked() {
-        robot.interact(() -> model().selectLight(null));
+        robot.interact(() -> model().editor().selection().selectLight(null));
         assertThat(menu("illuminates").isDisabled()).isTrue();
     }
 
@@ -98,12 +98,13 @@ class LinksPartTest extends EditorDesk {
 
     @Test
     void whatStandsBehindManyShapesInAGroup_isOffered_andWhatIsLinkedAlready() {
-        robot.interact(() -> model().edit(scene -> Change.of(
+        robot.interact(() -> model().editor().edit(scene -> Change.of(
                 () -> scene.withNodes(List.of(group("many", 300), group("few", 3), group("others", 195))))));
         assertThat(offered("illuminates")).contains("many", "few", "few_2", "others").doesNotContain("many_0", "others_0")
                 .last().isEqualTo("More can be named in the file");
-        String light = model().selectedLight().name();
-        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, light, l -> l.withIlluminates(Links.except("others_7")))));
+        String light = model().editor().selection().light().name();
+        robot.interact(
+                () -> model().editor().edit(scene -> LightEdits.with(scene, light, l -> l.withIlluminates(Links.except("others_7")))));
         assertThat(offered("illuminates")).contains("others_7", "others_194").doesNotContain("few_2");
     }
 }

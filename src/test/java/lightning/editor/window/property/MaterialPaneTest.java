@@ -33,7 +33,7 @@ class MaterialPaneTest extends EditorDesk {
     private static final Vec3 BALL = new Vec3(0, 1, 0);
 
     private Material material(String name) {
-        return model().scene().materialsByName().get(name);
+        return model().editor().scene().materialsByName().get(name);
     }
 
     private String edited() {
@@ -45,12 +45,12 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     private void type(String field, String value) {
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         Typing.over(robot, robot.lookup("#" + field).queryAs(TextField.class), value).push(KeyCode.ENTER);
     }
 
     private void typeRed(String color, String value) {
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         TextField red = robot.lookup("#" + color + " .number-field").queryAll().stream()
                 .filter(n -> (color + " red").equals(n.getAccessibleText())).map(TextField.class::cast).findFirst().orElseThrow();
         Typing.over(robot, red, value).push(KeyCode.ENTER);
@@ -92,12 +92,13 @@ class MaterialPaneTest extends EditorDesk {
     @Test
     void copiedProperty_isPastedToAnotherMaterialAndReset() {
         robot.interact(() -> model().materials().choose("matt"));
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         chooseProperty("#shininess", "Copy Shininess");
         robot.interact(() -> model().materials().choose("mirror"));
         chooseProperty("#shininess", "Paste Shininess '20'");
         assertThat(material("mirror").shininess()).isEqualTo(20);
-        assertThat(model().situationProperty().get().undo()).hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
+        assertThat(model().editor().situationProperty().get().undo())
+                .hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
         chooseProperty("#shininess", "Reset Shininess");
         assertThat(material("mirror").shininess()).isEqualTo(MaterialAttribute.SHININESS.initial());
         assertGoShowsTheScene();
@@ -119,7 +120,7 @@ class MaterialPaneTest extends EditorDesk {
     @Test
     void browsedPicture_comesToTheTexturesAndOverAnotherOnlyWhenChosenTwice() throws IOException {
         robot.interact(() -> model().materials().choose("matt"));
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         // Else those of a folder above would get it.
         Files.createDirectories(folder.resolve("textures"));
         answer = elsewhere(0xff8000);
@@ -141,13 +142,13 @@ class MaterialPaneTest extends EditorDesk {
 
     @Test
     void copiedPlaceOfAShape_isPastedToAnother() {
-        robot.interact(() -> model().selectNode("ball"));
+        robot.interact(() -> model().editor().selection().selectNode("ball"));
         chooseProperty("#shape-at", "Copy Position");
-        robot.interact(() -> model().selectNode("floor"));
+        robot.interact(() -> model().editor().selection().selectNode("floor"));
         chooseProperty("#shape-at", "Paste Position '0 1 0'");
-        assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(new Vec3(0, 1, 0));
+        assertThat(model().editor().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(new Vec3(0, 1, 0));
         chooseProperty("#shape-at", "Reset Position");
-        assertThat(model().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(Vec3.ZERO);
+        assertThat(model().editor().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(Vec3.ZERO);
     }
 
     @Test
@@ -175,21 +176,21 @@ class MaterialPaneTest extends EditorDesk {
         robot.clickOn("#traced-picture");
         waitFor("the material is in front", () -> tab().equals("material-tab"));
         assertThat(edited()).isEqualTo("matt");
-        robot.interact(() -> model().selectLight("sun"));
+        robot.interact(() -> model().editor().selection().selectLight("sun"));
         assertThat(tab()).isEqualTo("light-tab");
     }
 
     @Test
     void diffuse_isRenderedByGoAndTakenBackByUndo() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         robot.interact(() -> model().materials().choose("matt"));
-        long frames = model().previewFramesProperty().get();
+        long frames = model().previewLook().framesProperty().get();
         typeRed("diffuse", "0.25");
         assertThat(material("matt").diffuse()).isEqualTo(new Rgb(0.25, 0.7, 0.6));
-        waitFor("the preview shows it", () -> model().previewFramesProperty().get() > frames);
+        waitFor("the preview shows it", () -> model().previewLook().framesProperty().get() > frames);
         assertGoShowsTheScene();
         click("undo");
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 
@@ -209,10 +210,10 @@ class MaterialPaneTest extends EditorDesk {
 
     @Test
     void valueOutOfRange_isRefusedAsTheFileReaderDoes() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         typeRed("diffuse", "2");
         assertThat(robot.lookup("diffuse red must be from 0 to 1, was 2").tryQuery()).isPresent();
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test
@@ -220,7 +221,7 @@ class MaterialPaneTest extends EditorDesk {
         picture("dots.png");
         robot.interact(() -> {
             model().materials().choose("matt");
-            model().materials().inFrontProperty().set(true);
+            model().editor().materialInFrontProperty().set(true);
         });
         assertThat(robot.lookup("#repeat-u .number-field").query().isDisabled()).isTrue();
         type("texture", "dots.png");
@@ -238,7 +239,7 @@ class MaterialPaneTest extends EditorDesk {
         picture("dots.png");
         robot.interact(() -> {
             model().materials().choose("matt");
-            model().materials().inFrontProperty().set(true);
+            model().editor().materialInFrontProperty().set(true);
         });
         assertThat(robot.lookup("#bump-repeat-u .number-field").query().isDisabled()).isTrue();
         type("bump", "dots.png");
@@ -263,7 +264,7 @@ class MaterialPaneTest extends EditorDesk {
     @Test
     void texturesBesideTheScene_areOffered() throws IOException {
         picture("dots.png");
-        robot.interact(() -> model().materials().inFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
         MenuButton found = robot.lookup("#texture-found").query();
         robot.interact(() -> found.getOnShowing().handle(null));
         waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));

@@ -25,7 +25,7 @@ class OutlinePaneTest extends EditorDesk {
     private static final Vec3 BALL = new Vec3(0, 1, 0);
 
     private Node node(String name) {
-        return model().scene().stage().node(name).orElseThrow();
+        return model().editor().scene().stage().node(name).orElseThrow();
     }
 
     private String tab(String pane) {
@@ -37,16 +37,16 @@ class OutlinePaneTest extends EditorDesk {
     }
 
     private List<String> listed() {
-        return list().getItems().stream().map(row -> row.node(model().scene().stage()).name()).toList();
+        return list().getItems().stream().map(row -> row.node(model().editor().scene().stage()).name()).toList();
     }
 
     private String marked() {
         OutlineRow row = list().getSelectionModel().getSelectedItem();
-        return row == null ? "" : row.node(model().scene().stage()).name();
+        return row == null ? "" : row.node(model().editor().scene().stage()).name();
     }
 
     private void select(String name) {
-        robot.interact(() -> model().selectNode(name));
+        robot.interact(() -> model().editor().selection().selectNode(name));
         // Its line is there only when the list was laid out.
         waitFor("its line is there", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
                 .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(marked())));
@@ -59,7 +59,7 @@ class OutlinePaneTest extends EditorDesk {
     }
 
     private void group() {
-        robot.interact(() -> model().edit(scene -> new lightning.editor.document.Change.To(scene.replacing("ball",
+        robot.interact(() -> model().editor().edit(scene -> new lightning.editor.document.Change.To(scene.replacing("ball",
                 List.of(new Group("toys", Placement.IDENTITY, List.of(node("ball"),
                         new Shape(new Solid.Sphere(), "marble", "matt", new Placement(new Vec3(1, 0.3, 1), Vec3.ZERO,
                                 new Vec3(0.3, 0.3, 0.3))))))))));
@@ -68,7 +68,7 @@ class OutlinePaneTest extends EditorDesk {
     @Test
     void shapePickedInThePreview_isSelectedInTheList() {
         assertThat(tab("lists")).isEqualTo("lights-tab");
-        waitFor("the preview is drawn", () -> model().previewFramesProperty().get() > 0);
+        waitFor("the preview is drawn", () -> model().previewLook().framesProperty().get() > 0);
         robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
         waitFor("the menu is open", () -> robot.lookup("Select ball").tryQuery().isPresent());
         robot.clickOn("Select ball");
@@ -76,30 +76,30 @@ class OutlinePaneTest extends EditorDesk {
         assertThat(marked()).isEqualTo("ball");
         assertThat(tab("side")).isEqualTo("shape-tab");
         assertThat(text("shape-about")).isEqualTo("Sphere of material matt");
-        assertThat(model().selectedLight()).isNull();
+        assertThat(model().editor().selection().light()).isNull();
     }
 
     @Test
     void lightSelectedAgain_bringsItsListBack() {
         select("ball");
-        robot.interact(() -> model().selectLight("lamp"));
+        robot.interact(() -> model().editor().selection().selectLight("lamp"));
         assertThat(tab("lists")).isEqualTo("lights-tab");
         assertThat(tab("side")).isEqualTo("light-tab");
-        assertThat(model().selectedNode()).isEmpty();
+        assertThat(model().editor().selection().node()).isEmpty();
     }
 
     @Test
     void eye_hidesTheShapeAndUndoBringsItBack() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         select("ball");
         ToggleButton eye = robot.lookup("#shape-list .eye").queryAllAs(ToggleButton.class).stream()
                 .filter(b -> "ball visible".equals(b.getAccessibleText())).findFirst().orElseThrow();
         robot.interact(eye::fire);
         assertThat(node("ball").visible()).isFalse();
         assertGoShowsTheScene();
-        assertThat(model().situationProperty().get().undo()).contains("ball: visible yes → no");
+        assertThat(model().editor().situationProperty().get().undo()).contains("ball: visible yes → no");
         click("undo");
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test
@@ -117,10 +117,10 @@ class OutlinePaneTest extends EditorDesk {
     void delete_takesTheShapeAwayAndItsLightsStay() {
         select("ball");
         press(KeyCode.DELETE);
-        assertThat(model().scene().stage().node("ball")).isEmpty();
+        assertThat(model().editor().scene().stage().node("ball")).isEmpty();
         assertThat(listed()).containsExactly("floor");
-        assertThat(model().lights()).hasSize(3);
-        assertThat(model().situationProperty().get().undo()).contains("delete ball");
+        assertThat(model().editor().scene().lights()).hasSize(3);
+        assertThat(model().editor().situationProperty().get().undo()).contains("delete ball");
         assertGoShowsTheScene();
     }
 
@@ -131,8 +131,8 @@ class OutlinePaneTest extends EditorDesk {
         assertThat(listed()).containsExactly("floor", "ball", "ball2");
         assertThat(marked()).isEqualTo("ball2");
         assertThat(node("ball2").placement().at()).isEqualTo(new Vec3(0.9, 1, 0));
-        assertThat(model().lights()).as("no light was duplicated").hasSize(3);
-        assertThat(model().situationProperty().get().undo()).contains("add ball2");
+        assertThat(model().editor().scene().lights()).as("no light was duplicated").hasSize(3);
+        assertThat(model().editor().situationProperty().get().undo()).contains("add ball2");
         assertGoShowsTheScene();
     }
 
@@ -150,7 +150,7 @@ class OutlinePaneTest extends EditorDesk {
         press(KeyCode.F2);
         Typing.over(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "globe").push(KeyCode.ENTER);
         assertThat(marked()).isEqualTo("globe");
-        assertThat(model().situationProperty().get().undo()).contains("ball: name ball → globe");
+        assertThat(model().editor().situationProperty().get().undo()).contains("ball: name ball → globe");
     }
 
     @Test
@@ -158,8 +158,8 @@ class OutlinePaneTest extends EditorDesk {
         select("ball");
         press(KeyCode.F2);
         Typing.over(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "floor").push(KeyCode.ENTER);
-        assertThat(model().messageProperty().get()).contains("'floor'", "already taken");
-        assertThat(model().scene().stage().node("ball")).isPresent();
+        assertThat(model().editor().message().textProperty().get()).contains("'floor'", "already taken");
+        assertThat(model().editor().scene().stage().node("ball")).isPresent();
     }
 
     @Test
@@ -180,20 +180,20 @@ class OutlinePaneTest extends EditorDesk {
         group();
         select("toys");
         press(KeyCode.H);
-        assertThat(model().scene().stage().shapes()).extracting(Shape::name).containsExactly("floor");
+        assertThat(model().editor().scene().stage().shapes()).extracting(Shape::name).containsExactly("floor");
         assertGoShowsTheScene();
     }
 
     @Test
     void typedPlace_movesTheShapeInOneStep() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         select("ball");
         Typing.over(robot, robot.lookup("#shape-at .number-field").queryAs(TextField.class), "1.5").push(KeyCode.ENTER);
         assertThat(node("ball").placement().at()).isEqualTo(new Vec3(1.5, 1, 0));
-        assertThat(model().situationProperty().get().undo()).contains("ball: at 0 1 0 → 1.5 1 0");
+        assertThat(model().editor().situationProperty().get().undo()).contains("ball: at 0 1 0 → 1.5 1 0");
         assertGoShowsTheScene();
         click("undo");
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test
@@ -223,8 +223,8 @@ class OutlinePaneTest extends EditorDesk {
         select("floor");
         press(KeyCode.DELETE);
         click("save-scene");
-        waitFor("it is saved", () -> !model().document().isDirty());
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
         Scene read = lightning.editor.document.OpenDocument.open(folder.resolve("desk.jen")).scene();
-        assertThat(read).isEqualTo(model().scene());
+        assertThat(read).isEqualTo(model().editor().scene());
     }
 }

@@ -60,7 +60,8 @@ class PropertyPaneTest {
     @Start
     private void start(Stage stage) throws Exception {
         model = OpenEditor.model(folder);
-        pane = new PropertyPane(model, inFront);
+        var menu = new PropertyMenu(model.editor(), model.commands(), model.arrangement());
+        pane = new PropertyPane(model.editor(), model.commands(), model.bringer(), menu, inFront);
         OpenEditor.show(stage, pane);
     }
 
@@ -86,15 +87,15 @@ class PropertyPaneTest {
         robot.interact(() -> ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
                 .addAll(pane.widgets(LightAttribute.SOLO)));
         ComboBox<String> box = robot.lookup("#solo").query();
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
         assertThat(box.getItems()).containsExactly("Yes", "No");
         assertThat(box.getValue()).isEqualTo("No");
         robot.interact(() -> box.setValue("Yes"));
-        assertThat(model.selectedLight().solo()).isTrue();
-        robot.interact(() -> model.selectLight(OpenEditor.SUN));
+        assertThat(model.editor().selection().light().solo()).isTrue();
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.SUN));
         assertThat(box.getValue()).isEqualTo("No");
-        assertThat(model.selectedLight().solo()).isFalse();
-        robot.interact(() -> model.selectLight(null));
+        assertThat(model.editor().selection().light().solo()).isFalse();
+        robot.interact(() -> model.editor().selection().selectLight(null));
         assertThat(box.getValue()).isNull();
         assertThat(box.isDisabled()).isTrue();
     }
@@ -108,30 +109,30 @@ class PropertyPaneTest {
 
     @Test
     void point_hasNoConeAndNoDirection(FxRobot robot) {
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
         assertThat(disabled(robot)).containsExactlyInAnyOrder("angle", "dropoff", "direction");
         assertThat(robot.lookup("#aim").query().isDisabled()).isTrue();
     }
 
     @Test
     void directional_hasNoConeAndNoAttenuation(FxRobot robot) {
-        robot.interact(() -> model.selectLight(OpenEditor.SUN));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.SUN));
         assertThat(disabled(robot)).containsExactlyInAnyOrder("angle", "dropoff", "constant", "linear", "quadratic");
     }
 
     @Test
     void withoutASelection_onlyTheSceneCanBeEdited(FxRobot robot) {
-        robot.interact(() -> model.selectLight(null));
+        robot.interact(() -> model.editor().selection().selectLight(null));
         assertThat(disabled(robot)).hasSize(NUMBERS.size() - 1).doesNotContain("ambience");
         assertThat(robot.lookup("#light-name").query().isDisabled()).isTrue();
         type(robot, "ambience", "0.5");
-        assertThat(model.scene().world().ambience()).isEqualTo(0.5);
+        assertThat(model.editor().scene().world().ambience()).isEqualTo(0.5);
     }
 
     @Test
     void withoutLights_nothingOfTheLastOneIsShown(FxRobot robot) {
-        for (Light light : model.lights()) {
-            robot.interact(() -> model.edit(scene -> LightEdits.delete(scene, light.name())));
+        for (Light light : model.editor().scene().lights()) {
+            robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, light.name())));
         }
         Set<TextField> fields = robot
                 .lookup(node -> node instanceof TextField && isIn(node, "properties") && SCENES.stream().noneMatch(id -> isIn(node, id)))
@@ -147,8 +148,8 @@ class PropertyPaneTest {
     void behindAnother_showsWhatWasEditedWhenItComesInFront(FxRobot robot) {
         robot.interact(() -> {
             inFront.set(false);
-            String light = model.selectedLight().name();
-            model.edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(0.75)));
+            String light = model.editor().selection().light().name();
+            model.editor().edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(0.75)));
         });
         assertThat(field(robot, "intensity").getText()).isNotEqualTo("0.75");
         robot.interact(() -> inFront.set(true));
@@ -173,7 +174,7 @@ class PropertyPaneTest {
                         && !List.of("red", "green", "blue").contains(d.title()))
                 .toList()) {
             type(robot, dial.label(), "1.5");
-            assertThat(dial.value(model.scene(), OpenEditor.SPOT)).as(dial.title()).isEqualTo(1.5);
+            assertThat(dial.value(model.editor().scene(), OpenEditor.SPOT)).as(dial.title()).isEqualTo(1.5);
         }
     }
 
@@ -186,27 +187,27 @@ class PropertyPaneTest {
 
     @Test
     void drag_isOneStepToUndo(FxRobot robot) {
-        Scene before = model.scene();
+        Scene before = model.editor().scene();
         robot.drag("#intensity .arrow-pad").moveBy(0, -4).moveBy(0, -4).release(MouseButton.PRIMARY);
         assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1.2);
         robot.interact(() -> model.commands().run(Command.UNDO));
-        assertThat(model.scene()).isEqualTo(before);
+        assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
     void illegalValue_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
-        Scene before = model.scene();
+        Scene before = model.editor().scene();
         type(robot, "angle", "200");
         assertThat(Refusals.shown(robot)).containsExactly("angle must be from 0 to 180, was 200");
-        assertThat(model.scene()).isEqualTo(before);
+        assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
     void selectingAnotherLight_forgetsWhatWasTyped(FxRobot robot) {
         type(robot, "angle", "200");
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
         assertThat(Refusals.shown(robot)).isEmpty();
         assertThat(field(robot, "angle").getText()).isEqualTo("30");
     }
@@ -220,7 +221,7 @@ class PropertyPaneTest {
     void copiedProperty_isPastedToAnotherLightAsTheFileWritesIt(FxRobot robot) {
         type(robot, "intensity", "1/3");
         choose(robot, "#intensity .label", "Copy Intensity");
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
         choose(robot, "#intensity .label", "Paste Intensity '0.3333333333333333'");
         assertThat(OpenEditor.light(model, OpenEditor.POINT).intensity()).isEqualTo(1.0 / 3);
     }
@@ -252,9 +253,9 @@ class PropertyPaneTest {
     @Test
     void undoOfTheLight_leavesTheOthers(FxRobot robot) {
         type(robot, "intensity", "4");
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
         type(robot, "intensity", "2");
-        robot.interact(() -> model.selectLight(OpenEditor.SPOT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.SPOT));
         robot.clickOn("#undo-light");
         assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1);
         assertThat(OpenEditor.light(model, OpenEditor.POINT).intensity()).isEqualTo(2);
@@ -296,7 +297,7 @@ class PropertyPaneTest {
     void settings_areCopiedToAnotherLight(FxRobot robot) {
         assertThat(robot.lookup("#paste-settings").query().isDisabled()).isTrue();
         robot.clickOn("#copy-settings");
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
         robot.clickOn("#paste-settings");
         Light pasted = OpenEditor.light(model, OpenEditor.POINT);
         assertThat(pasted.type()).isEqualTo(LightType.SPOT);
@@ -307,13 +308,13 @@ class PropertyPaneTest {
     @Test
     void typedName_renames(FxRobot robot) {
         rename(robot, "rim");
-        assertThat(model.selectedLight().name()).isEqualTo("rim");
+        assertThat(model.editor().selection().light().name()).isEqualTo("rim");
     }
 
     @Test
     void typedNameOfSpacesAndAnyLetters_renames(FxRobot robot) {
         rename(robot, "Führungslicht 7.30");
-        assertThat(model.selectedLight().name()).isEqualTo("Führungslicht 7.30");
+        assertThat(model.editor().selection().light().name()).isEqualTo("Führungslicht 7.30");
         assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo("Führungslicht 7.30");
     }
 
@@ -321,7 +322,7 @@ class PropertyPaneTest {
     void takenName_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
         rename(robot, OpenEditor.SUN);
         assertThat(Refusals.shown(robot)).singleElement().asString().contains("'sun'").contains("already taken");
-        assertThat(model.selectedLight().name()).isEqualTo(OpenEditor.SPOT);
+        assertThat(model.editor().selection().light().name()).isEqualTo(OpenEditor.SPOT);
         robot.push(KeyCode.ESCAPE);
         assertThat(Refusals.shown(robot)).isEmpty();
         assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo(OpenEditor.SPOT);

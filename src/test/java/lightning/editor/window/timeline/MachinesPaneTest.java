@@ -28,7 +28,8 @@ class MachinesPaneTest extends EditorDesk {
         robot.interact(() -> {
             model().open(opened);
             window = new Stage();
-            window.setScene(new Scene(new MachinesPane(model(), new Answers()), 480, 250));
+            window.setScene(
+                    new Scene(new MachinesPane(model().editor(), model().files(), model().machineChoice(), new Answers()), 480, 250));
             Looks.dress(window.getScene());
             window.show();
         });

@@ -42,7 +42,8 @@ class ShotExportPaneTest extends EditorDesk {
         robot.interact(() -> {
             model().open(opened);
             window = new Stage();
-            window.setScene(new Scene(new ShotExportPane(model(), new Answers()), 480, 320));
+            window.setScene(new Scene(
+                    new ShotExportPane(model().editor(), model().files(), model().picture().viewProperty(), new Answers()), 480, 320));
             Looks.dress(window.getScene());
             window.show();
         });
@@ -92,7 +93,8 @@ class ShotExportPaneTest extends EditorDesk {
         begin("Exported 4 frames");
         for (int frame = 2; frame <= 5; frame++) {
             var image = ImageIO.read(answered.resolve("desk-000" + frame + ".png").toFile());
-            int[] expected = model().viewProperty().get().toPixels(new ReferenceTracer(model().document().content().at(frame)).trace());
+            int[] expected = model().picture().viewProperty().get()
+                    .toPixels(new ReferenceTracer(model().editor().document().content().at(frame)).trace());
             assertThat(image.getRGB(0, 0, 64, 48, null, 0, 64)).as("frame " + frame).isEqualTo(expected);
         }
         assertThat(answered.resolve("desk-0001.png")).doesNotExist();

@@ -107,7 +107,7 @@ class StripElsewhereTest extends EditorDesk {
     /** The films that the nodes hold, in every bit, and the small pictures that are seen of them. */
     private void assertAllExact() throws Exception {
         for (int frame = 1; frame <= 4; frame++) {
-            Scene scene = model().document().content().at(frame);
+            Scene scene = model().editor().document().content().at(frame);
             Film exact = new ReferenceTracer(scene).trace();
             assertThat(film(frame).sameBits(exact)).as("every bit of frame " + frame).isTrue();
             int number = frame;
@@ -143,7 +143,7 @@ class StripElsewhereTest extends EditorDesk {
         assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
         assertAllExact();
         robot.interact(() -> {
-            model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
             assertThat(strip().showsNewest(4)).isFalse();
         });
         waitToBeTold("2 machines, 4 of 4 frames");
@@ -173,7 +173,7 @@ class StripElsewhereTest extends EditorDesk {
         waitToBeTold("1 machine, 4 of 4 frames");
         click("strip-here");
         waitToBeTold("");
-        assertThat(strip().machines()).isEmpty();
+        assertThat(strip().frames().machines()).isEmpty();
         assertThat(isShown("strip-here")).isFalse();
     }
 
@@ -194,16 +194,16 @@ class StripElsewhereTest extends EditorDesk {
         ask("127.0.0.1:" + port, certificate);
         waitToBeTold("1 machine, 4 of 4 frames");
         var film = new CompletableFuture<Film>();
-        Scene fourth = model().document().content().at(4);
+        Scene fourth = model().editor().document().content().at(4);
         robot.interact(() -> {
-            model().showFrame(4);
-            Scene scene = model().scene();
-            var ahead = new FilmAhead(model(), (brought, of) -> {
+            model().editor().showFrame(4);
+            Scene scene = model().editor().scene();
+            var ahead = new FilmAhead(model().editor(), model().files().window(), (brought, of) -> {
                 assertThat(of).isSameAs(scene);
                 film.complete(brought);
             });
             // However soon it is traced here.
-            ahead.follow(model().situationProperty().get().withInWork(Optional.of(scene)), strip());
+            ahead.follow(model().editor().situationProperty().get().withInWork(Optional.of(scene)), strip());
         });
         assertThat(film.get(Wait.MOST_SECONDS, TimeUnit.SECONDS).sameBits(new ReferenceTracer(fourth).trace())).isTrue();
         waitForPicture();

@@ -66,9 +66,10 @@ class StripPaneTest extends EditorDesk {
     }
 
     private void assertExact(int frame) {
-        var scene = FilmStrip.small(model().document().content().at(frame));
+        var scene = FilmStrip.small(model().editor().document().content().at(frame));
         int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(frame)));
-        assertThat(shown).as("frame " + frame).isEqualTo(model().viewProperty().get().toPixels(new ReferenceTracer(scene).trace()));
+        assertThat(shown).as("frame " + frame)
+                .isEqualTo(model().picture().viewProperty().get().toPixels(new ReferenceTracer(scene).trace()));
     }
 
     @Test
@@ -88,7 +89,7 @@ class StripPaneTest extends EditorDesk {
         assertExact(4);
         int[] before = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(4)));
         robot.interact(() -> {
-            model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
             // Frames so small may be made before it is told that they are not.
             assertThat(isStale(4) || !Arrays.equals(pixels(4), before)).isTrue();
         });
@@ -102,13 +103,13 @@ class StripPaneTest extends EditorDesk {
     void click_showsTheFrame() {
         keep();
         robot.clickOn("#strip-4");
-        assertThat(model().moment().orElseThrow().frame()).isEqualTo(4);
+        assertThat(model().editor().document().moment().orElseThrow().frame()).isEqualTo(4);
     }
 
     @Test
     void otherFrames_areAskedForAnew() {
         keep();
-        robot.interact(() -> model().editAll(s -> s.withShot(s.shot().orElseThrow().withFrames(1, 30)), null));
+        robot.interact(() -> model().editor().editAll(s -> s.withShot(s.shot().orElseThrow().withFrames(1, 30)), null));
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         assertThat(text("strip-cost")).contains("keeps 30 small frames");
     }

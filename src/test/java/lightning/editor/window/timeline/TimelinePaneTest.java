@@ -48,11 +48,11 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     private int frame() {
-        return model().moment().orElseThrow().frame();
+        return model().editor().document().moment().orElseThrow().frame();
     }
 
     private List<Key> keys() {
-        return model().document().content().shot().orElseThrow().track(Target.light("lamp"), "intensity").map(Track::keys)
+        return model().editor().document().content().shot().orElseThrow().track(Target.light("lamp"), "intensity").map(Track::keys)
                 .orElse(List.of());
     }
 
@@ -64,11 +64,12 @@ class TimelinePaneTest extends EditorDesk {
     private Point2D onRuler(int frame) {
         Node ruler = node("timeline-ruler");
         Bounds bounds = ruler.getBoundsInLocal();
-        return ruler.localToScreen(FrameScale.of(model().document().content().shot().orElseThrow(), bounds.getWidth()).x(frame), 8);
+        return ruler.localToScreen(FrameScale.of(model().editor().document().content().shot().orElseThrow(), bounds.getWidth()).x(frame),
+                8);
     }
 
     private void dial(double intensity) {
-        robot.interact(() -> model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "lamp", intensity)));
+        robot.interact(() -> model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "lamp", intensity)));
     }
 
     private void press(KeyCode... keys) {
@@ -80,7 +81,7 @@ class TimelinePaneTest extends EditorDesk {
         assertThat(frame()).isEqualTo(1);
         assertThat(isShown("key-lamp-intensity-25")).isTrue();
         assertThat(light("lamp").intensity()).isEqualTo(0.5);
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
@@ -90,9 +91,9 @@ class TimelinePaneTest extends EditorDesk {
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
         assertThat(light("stage").on()).isFalse();
         waitForPicture();
-        assertCanvasShows(new ReferenceTracer(model().document().content().at(13)).trace());
-        assertThat(model().document().isDirty()).isFalse();
-        assertThat(model().document().history().steps()).isEmpty();
+        assertCanvasShows(new ReferenceTracer(model().editor().document().content().at(13)).trace());
+        assertThat(model().editor().document().isDirty()).isFalse();
+        assertThat(model().editor().document().history().steps()).isEmpty();
     }
 
     @Test
@@ -101,11 +102,11 @@ class TimelinePaneTest extends EditorDesk {
         dial(0.75);
         assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(13, Passage.LINEAR, 0.75), key(25, Passage.SMOOTH, 2.5));
         assertThat(isShown("key-lamp-intensity-13")).isTrue();
-        assertThat(model().document().history().undoLabel()).contains("lamp: intensity at frame 13");
+        assertThat(model().editor().document().history().undoLabel()).contains("lamp: intensity at frame 13");
         assertGoShowsTheScene();
         robot.interact(() -> model().commands().run(Command.SAVE_SCENE));
-        waitFor("it is saved", () -> !model().document().isDirty());
-        assertThat(JenReader.read(folder.resolve("desk.jen")).content()).isEqualTo(model().document().content());
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        assertThat(JenReader.read(folder.resolve("desk.jen")).content()).isEqualTo(model().editor().document().content());
         press(KeyCode.CONTROL, KeyCode.Z);
         assertThat(keys()).hasSize(2);
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
@@ -115,10 +116,10 @@ class TimelinePaneTest extends EditorDesk {
     @Test
     void editOfWhatHasNoKeys_isMadeAtAllFrames() {
         robot.clickOn(onRuler(13));
-        robot.interact(() -> model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
+        robot.interact(() -> model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
         assertThat(keys()).hasSize(2);
-        assertThat(model().document().content().at(1).light("sun").orElseThrow().intensity()).isEqualTo(0.9);
-        assertThat(model().document().content().still().light("lamp").orElseThrow().intensity()).isEqualTo(1);
+        assertThat(model().editor().document().content().at(1).light("sun").orElseThrow().intensity()).isEqualTo(0.9);
+        assertThat(model().editor().document().content().still().light("lamp").orElseThrow().intensity()).isEqualTo(1);
     }
 
     @Test
@@ -145,7 +146,7 @@ class TimelinePaneTest extends EditorDesk {
         robot.clickOn("#key-lamp-intensity-1");
         press(KeyCode.DELETE);
         assertThat(keys()).isEmpty();
-        assertThat(model().document().content().still().light("lamp").orElseThrow().intensity()).isEqualTo(0.5);
+        assertThat(model().editor().document().content().still().light("lamp").orElseThrow().intensity()).isEqualTo(0.5);
     }
 
     @Test
@@ -174,7 +175,7 @@ class TimelinePaneTest extends EditorDesk {
         click("first-frame");
         assertThat(frame()).isEqualTo(1);
         waitForPicture();
-        assertCanvasShows(new ReferenceTracer(model().document().content().at(1)).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().document().content().at(1)).trace());
     }
 
     @Test
@@ -191,16 +192,16 @@ class TimelinePaneTest extends EditorDesk {
 
     @Test
     void propertyWithoutKeys_getsItsFirstFromItsMenu() {
-        robot.interact(() -> model().selectLight("sun"));
+        robot.interact(() -> model().editor().selection().selectLight("sun"));
         robot.clickOn(onRuler(5));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.clickOn("Key Intensity at Frame 5");
-        assertThat(model().document().content().shot().orElseThrow().track(Target.light("sun"), "intensity").orElseThrow().keys())
+        assertThat(model().editor().document().content().shot().orElseThrow().track(Target.light("sun"), "intensity").orElseThrow().keys())
                 .containsExactly(key(5, Passage.LINEAR, 0.4));
         assertThat(isShown("key-sun-intensity-5")).isTrue();
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.clickOn("Remove Keys of Intensity");
-        assertThat(model().document().content().shot().orElseThrow().track(Target.light("sun"), "intensity")).isEmpty();
+        assertThat(model().editor().document().content().shot().orElseThrow().track(Target.light("sun"), "intensity")).isEmpty();
     }
 
     @Test
@@ -210,16 +211,16 @@ class TimelinePaneTest extends EditorDesk {
         robot.clickOn(field);
         robot.interact(() -> field.setText("12"));
         press(KeyCode.ENTER);
-        assertThat(model().document().content().shot().orElseThrow().last()).isEqualTo(12);
+        assertThat(model().editor().document().content().shot().orElseThrow().last()).isEqualTo(12);
         assertThat(frame()).isEqualTo(12);
-        assertThat(model().document().history().undoLabel()).contains("frames 1 to 12");
+        assertThat(model().editor().document().history().undoLabel()).contains("frames 1 to 12");
     }
 
     @Test
     void deletedShot_leavesTheSceneAsTheFrameShowsIt() {
         robot.clickOn(onRuler(13));
         robot.interact(() -> model().commands().run(Command.DELETE_SHOT));
-        assertThat(model().moment()).isEmpty();
+        assertThat(model().editor().document().moment()).isEmpty();
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
         assertThat(isShown("new-shot")).isTrue();
         robot.interact(() -> model().commands().run(Command.UNDO));
@@ -231,9 +232,9 @@ class TimelinePaneTest extends EditorDesk {
 
     @Test
     void undoOfTheLightAlone_bringsItsKeysBack() {
-        robot.interact(() -> model().selectLight("lamp"));
+        robot.interact(() -> model().editor().selection().selectLight("lamp"));
         dial(0.25);
-        robot.interact(() -> model().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
+        robot.interact(() -> model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
         robot.interact(() -> model().commands().run(Command.UNDO_LIGHT));
         assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(25, Passage.SMOOTH, 2.5));
         assertThat(light("sun").intensity()).isEqualTo(0.9);

@@ -28,7 +28,8 @@ class WayAndKeysTest extends EditorDesk {
             """;
 
     private List<Key> keys(String attribute) {
-        return model().document().content().shot().orElseThrow().track(Target.light("stage"), attribute).map(Track::keys).orElse(List.of());
+        return model().editor().document().content().shot().orElseThrow().track(Target.light("stage"), attribute).map(Track::keys)
+                .orElse(List.of());
     }
 
     @Test
@@ -38,21 +39,21 @@ class WayAndKeysTest extends EditorDesk {
         OpenDocument opened = OpenDocument.open(file);
         robot.interact(() -> {
             model().open(opened);
-            model().selectLight("stage");
-            model().showFrame(5);
+            model().editor().selection().selectLight("stage");
+            model().editor().showFrame(5);
         });
         waitForPicture();
         List<Key> before = keys("at");
         robot.interact(() -> model().commands().run(Command.KEYS_TO_WAY));
-        assertThat(model().isAnimating()).isTrue();
+        assertThat(model().editor().isAnimating()).isTrue();
         robot.interact(() -> robot.lookup("#scrub").<Slider>query().setValue(15));
         assertThat(light("stage").position()).isEqualTo(new Vec3(1, 2.5, 0));
         assertThat(isEnabled(Command.WAY_TO_KEYS)).isTrue();
         click("way-to-keys");
-        assertThat(model().isAnimating()).isFalse();
+        assertThat(model().editor().isAnimating()).isFalse();
         Stream.of("at", "direction").forEach(a -> assertThat(keys(a).stream().map(Key::frame)).containsExactly(5, 15, 25));
         assertThat(keys("at").stream().map(Key::setting).toList()).isEqualTo(before.stream().map(Key::setting).toList());
-        assertThat(model().moment().orElseThrow().shot().last()).isEqualTo(25);
+        assertThat(model().editor().document().moment().orElseThrow().shot().last()).isEqualTo(25);
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(keys("at")).isEqualTo(before);
     }

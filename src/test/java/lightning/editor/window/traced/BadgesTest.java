@@ -52,18 +52,18 @@ class BadgesTest {
     }
 
     private void dim(FxRobot robot, double intensity) {
-        robot.interact(() -> model.edit(scene -> Desk.dial("intensity").set(scene, OpenEditor.POINT, intensity)));
+        robot.interact(() -> model.editor().edit(scene -> Desk.dial("intensity").set(scene, OpenEditor.POINT, intensity)));
     }
 
     @Test
     void liveUpdates_letNoBadgeFlash(FxRobot robot) throws Exception {
-        OpenEditor.await(() -> model.frame() != null);
-        robot.interact(() -> model.liveProperty().set(true));
+        OpenEditor.await(() -> model.picture().frame() != null);
+        robot.interact(() -> model.editor().liveProperty().set(true));
         for (int i = 0; i < 5; i++) {
             dim(robot, 0.1 * i);
             robot.interact(() -> time.pass(Duration.millis(60)));
             assertThat(isShown(robot, "pending")).isFalse();
-            OpenEditor.await(() -> !model.situationProperty().get().isPending());
+            OpenEditor.await(() -> !model.editor().situationProperty().get().isPending());
             robot.interact(() -> time.pass(Duration.millis(60)));
             assertThat(isShown(robot, "pending")).isFalse();
         }
@@ -71,7 +71,7 @@ class BadgesTest {
 
     @Test
     void editsThatWaitForGo_areToldOfInATenthOfASecond(FxRobot robot) throws Exception {
-        OpenEditor.await(() -> model.frame() != null);
+        OpenEditor.await(() -> model.picture().frame() != null);
         dim(robot, 2);
         assertThat(isShown(robot, "pending")).isFalse();
         robot.interact(() -> time.pass(Duration.millis(100)));
@@ -82,17 +82,17 @@ class BadgesTest {
 
     @Test
     void samplesThatWereCancelled_areToldOfUntilGo(FxRobot robot) throws Exception {
-        OpenEditor.await(() -> model.frame() != null);
+        OpenEditor.await(() -> model.picture().frame() != null);
         var sampling = new Sampling(Antialias.EDGES, 8);
-        robot.interact(() -> model.edit(scene -> Change
+        robot.interact(() -> model.editor().edit(scene -> Change
                 .of(() -> scene.withPicture(scene.picture().withSize(400, 300).withSampling(sampling)))));
-        robot.interact(() -> model.renderingProperty().subscribe(state -> {
+        robot.interact(() -> model.picture().renderingProperty().subscribe(state -> {
             if (state.frame() != null && !state.frame().finished()) {
                 model.workbench().cancel();
             }
         }));
         robot.interact(() -> model.commands().run(Command.GO));
-        OpenEditor.await(() -> !model.frame().finished() && model.situationProperty().get().inWork().isEmpty());
+        OpenEditor.await(() -> !model.picture().frame().finished() && model.editor().situationProperty().get().inWork().isEmpty());
         robot.interact(() -> time.pass(Duration.millis(100)));
         assertThat(isShown(robot, "pending")).isTrue();
         assertThat(robot.lookup("#pending").<Label>query().getText()).isEqualTo("Without finer samples");

@@ -67,7 +67,7 @@ class FirstWordsTest {
     void coarsePicture_saysSoAtOnce(FxRobot robot) throws Exception {
         open(robot, "size 6000 4000", () -> {});
         OpenEditor.await(() -> !pane.isEmpty());
-        assertThat(model.frame()).isNull();
+        assertThat(model.picture().frame()).isNull();
         assertThat(said(robot)).isEqualTo("Coarse picture, a finer one follows");
     }
 
@@ -80,10 +80,10 @@ class FirstWordsTest {
                     .append(" 0  scale 0.04 0.04 0.04 }");
         }
         var words = new CompletableFuture<String>();
-        open(robot, spheres + "\nworld {", () -> model.renderingProperty().subscribe(now -> {
+        open(robot, spheres + "\nworld {", () -> model.picture().renderingProperty().subscribe(now -> {
             if (now.frame() != null && !words.isDone()) {
                 // When all have heard of it.
-                Platform.runLater(() -> words.complete((model.frame().finished() ? "finished: " : "centres: ") + said(robot)));
+                Platform.runLater(() -> words.complete((model.picture().frame().finished() ? "finished: " : "centres: ") + said(robot)));
             }
         }));
         assertThat(words.get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isEqualTo("centres: Finer samples follow");

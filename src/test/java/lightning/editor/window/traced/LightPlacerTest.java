@@ -44,28 +44,28 @@ class LightPlacerTest extends EditorDesk {
     }
 
     private Point2D pixel(Vec3 point) {
-        var at = new Viewport(place().getWidth(), place().getHeight()).pixel(PreviewCamera.of(model().scene()), point);
+        var at = new Viewport(place().getWidth(), place().getHeight()).pixel(PreviewCamera.of(model().editor().scene()), point);
         return onScreen(at.x(), at.y());
     }
 
     private Vec3 surface(int x, int y) {
-        return new ScenePicker(model().scene()).atPixel(x, y).orElseThrow().point();
+        return new ScenePicker(model().editor().scene()).atPixel(x, y).orElseThrow().point();
     }
 
     private LightReport report(int light, int x, int y) {
-        return new PixelExplainer(model().scene()).pixel(x, y).lights().get(light);
+        return new PixelExplainer(model().editor().scene()).pixel(x, y).lights().get(light);
     }
 
     private void take(String light, Command tool) {
         robot.interact(() -> {
-            model().selectLight(light);
+            model().editor().selection().selectLight(light);
             model().commands().run(tool);
         });
     }
 
     private void undoesTo(Scene before) {
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 
@@ -88,7 +88,7 @@ class LightPlacerTest extends EditorDesk {
 
     @Test
     void draggedHighlight_followsThePointerAtTheDistanceOfThePressAndIsOneStep() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         take("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY);
         double distance = light("lamp").position().minus(surface(30, 22)).length();
@@ -105,45 +105,45 @@ class LightPlacerTest extends EditorDesk {
 
     @Test
     void whileItIsDragged_thePictureIsTheFullTraceOfWhatIsThere() {
-        robot.interact(() -> model().liveProperty().set(true));
+        robot.interact(() -> model().editor().liveProperty().set(true));
         take("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
         waitForPicture();
         robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
         waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
-                && model().situationProperty().get().inWork().isEmpty());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+                && model().editor().situationProperty().get().inWork().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         robot.release(MouseButton.PRIMARY);
     }
 
     @Test
     void escapeInADrag_givesItUpWithoutAStep() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         take("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
-        assertThat(model().scene()).isNotEqualTo(before);
+        assertThat(model().editor().scene()).isNotEqualTo(before);
         robot.push(KeyCode.ESCAPE);
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         robot.moveTo(pixel(28, 22)).release(MouseButton.PRIMARY);
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
         assertThat(isShown("prompt")).isFalse();
     }
 
     @Test
     void escapeInADragOfTheWireframe_givesItUpWithoutAStep() {
-        Scene before = model().scene();
-        robot.interact(() -> model().selectLight("lamp"));
+        Scene before = model().editor().scene();
+        robot.interact(() -> model().editor().selection().selectLight("lamp"));
         robot.moveTo(pixel(light("lamp").position())).press(MouseButton.SECONDARY).moveBy(30, 10);
-        assertThat(model().scene()).isNotEqualTo(before);
+        assertThat(model().editor().scene()).isNotEqualTo(before);
         robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.SECONDARY);
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
     void draggedThrower_letsItsShadowFallUnderThePointer() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         take("lamp", Command.PLACE_SHADOW);
         Vec3 thrower = surface(32, 22);
         robot.moveTo(pixel(32, 22)).press(MouseButton.PRIMARY).moveTo(pixel(46, 36)).release(MouseButton.PRIMARY);
@@ -168,7 +168,7 @@ class LightPlacerTest extends EditorDesk {
 
     @Test
     void draggedPool_letsTheSpotAimAtThePointer() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         take("stage", Command.AIM);
         robot.moveTo(pixel(32, 24)).press(MouseButton.PRIMARY).moveTo(pixel(24, 38)).release(MouseButton.PRIMARY);
         Vec3 way = surface(24, 38).minus(light("stage").position()).normalized();
@@ -196,7 +196,7 @@ class LightPlacerTest extends EditorDesk {
     void ringAboutAPlacedLight_takesItFartherInOneStep() {
         take("lamp", Command.PLACE_DIFFUSE);
         robot.clickOn(pixel(34, 20));
-        Scene placed = model().scene();
+        Scene placed = model().editor().scene();
         Vec3 point = surface(34, 20);
         Vec3 way = light("lamp").position().minus(point);
         Point2D middle = pixel(34, 20);
@@ -206,16 +206,16 @@ class LightPlacerTest extends EditorDesk {
         assertThat(now.length() / way.length()).isCloseTo(1.5, within(0.05));
         assertThat(now.normalized().dot(way.normalized())).isGreaterThan(0.999);
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(model().scene()).isEqualTo(placed);
+        assertThat(model().editor().scene()).isEqualTo(placed);
     }
 
     @Test
     void shiftInADragOfTheWireframe_movesOnTheGridAndSaysSo() {
-        robot.interact(() -> model().selectLight("lamp"));
+        robot.interact(() -> model().editor().selection().selectLight("lamp"));
         Point2D from = pixel(light("lamp").position());
         dragWithShift(MouseButton.SECONDARY, from, from.add(33, 11));
-        assertThat(model().messageProperty().get()).startsWith("Snapped: at ");
-        String told = model().messageProperty().get();
+        assertThat(model().editor().message().textProperty().get()).startsWith("Snapped: at ");
+        String told = model().editor().message().textProperty().get();
         double step = Double.parseDouble(told.substring(told.lastIndexOf(' ') + 1));
         Vec3 at = light("lamp").position();
         for (double v : new double[] {at.x(), at.y(), at.z()}) {
@@ -227,7 +227,7 @@ class LightPlacerTest extends EditorDesk {
     void shiftInADragOfThePool_turnsInWholeSteps() {
         take("stage", Command.AIM);
         dragWithShift(MouseButton.PRIMARY, pixel(32, 24), pixel(24, 38));
-        assertThat(model().messageProperty().get()).matches("Snapped: azimuth -?\\d+°, elevation -?\\d+°");
+        assertThat(model().editor().message().textProperty().get()).matches("Snapped: azimuth -?\\d+°, elevation -?\\d+°");
         Vec3 way = light("stage").direction().normalized();
         double elevation = Math.toDegrees(Math.asin(way.y())) / 15;
         assertThat(elevation).isCloseTo(Math.rint(elevation), within(1e-9));
@@ -235,11 +235,11 @@ class LightPlacerTest extends EditorDesk {
 
     @Test
     void pressBesideAllShapes_keepsTheTool() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         take("lamp", Command.PLACE_HIGHLIGHT);
         robot.clickOn(pixel(2, 1));
-        assertThat(model().scene()).isEqualTo(before);
-        assertThat(model().messageProperty().get()).isEqualTo("There is nothing there; click a shape");
+        assertThat(model().editor().scene()).isEqualTo(before);
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("There is nothing there; click a shape");
         assertThat(isShown("prompt")).isTrue();
     }
 }

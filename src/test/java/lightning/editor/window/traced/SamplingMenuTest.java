@@ -29,20 +29,20 @@ class SamplingMenuTest extends EditorDesk {
     }
 
     private Sampling sampling() {
-        return model().scene().picture().sampling();
+        return model().editor().scene().picture().sampling();
     }
 
     @Test
     void edges_areAnEditThatGoRendersAsTheReferenceDoes() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         choose("antialias-edges");
         assertThat(sampling()).isEqualTo(new Sampling(Antialias.EDGES, 4));
         assertCanvasShows(new ReferenceTracer(before).trace());
         click("go");
         waitForPicture();
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
-        assertThat(model().frame().film().sameBits(new ReferenceTracer(before).trace())).isFalse();
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
+        assertThat(model().picture().frame().film().sameBits(new ReferenceTracer(before).trace())).isFalse();
         assertThat(telemetry()).startsWith("samples");
     }
 
@@ -52,8 +52,8 @@ class SamplingMenuTest extends EditorDesk {
         choose("antialias-2");
         click("go");
         waitForPicture();
-        assertThat(model().frame().scene().picture().sampling()).isEqualTo(new Sampling(Antialias.EVERY, 2));
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertThat(model().picture().frame().scene().picture().sampling()).isEqualTo(new Sampling(Antialias.EVERY, 2));
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
@@ -61,7 +61,7 @@ class SamplingMenuTest extends EditorDesk {
         assertThat(sizes().getText()).isEqualTo("64 × 48");
         choose("antialias-edges");
         assertThat(sizes().getText()).isEqualTo("64 × 48, edges 4 × 4");
-        assertThat(model().situationProperty().get().undo()).contains("anti-aliasing off 4 × 4 → edges 4 × 4");
+        assertThat(model().editor().situationProperty().get().undo()).contains("anti-aliasing off 4 × 4 → edges 4 × 4");
         click("undo");
         assertThat(sampling()).isEqualTo(Sampling.DEFAULT);
         assertThat(isEnabled(Command.GO)).isFalse();

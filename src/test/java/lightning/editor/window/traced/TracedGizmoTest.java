@@ -24,7 +24,7 @@ class TracedGizmoTest extends EditorDesk {
     private Point2D inPicture(Vec3 point) {
         PictureView view = robot.lookup("#traced-picture").query();
         Bounds place = view.placeProperty().getValue();
-        var pixel = new Viewport(place.getWidth(), place.getHeight()).pixel(PreviewCamera.of(model().scene()), point);
+        var pixel = new Viewport(place.getWidth(), place.getHeight()).pixel(PreviewCamera.of(model().editor().scene()), point);
         return view.localToScreen(place.getMinX() + pixel.x(), place.getMinY() + pixel.y());
     }
 
@@ -34,7 +34,7 @@ class TracedGizmoTest extends EditorDesk {
 
     @Test
     void rightDragOfTheSelectedLight_movesItWithTheMouseAndIsOneStep() {
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         Light lamp = light("lamp");
         drag(lamp.position(), MouseButton.SECONDARY, 30, 0);
         Vec3 way = light("lamp").position().minus(lamp.position());
@@ -43,14 +43,14 @@ class TracedGizmoTest extends EditorDesk {
         assertThat(now.getX() - inPicture(lamp.position()).getX()).isBetween(28.0, 32.0);
         click("go");
         waitForPicture();
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test
     void leftDragOfTheSelectedSpot_turnsIt() {
-        robot.interact(() -> model().selectLight("stage"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         Light stage = light("stage");
         drag(stage.position(), MouseButton.PRIMARY, 20, 0);
         assertThat(light("stage").position()).isEqualTo(stage.position());
@@ -65,33 +65,33 @@ class TracedGizmoTest extends EditorDesk {
         assertThat(canvas.isVisible()).isTrue();
         robot.moveTo("#go");
         assertThat(canvas.isVisible()).isFalse();
-        robot.interact(() -> model().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
         assertThat(canvas.isVisible()).isFalse();
     }
 
     @Test
     void whereGizmosAreHidden_aDragTakesNothing() {
         robot.interact(() -> model().commands().run(Command.HIDE_GIZMOS));
-        Scene before = model().scene();
+        Scene before = model().editor().scene();
         drag(light("lamp").position(), MouseButton.SECONDARY, 30, 0);
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test
     void dragOfAShapesHandle_movesIt() {
-        robot.interact(() -> model().selectNode("ball"));
+        robot.interact(() -> model().editor().selection().selectNode("ball"));
         drag(new Vec3(0, 1, 0), MouseButton.PRIMARY, 30, 0);
-        assertThat(model().scene().stage().node("ball").orElseThrow().placement().at().x()).isGreaterThan(0.2);
+        assertThat(model().editor().scene().stage().node("ball").orElseThrow().placement().at().x()).isGreaterThan(0.2);
     }
 
     @Test
     void escapeInADragOfAShape_givesItUpWithoutAStep() {
-        robot.interact(() -> model().selectNode("ball"));
-        Scene before = model().scene();
+        robot.interact(() -> model().editor().selection().selectNode("ball"));
+        Scene before = model().editor().scene();
         robot.moveTo(inPicture(new Vec3(0, 1, 0))).press(MouseButton.PRIMARY).moveBy(30, 0);
-        assertThat(model().scene()).isNotEqualTo(before);
+        assertThat(model().editor().scene()).isNotEqualTo(before);
         robot.push(KeyCode.ESCAPE).moveBy(10, 0).release(MouseButton.PRIMARY);
-        assertThat(model().scene()).isEqualTo(before);
+        assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 }

@@ -51,7 +51,7 @@ class TracedPaneTest extends EditorDesk {
     void hover_tellsTheShapeAndEachLightsShare() {
         robot.moveTo(pixel(32, 24));
         waitFor("it tells", () -> text("pixel").contains("ball"));
-        Film film = model().frame().film();
+        Film film = model().picture().frame().film();
         int shown = ViewTransform.DEFAULT.pack(film.red(32, 24), film.green(32, 24), film.blue(32, 24));
         double luminance = 0.2126 * film.red(32, 24) + 0.7152 * film.green(32, 24) + 0.0722 * film.blue(32, 24);
         assertThat(text("pixel")).startsWith("32, 24").contains("normal").contains(String.format(Locale.ROOT,
@@ -68,12 +68,12 @@ class TracedPaneTest extends EditorDesk {
 
     @Test
     void click_selectsTheLightThatMattersMostThere() {
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "stage", 50)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "stage", 50)));
         click("go");
         waitForPicture();
-        robot.interact(() -> model().selectLight("sun"));
+        robot.interact(() -> model().editor().selection().selectLight("sun"));
         robot.clickOn(pixel(36, 22));
-        waitFor("it is selected", () -> model().selectedLight().name().equals("stage"));
+        waitFor("it is selected", () -> model().editor().selection().light().name().equals("stage"));
     }
 
     @Test
@@ -90,7 +90,7 @@ class TracedPaneTest extends EditorDesk {
     @Test
     void aim_turnsTheSelectedLightToThePickedPoint() {
         robot.interact(() -> {
-            model().selectLight("stage");
+            model().editor().selection().selectLight("stage");
             model().commands().run(Command.AIM);
         });
         robot.clickOn(pixel(32, 24));
@@ -103,13 +103,13 @@ class TracedPaneTest extends EditorDesk {
     @Test
     void placedHighlight_shinesThereMost() {
         robot.interact(() -> {
-            model().selectLight("lamp");
+            model().editor().selection().selectLight("lamp");
             model().commands().run(Command.PLACE_HIGHLIGHT);
         });
         assertThat(text("prompt")).startsWith("Click where the highlight should be");
         robot.clickOn(pixel(28, 22));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
-        var placed = new PixelExplainer(model().scene()).pixel(28, 22).lights().getFirst();
+        var placed = new PixelExplainer(model().editor().scene()).pixel(28, 22).lights().getFirst();
         assertThat(placed.light().name()).isEqualTo("lamp");
         assertThat(placed.specular()).isGreaterThan(0.99f);
     }
@@ -117,21 +117,21 @@ class TracedPaneTest extends EditorDesk {
     @Test
     void placedShadow_fallsThere() {
         robot.interact(() -> {
-            model().selectLight("lamp");
+            model().editor().selection().selectLight("lamp");
             model().commands().run(Command.PLACE_SHADOW);
         });
         robot.clickOn(pixel(32, 22));
         waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
         robot.clickOn(pixel(46, 36));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
-        var placed = new PixelExplainer(model().scene()).pixel(46, 36).lights().getFirst();
+        var placed = new PixelExplainer(model().editor().scene()).pixel(46, 36).lights().getFirst();
         assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
     }
 
     @Test
     void snapshot_isComparedByAWipe() {
         click("snapshot");
-        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        robot.interact(() -> model().editor().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
         click("go");
         waitForPicture();
         click("compare");
@@ -146,7 +146,7 @@ class TracedPaneTest extends EditorDesk {
     void rightClick_endsPicking() {
         Vec3 before = light("stage").direction();
         robot.interact(() -> {
-            model().selectLight("stage");
+            model().editor().selection().selectLight("stage");
             model().commands().run(Command.AIM);
         });
         robot.clickOn(pixel(32, 24), MouseButton.SECONDARY);
@@ -176,10 +176,10 @@ class TracedPaneTest extends EditorDesk {
     @Test
     void exposureIsTyped_toAnyNumber() {
         Typing.over(robot, robot.lookup("#exposure-stops").query(), "-1.37").push(KeyCode.ENTER);
-        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(model().picture().viewProperty().get().exposure()).isEqualTo(-1.37);
         assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isEqualTo(-1.37);
         Typing.over(robot, robot.lookup("#exposure-stops").query(), "9").push(KeyCode.ENTER);
-        assertThat(model().viewProperty().get().exposure()).isEqualTo(-1.37);
+        assertThat(model().picture().viewProperty().get().exposure()).isEqualTo(-1.37);
         assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
     }
 
@@ -189,16 +189,16 @@ class TracedPaneTest extends EditorDesk {
         Slider slider = robot.lookup("#exposure").query();
         assertThat((slider.getMax() - slider.getMin()) / slider.getWidth()).isLessThan(0.12);
         robot.drag(slider, MouseButton.PRIMARY).dropBy(4, 0);
-        assertThat(model().viewProperty().get().exposure()).isBetween(0.1, 0.8);
+        assertThat(model().picture().viewProperty().get().exposure()).isBetween(0.1, 0.8);
     }
 
     @Test
     void exposure_changesThePixelsAndNotTheScene() {
-        int[] before = model().raster().pixels().pixels().clone();
+        int[] before = model().picture().raster().pixels().pixels().clone();
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
-        assertThat(model().raster().pixels().pixels()).isNotEqualTo(before)
-                .isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
-        assertThat(model().document().isDirty()).isFalse();
+        assertThat(model().picture().raster().pixels().pixels()).isNotEqualTo(before)
+                .isEqualTo(new ViewTransform(1).toPixels(model().picture().frame().film()));
+        assertThat(model().editor().document().isDirty()).isFalse();
     }
 
     private void choose(String id) {
@@ -215,50 +215,51 @@ class TracedPaneTest extends EditorDesk {
     @Test
     void view1998_showsTheLinearValues() {
         choose("view-1998");
-        assertThat(model().raster().pixels().pixels()).isEqualTo(
-                ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR).toPixels(model().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(
+                ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR).toPixels(model().picture().frame().film()));
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
-        assertThat(model().viewProperty().get()).isEqualTo(new ViewTransform(1, DisplayCurve.LINEAR));
+        assertThat(model().picture().viewProperty().get()).isEqualTo(new ViewTransform(1, DisplayCurve.LINEAR));
         choose("view-srgb");
-        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(1).toPixels(model().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(new ViewTransform(1).toPixels(model().picture().frame().film()));
     }
 
     @Test
     void falseColor_showsStopsWithTheirLegend() {
         assertThat(isShown("stop-legend")).isFalse();
         choose("view-false");
-        assertThat(model().raster().pixels().pixels())
-                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.FALSE).toPixels(model().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels())
+                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.FALSE).toPixels(model().picture().frame().film()));
         assertThat(isShown("stop-legend")).isTrue();
         choose("view-aces");
-        assertThat(model().raster().pixels().pixels())
-                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.ACES).toPixels(model().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels())
+                .isEqualTo(ViewTransform.DEFAULT.withCurve(DisplayCurve.ACES).toPixels(model().picture().frame().film()));
         assertThat(isShown("stop-legend")).isFalse();
     }
 
     @Test
     void colorTable_isShownThroughKeptAndTakenAway() throws IOException {
         answer = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
-        int[] before = model().raster().pixels().pixels().clone();
+        int[] before = model().picture().raster().pixels().pixels().clone();
         choose("view-color-table");
-        waitFor("the table is read", () -> model().viewProperty().get().cube().isPresent());
+        waitFor("the table is read", () -> model().picture().viewProperty().get().cube().isPresent());
         ViewTransform inverse = ViewTransform.DEFAULT.withCube(Optional.of(CubeReader.read(answer)));
-        assertThat(model().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().frame().film())).isNotEqualTo(before);
-        assertThat(model().messageProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().picture().frame().film()))
+                .isNotEqualTo(before);
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
         waitFor("it is kept", () -> Files.readString(folder.resolve("own/preferences.properties")).contains("inverse.cube"));
         choose("view-color-table");
-        assertThat(model().raster().pixels().pixels()).isEqualTo(before);
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(before);
     }
 
     @Test
     void marks_areOnWhatIsCutOffWithTheirLegend() {
-        robot.interact(() -> model().viewProperty().set(new ViewTransform(3)));
+        robot.interact(() -> model().picture().viewProperty().set(new ViewTransform(3)));
         assertThat(isShown("clipping-legend")).isFalse();
         robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
         assertThat(isShown("clipping-legend")).isTrue();
-        Film film = model().frame().film();
+        Film film = model().picture().frame().film();
         int marked = 0;
-        int[] shown = model().raster().pixels().pixels();
+        int[] shown = model().picture().raster().pixels().pixels();
         for (int i = 0; i < shown.length; i++) {
             int x = i % film.width();
             int y = i / film.width();
@@ -268,47 +269,47 @@ class TracedPaneTest extends EditorDesk {
         }
         assertThat(marked).isPositive();
         robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
-        assertThat(model().raster().pixels().pixels()).isEqualTo(new ViewTransform(3).toPixels(film));
+        assertThat(model().picture().raster().pixels().pixels()).isEqualTo(new ViewTransform(3).toPixels(film));
         assertThat(isShown("clipping-legend")).isFalse();
     }
 
     @Test
     void onlySelected_showsThatLightsShareWhicheverIsSelected() {
-        robot.interact(() -> model().selectLight("stage"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("only-selected");
         waitFor("it is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: Only stage");
-        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "stage")).trace());
-        robot.interact(() -> model().selectLight("sun"));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().editor().scene(), "stage")).trace());
+        robot.interact(() -> model().editor().selection().selectLight("sun"));
         waitFor("the other is shown", () -> text("look").equals("View: Only sun"));
-        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().scene(), "sun")).trace());
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().editor().scene(), "sun")).trace());
         click("only-selected");
         waitFor("all is shown", () -> !isShown("look"));
-        assertCanvasShows(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
     void onlySelected_isNoEditAndNothingThatIsSavedOrVerified() throws IOException {
         click("only-selected");
         waitFor("it is shown", () -> isShown("look"));
-        assertThat(model().document().isDirty()).isFalse();
+        assertThat(model().editor().document().isDirty()).isFalse();
         assertThat(isEnabled(Command.GO)).isFalse();
         answer = folder.resolve("whole.pfm");
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved whole.pfm"));
-        assertThat(PictureFile.read(answer).sameBits(new ReferenceTracer(model().scene()).trace())).isTrue();
+        assertThat(PictureFile.read(answer).sameBits(new ReferenceTracer(model().editor().scene()).trace())).isTrue();
         click("verify");
-        waitFor("it is verified", () -> model().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
     }
 
     @Test
     void renamedLight_isStillTheOneThatIsShown() {
-        robot.interact(() -> model().selectLight("stage"));
+        robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("only-selected");
         waitFor("it is shown", () -> isShown("look"));
-        robot.interact(() -> model().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
-        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().frame().scene(), "stage")).trace());
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
+        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().picture().frame().scene(), "stage")).trace());
     }
 
     @Test
@@ -316,20 +317,20 @@ class TracedPaneTest extends EditorDesk {
         choose("view-reflections");
         waitFor("it is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No reflections");
-        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().scene())).trace());
-        assertFilmIs(new ReferenceTracer(model().scene()).trace());
+        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().editor().scene())).trace());
+        assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(robot.lookup("#region").query().isDisabled()).isTrue();
     }
 
     @Test
     void framedRegion_showsTheEditsThereAlone() {
-        int[] before = model().raster().pixels().pixels().clone();
-        robot.interact(() -> model().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        int[] before = model().picture().raster().pixels().pixels().clone();
+        robot.interact(() -> model().editor().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));
-        waitFor("it is traced", () -> model().raster().isPatched());
-        int[] after = model().raster().pixels().pixels();
+        waitFor("it is traced", () -> model().picture().raster().isPatched());
+        int[] after = model().picture().raster().pixels().pixels();
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
         assertThat(isEnabled(Command.GO)).isTrue();
@@ -339,7 +340,8 @@ class TracedPaneTest extends EditorDesk {
         click("redo");
         click("go");
         waitForPicture();
-        assertThat(model().raster().pixels().pixels()).isEqualTo(model().raster().view().toPixels(model().frame().film()));
+        assertThat(model().picture().raster().pixels().pixels())
+                .isEqualTo(model().picture().raster().view().toPixels(model().picture().frame().film()));
     }
 
     @Test
@@ -347,8 +349,8 @@ class TracedPaneTest extends EditorDesk {
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));
-        waitFor("it is traced", () -> model().raster().isPatched());
-        robot.interact(model()::repaint);
+        waitFor("it is traced", () -> model().picture().raster().isPatched());
+        robot.interact(model().picture()::repaint);
         assertThat(isShown("pending")).isFalse();
     }
 
@@ -356,12 +358,12 @@ class TracedPaneTest extends EditorDesk {
     @Test
     void playedEdits_areNotPending() {
         robot.interact(() -> {
-            model().beginAnimation();
-            model().animate(model().scene().withLight(light("lamp").withIntensity(3)));
+            model().editor().beginAnimation();
+            model().editor().animate(model().editor().scene().withLight(light("lamp").withIntensity(3)));
             assertThat(isShown("pending")).isFalse();
         });
         waitForPicture();
-        robot.interact(() -> model().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
+        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
         waitFor("it is told", () -> isShown("pending"));
     }
 
