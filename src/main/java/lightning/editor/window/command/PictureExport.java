@@ -14,6 +14,7 @@ import lightning.editor.document.Command;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.format.exr.ExrType;
+import lightning.format.jen.JenFile;
 import lightning.format.layer.LayerFile;
 import lightning.format.picture.PictureFile;
 import lightning.render.cache.PixelCache;
@@ -41,16 +42,9 @@ final class PictureExport {
     }
 
     private void ask(ExportKind kind) {
-        String name = model.document().name().replaceFirst("\\.jen$", "") + kind.ending();
-        prompt.pictureToWrite(model.document().file().resolveSibling(name)).ifPresent(chosen -> {
-            if (chosen.getFileName().toString().endsWith(kind.ending())) {
-                export(kind, chosen);
-            } else {
-                // The system asked about the name as it was typed only.
-                Path file = chosen.resolveSibling(chosen.getFileName() + kind.ending());
-                notices.unlessThere(model.files(), file, () -> export(kind, file));
-            }
-        });
+        String ending = kind.format().ending();
+        prompt.pictureToWrite(model.document().file().resolveSibling(JenFile.stem(model.document().name()) + ending))
+                .ifPresent(chosen -> notices.withEnding(model.files(), chosen, ending, file -> export(kind, file)));
     }
 
     private void export(ExportKind kind, Path file) {

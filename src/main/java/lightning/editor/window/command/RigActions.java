@@ -9,13 +9,12 @@ import lightning.editor.document.Change;
 import lightning.editor.document.Command;
 import lightning.editor.document.cue.Lighting;
 import lightning.editor.window.model.EditorModel;
+import lightning.format.jen.JenFile;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 
 /** The commands about light rigs as files. A rig is a scene file of lights and banks; any scene's lights can be taken too. */
 final class RigActions {
-    private static final String ENDING = ".jen";
-
     private final EditorModel model;
     private final FilePrompt prompt;
     private final Notices notices;
@@ -55,15 +54,9 @@ final class RigActions {
     }
 
     private void save() {
-        String name = model.document().name().replaceFirst("\\.jen$", "") + "-lights" + ENDING;
-        prompt.rigToWrite(folder().resolve(name)).ifPresent(chosen -> {
-            if (chosen.getFileName().toString().endsWith(ENDING)) {
-                write(chosen);
-            } else {
-                Path file = chosen.resolveSibling(chosen.getFileName() + ENDING);
-                notices.unlessThere(model.files(), file, () -> write(file));
-            }
-        });
+        String name = JenFile.stem(model.document().name()) + "-lights" + JenFile.ENDING;
+        prompt.rigToWrite(folder().resolve(name))
+                .ifPresent(chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, this::write));
     }
 
     private void write(Path file) {
