@@ -58,7 +58,8 @@ final class CompareCommand implements Callable<Integer> {
         if (output != null) {
             PictureFile.write(output, DifferencePicture.of(a, b), ViewTransform.DEFAULT);
         }
-        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b), PictureFormat.of(first).holdsFloats(first) && PictureFormat.of(second).holdsFloats(second));
+        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b),
+                PictureFormat.of(first).holdsFloats(first) && PictureFormat.of(second).holdsFloats(second));
         return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
     }
 

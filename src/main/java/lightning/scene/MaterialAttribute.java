@@ -159,7 +159,8 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
                 (m, v) -> m.withRelief(with.apply(m.relief(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
     }
 
-    private static <V> MaterialAttribute<V> cutout(String name, ValueKind.OfMaterial<V> kind, V initial, String unit, Function<Cutout, V> get,
+    private static <V> MaterialAttribute<V> cutout(String name, ValueKind.OfMaterial<V> kind, V initial, String unit,
+            Function<Cutout, V> get,
             BiFunction<Cutout, V, Cutout> with, String help) {
         return new MaterialAttribute<>(name, kind, initial, unit, m -> get.apply(m.cutout()),
                 (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.PRESENCE, null, Section.CUTOUT, help);

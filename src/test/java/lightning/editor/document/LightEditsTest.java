@@ -40,7 +40,8 @@ class LightEditsTest {
 
     @Test
     void zeroDirection_isRefused() {
-        assertThat(LightEdits.with(scene, "key", l -> l.withDirection(Vec3.ZERO)).refusal()).contains("direction must not be zero, was 0 0 0");
+        assertThat(LightEdits.with(scene, "key", l -> l.withDirection(Vec3.ZERO)).refusal())
+                .contains("direction must not be zero, was 0 0 0");
     }
 
     @Test

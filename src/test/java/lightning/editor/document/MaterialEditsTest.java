@@ -54,7 +54,8 @@ class MaterialEditsTest {
                 .contains("diffuse green must be from 0 to 1, was 2");
         assertThat(MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "none.png", Path.of("scenes")).refusal().orElseThrow())
                 .contains("there is no texture 'none.png'");
-        assertThat(MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "../wood.png", Path.of("scenes")).refusal().orElseThrow())
+        assertThat(
+                MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "../wood.png", Path.of("scenes")).refusal().orElseThrow())
                 .contains("without empty names, . and ..");
     }
 
