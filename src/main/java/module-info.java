@@ -6,7 +6,7 @@ module lightning {
     requires jdk.management;
     requires jdk.incubator.vector;
     requires info.picocli;
-    requires org.apache.commons.imaging;
+    requires io.github.javadiffutils;
     requires org.jfree.jfreechart;
     requires VectorGraphics2D;
     requires tools.jackson.databind;

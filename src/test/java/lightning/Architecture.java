@@ -122,7 +122,7 @@ final class Architecture {
             row("editor.window.widget", "base.text base.math scene render.image editor.document"),
             row("editor.window.model", DOCUMENT),
             row("editor.window.command",
-                    DOCUMENT + " format.exr format.layer format.exchange editor.document.cue editor.window.widget editor.window.model"),
+                    DOCUMENT + " format format.exr format.layer format.exchange editor.document.cue editor.window.widget editor.window.model"),
             row("editor.window.property", DESK),
             row("editor.window.traced", DESK),
             row("editor.window.preview", DESK),
@@ -133,10 +133,10 @@ final class Architecture {
             row("editor.window.contribution", DESK),
             row("editor.window.cue", DESK + " editor.document.cue"),
             row("editor.window",
-                    DESK + " format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
+                    DESK + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
                             + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.cue"),
             row("cli",
-                    ENGINE + " base.file scene.shot format.hdr format.jen format.exr format.picture format.layer format.pov format.exchange"
+                    ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.picture format.layer format.pov format.exchange"
                             + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
             row("", "editor.window cli"));
 

@@ -21,20 +21,20 @@ final class BenchFolder {
         this.reporter = reporter;
     }
 
-    /** Writes all files in between, unless that was done just now: a process that is ended leaves the page of what it has. */
+    /** Writes the tables between two parts, unless that was done just now: a killed process leaves what it measured. */
     void writeNowAndThen(Results results) throws IOException {
-        if (System.nanoTime() - writtenAt >= ONE_PART_IN * writingNs) {
-            write(results);
+        long start = System.nanoTime();
+        if (start - writtenAt >= ONE_PART_IN * writingNs) {
+            writeTables(results);
+            writtenAt = System.nanoTime();
+            writingNs = writtenAt - start;
         }
     }
 
     /** Writes all files. */
     void write(Results results) throws IOException {
-        long start = System.nanoTime();
         writeTables(results);
         reporter.write(results, folder);
-        writtenAt = System.nanoTime();
-        writingNs = writtenAt - start;
     }
 
     /**

@@ -14,6 +14,7 @@ import lightning.base.file.ShippedFile;
 import lightning.bench.Failure;
 import lightning.bench.NamedScene;
 import lightning.format.jen.JenException;
+import lightning.format.jen.JenFile;
 import lightning.format.jen.JenReader;
 
 /**
@@ -22,8 +23,6 @@ import lightning.format.jen.JenReader;
  * @param problems one for each file that could not be read
  */
 record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
-    private static final String ENDING = ".jen";
-
     /**
      * Reads scenes.
      *
@@ -53,17 +52,16 @@ record BenchScenes(List<NamedScene> scenes, List<Failure> problems) {
     private static List<Path> own(List<String> names) throws IOException {
         Path folder = ShippedFile.find(ShippedFile.SCENES);
         if (!names.isEmpty()) {
-            return names.stream().map(name -> folder.resolve(name + ENDING)).toList();
+            return names.stream().map(name -> folder.resolve(name + JenFile.ENDING)).toList();
         }
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.toString().endsWith(ENDING)).sorted().toList();
+            return files.filter(file -> JenFile.isNamedSo(file.toString())).sorted().toList();
         }
     }
 
     /** The file's name without its ending, with a number where that was taken. */
     private static String name(Path file, Set<String> taken) {
-        String name = String.valueOf(file.getFileName());
-        String plain = name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name;
+        String plain = JenFile.stem(String.valueOf(file.getFileName()));
         String unique = plain;
         for (int i = 2; !taken.add(unique); i++) {
             unique = plain + "-" + i;

@@ -1,10 +1,10 @@
 package lightning.cli;
 
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import lightning.format.hdr.HdrReader;
 import lightning.format.picture.PictureFile;
+import lightning.format.picture.PictureFormat;
 import lightning.render.image.Difference;
 import lightning.render.image.DifferencePicture;
 import lightning.render.image.Film;
@@ -18,7 +18,7 @@ import picocli.CommandLine.Parameters;
 /** Tells how much two pictures differ. */
 @Command(name = "compare", abbreviateSynopsis = true, header = "Tell how much two pictures differ.",
         description = {
-            "Compares two pictures of the same size, of the formats .png, .xpm, .pfm, .exr and .hdr in any combination. The exit code is",
+            "Compares two pictures of the same size, of the formats .png, .pfm, .exr and .hdr in any combination. The exit code is",
             "that of diff: 0 for equal pictures, 1 for different ones, 2 for trouble.",
             "Only .pfm and an .exr of 32 bits hold all bits of a picture: a .png can tell equal displays, not equal pictures.",
             "FLIP is how much of a difference a person sees who flips between the two: 0 none, 1 the worst; 67 pixels per degree."},
@@ -44,7 +44,8 @@ final class CompareCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         if (output != null) {
-            PictureFile.requireKnownExtension(output);
+            // Refuses another ending before the pictures are read.
+            PictureFormat.of(output);
             PictureOutput.checkFile(output);
         }
         Film a = read(first);
@@ -57,12 +58,13 @@ final class CompareCommand implements Callable<Integer> {
         if (output != null) {
             PictureFile.write(output, DifferencePicture.of(a, b), ViewTransform.DEFAULT);
         }
-        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b), holdsFloats(first, a) && holdsFloats(second, b));
+        print(difference, 3L * a.width() * a.height(), Flip.mean(a, b),
+                PictureFormat.of(first).holdsFloats(first) && PictureFormat.of(second).holdsFloats(second));
         return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
     }
 
     private static Film read(Path file) throws Exception {
-        if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".hdr")) {
+        if (PictureFormat.of(file) != PictureFormat.HDR) {
             return PictureFile.read(file);
         }
         Sky picture = HdrReader.read(file);
@@ -71,27 +73,6 @@ final class CompareCommand implements Callable<Integer> {
             rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
         }
         return Film.ofScanlines(picture.width(), picture.height(), rgb);
-    }
-
-    /** Whether a file holds every bit of a float; an .exr of halves has values that halves can say. */
-    private static boolean holdsFloats(Path file, Film film) {
-        String name = file.toString().toLowerCase(Locale.ROOT);
-        return name.endsWith(".pfm") || name.endsWith(".exr") && !isOfHalves(film);
-    }
-
-    private static boolean isOfHalves(Film film) {
-        for (int y = 0; y < film.height(); y++) {
-            for (int x = 0; x < film.width(); x++) {
-                if (!isHalf(film.red(x, y)) || !isHalf(film.green(x, y)) || !isHalf(film.blue(x, y))) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
-    private static boolean isHalf(float value) {
-        return Float.isNaN(value) || Float.float16ToFloat(Float.floatToFloat16(value)) == value;
     }
 
     /** @param floats whether units in the last place mean something: the numbers between two 8-bit levels are none that a file could hold */

@@ -3,7 +3,8 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.base.text.Quote;
-import lightning.format.exchange.Importer;
+import lightning.format.MeshFormat;
+import lightning.format.jen.JenFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -24,9 +25,9 @@ final class EditCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws BadInput {
-        if (file != null && !file.toString().endsWith(".jen")) {
-            throw new BadInput(Quote.path(file) + ": the editor opens files whose names end with .jen, "
-                    + String.join(", ", Importer.ENDINGS));
+        if (file != null && !JenFile.isNamedSo(file.toString())) {
+            throw new BadInput(Quote.path(file) + ": the editor opens files whose names end with " + JenFile.ENDING + ", "
+                    + String.join(", ", MeshFormat.allEndings()));
         }
         return command.parent().commandLine().execute(file == null ? new String[0] : new String[] {file.toString()});
     }

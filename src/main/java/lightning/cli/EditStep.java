@@ -1,6 +1,7 @@
 package lightning.cli;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Quote;
 import lightning.bench.accuracy.PaperCase;
@@ -32,9 +33,18 @@ final class EditStep {
     @Option(names = "--then", required = true, description = "Renders; what follows is the next edit.")
     private boolean then;
 
-    /** Whether this step ends a group. */
-    boolean endsGroup() {
-        return then;
+    /** Splits steps at each {@code --then} into the groups of one edit each, at least one; a group may be empty. */
+    static List<List<EditStep>> groups(List<EditStep> steps) {
+        List<List<EditStep>> groups = new ArrayList<>();
+        groups.add(new ArrayList<>());
+        for (EditStep step : steps) {
+            if (step.then) {
+                groups.add(new ArrayList<>());
+            } else {
+                groups.getLast().add(step);
+            }
+        }
+        return groups;
     }
 
     /**
@@ -50,8 +60,7 @@ final class EditStep {
         try {
             return List.of(set != null ? PropertyEdit.apply(scene, set, folder)
                     : add != null ? PropertyEdit.add(scene, add)
-                    : delete != null ? PropertyEdit.delete(scene, delete)
-                    : scene);
+                    : PropertyEdit.delete(scene, delete));
         } catch (IllegalArgumentException e) {
             String step = set != null ? "--set " + set : add != null ? "--add " + add : "--delete " + delete;
             throw new BadInput(Quote.shortened(step) + ": " + e.getMessage());
@@ -61,16 +70,11 @@ final class EditStep {
     /**
      * Remarks on each property that was set and does nothing to the edited picture.
      *
-     * @param steps of all edits
-     * @param end   the number of the step that ends the edit, or of steps
+     * @param group the steps of the edit
      * @param after the scene after the edit
      */
-    static void remarkUnused(List<EditStep> steps, int end, Scene after, Console console) {
-        int start = end;
-        while (start > 0 && !steps.get(start - 1).endsGroup()) {
-            start--;
-        }
-        steps.subList(start, end).stream().filter(step -> step.set != null).flatMap(step -> PropertyEdit.unused(after, step.set).stream())
+    static void remarkUnused(List<EditStep> group, Scene after, Console console) {
+        group.stream().filter(step -> step.set != null).flatMap(step -> PropertyEdit.unused(after, step.set).stream())
                 .distinct().forEach(why -> console.remark("%s", why));
     }
 

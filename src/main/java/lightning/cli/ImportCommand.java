@@ -9,7 +9,9 @@ import lightning.format.exchange.Import;
 import lightning.format.exchange.Importer;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.UnitPictures;
+import lightning.format.jen.JenFile;
 import lightning.format.picture.PictureFile;
+import lightning.format.picture.PictureFormat;
 import lightning.render.image.ViewTransform;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -50,8 +52,8 @@ final class ImportCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         String name = output.getFileName() == null ? "" : output.getFileName().toString();
-        if (!name.toLowerCase(Locale.ROOT).endsWith(".jen")) {
-            throw new BadInput(output + ": a scene's name must end in .jen");
+        if (!JenFile.isNamedSo(name.toLowerCase(Locale.ROOT))) {
+            throw new BadInput(output + ": a scene's name must end in " + JenFile.ENDING);
         }
         PictureOutput.checkFile(output);
         Import read;
@@ -60,7 +62,7 @@ final class ImportCommand implements Callable<Integer> {
         }
         read.write();
         if (pictures) {
-            writePictures(read, name.substring(0, name.length() - ".jen".length()));
+            writePictures(read, name.substring(0, name.length() - JenFile.ENDING.length()));
         }
         if (units == null) {
             read.units()
@@ -76,7 +78,7 @@ final class ImportCommand implements Callable<Integer> {
     private void writePictures(Import read, String stem) throws IOException {
         try (var bar = new ProgressBar(console, "tracing"); var workers = new Workers(Workers.available())) {
             for (var picture : UnitPictures.of(read, PICTURE_SIZE, workers, bar).entrySet()) {
-                Path to = output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + ".png");
+                Path to = output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + PictureFormat.PNG.ending());
                 PictureFile.write(to, picture.getValue(), ViewTransform.DEFAULT);
                 console.line("%s: written; numbers taken as %s", to, picture.getKey().words());
             }

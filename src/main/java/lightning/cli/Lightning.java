@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
+import lightning.format.jen.JenFile;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -107,7 +108,7 @@ public final class Lightning {
 
     /** A word that is neither a command nor a scene; picocli would complain about what follows it. */
     private static boolean isUnknown(CommandLine commands, String... args) {
-        return args.length > 0 && !args[0].startsWith("-") && !args[0].endsWith(".jen")
+        return args.length > 0 && !args[0].startsWith("-") && !JenFile.isNamedSo(args[0])
                 && !commands.getSubcommands().containsKey(args[0]);
     }
 

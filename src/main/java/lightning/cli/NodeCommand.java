@@ -91,7 +91,7 @@ final class NodeCommand implements Callable<Integer> {
                 sentence -> console.line("%s", sentence));
         try (var node = new FrameNode(new TlsNetwork(place), settings)) {
             node.start();
-            console.line("a node at %s; Ctrl-C ends it", new HostPort(place.bind().getHostAddress(), place.port()).text());
+            console.line("a node at %s; Ctrl-C ends it", place.text());
             Thread.sleep(Long.MAX_VALUE);
         } catch (InterruptedException e) {
             throw new CancellationException();

@@ -11,6 +11,7 @@ import lightning.base.work.Memory;
 import lightning.base.work.Workers;
 import lightning.format.picture.CubeReader;
 import lightning.format.picture.PictureFile;
+import lightning.format.picture.PictureFormat;
 import lightning.render.image.Clipping;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
@@ -65,7 +66,7 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
             if (file.isEmpty()) {
                 return shown;
             }
-            if (!file.endsWith(".cube")) {
+            if (!file.endsWith(CubeReader.ENDING)) {
                 throw new TypeConversionException("expected srgb, 1998, filmic, aces, false or a .cube file, found " + Quote.of(file));
             }
             try {
@@ -93,8 +94,7 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
 
     /** The same of what the ending of a file's name says alone. */
     void checkKind(Path picture) throws IOException {
-        PictureFile.requireKnownExtension(picture);
-        PictureFile.requireBits(picture, bits(picture));
+        PictureFormat.of(picture).requireBits(picture, bits(picture));
     }
 
     /** Of a number in the file. */
@@ -103,7 +103,7 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
     }
 
     private int bits(Path picture) throws IOException {
-        return bits == null ? PictureFile.bits(picture).getFirst() : bits;
+        return bits == null ? PictureFormat.of(picture).bits().getFirst() : bits;
     }
 
     static void checkFile(Path file) throws IOException {
@@ -117,7 +117,7 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
 
     /** The same where the picture goes to another file than was named. */
     static long memory(Scene scene, Path picture) throws IOException {
-        return Memory.available() - PictureFile.bytesToWrite(picture, scene.picture().width(), scene.picture().height());
+        return Memory.available() - PictureFormat.of(picture).bytesToWrite(scene.picture().width(), scene.picture().height());
     }
 
     /** Writes the picture to another file than was named. */
@@ -135,7 +135,7 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
             PictureFile.write(file(), film, view, bits(), workers);
         }
         Clipping clipping = Clipping.of(film, view);
-        if (clipping.pixels() > 0 && PictureFile.isDisplayed(file())) {
+        if (clipping.pixels() > 0 && PictureFormat.of(file()).isDisplayed()) {
             console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file(),
                     clipping.pixels(), clipping.all(), 100.0 * clipping.pixels() / clipping.all(), clipping.brightest());
         }

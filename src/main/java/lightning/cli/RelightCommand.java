@@ -146,18 +146,15 @@ final class RelightCommand implements Callable<Integer> {
     private List<Scene> edited(Scene scene) throws BadInput {
         List<Scene> scenes = new ArrayList<>();
         Scene current = scene;
-        for (int i = 0; i < steps.size(); i++) {
-            EditStep step = steps.get(i);
-            if (step.endsGroup()) {
-                EditStep.remarkUnused(steps, i, current, console);
-                scenes.add(current);
+        for (List<EditStep> group : EditStep.groups(steps)) {
+            for (EditStep step : group) {
+                List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
+                scenes.addAll(next.subList(0, next.size() - 1));
+                current = next.getLast();
             }
-            List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
-            scenes.addAll(next.subList(0, next.size() - 1));
-            current = next.getLast();
+            EditStep.remarkUnused(group, current, console);
+            scenes.add(current);
         }
-        EditStep.remarkUnused(steps, steps.size(), current, console);
-        scenes.add(current);
         return scenes;
     }
 

@@ -1,6 +1,5 @@
 package lightning.cli;
 
-import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,7 +19,6 @@ import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
 import lightning.shot.Take;
 import lightning.shot.cluster.DistributedShot;
-import lightning.shot.cluster.HostPort;
 import lightning.shot.cluster.Place;
 import lightning.shot.movie.FrameFiles;
 
@@ -115,9 +113,7 @@ record RelightElsewhere(Console console, PictureOutput output, Place place, Path
                 seen = System.nanoTime();
                 tally.met = true;
             } else if (System.nanoTime() - seen > (tally.met ? PATIENCE_NANOSECONDS : FIRST_PATIENCE_NANOSECONDS)) {
-                InetSocketAddress asked = place.join().getFirst();
-                throw new BadInput("no node answers at " + new HostPort(asked.getHostString(), asked.getPort()).text()
-                        + ": none is there, or it has another certificate");
+                throw new BadInput("no node answers at " + place.firstJoinText() + ": none is there, or it has another certificate");
             }
             bar.tiles(Math.min(tally.made.get(), count), count);
             Thread.sleep(LOOK_MILLISECONDS);

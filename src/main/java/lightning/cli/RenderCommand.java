@@ -4,7 +4,7 @@ import java.util.concurrent.Callable;
 import lightning.base.work.Workers;
 import lightning.format.exr.ExrType;
 import lightning.format.layer.LayerFile;
-import lightning.format.picture.PictureFile;
+import lightning.format.picture.PictureFormat;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
@@ -61,7 +61,7 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         output.check();
-        if (layers && !PictureFile.canHaveLayers(output.file())) {
+        if (layers && !PictureFormat.of(output.file()).canHaveLayers()) {
             throw new BadInput(Console.text("%s: layers are written to .exr", output.file()));
         }
         if (layers && traditional) {

@@ -12,6 +12,7 @@ import lightning.base.work.Progress;
 import lightning.base.work.Workers;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenFile;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.Options;
@@ -90,7 +91,7 @@ final class ShotRelightCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        FrameFiles files = FrameFiles.of(output.file(), input.path());
+        FrameFiles files = FrameFiles.of(output.file(), JenFile.stem(input.path().getFileName().toString()));
         output.checkKind(files.file(0));
         if (memory != null && !(memory >= 0)) {
             throw new BadInput("--memory must be 0 or more, was " + memory);
@@ -239,24 +240,21 @@ final class ShotRelightCommand implements Callable<Integer> {
         List<Take> takes = new ArrayList<>();
         Scene current = scene;
         Shot shot = keys;
-        for (int s = 0; s < steps.size(); s++) {
-            EditStep step = steps.get(s);
-            if (step.endsGroup()) {
-                EditStep.remarkUnused(steps, s, current, console);
-                takes.add(new Take(picture.apply(current), shot));
-            }
-            List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
-            for (int i = 0; i < next.size(); i++) {
-                refuseKeyed(shot, current, next.get(i));
-                shot = new ShotSuccession(current, next.get(i)).of(shot);
-                current = next.get(i);
-                if (i < next.size() - 1) {
-                    takes.add(new Take(picture.apply(current), shot));
+        for (List<EditStep> group : EditStep.groups(steps)) {
+            for (EditStep step : group) {
+                List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
+                for (int i = 0; i < next.size(); i++) {
+                    refuseKeyed(shot, current, next.get(i));
+                    shot = new ShotSuccession(current, next.get(i)).of(shot);
+                    current = next.get(i);
+                    if (i < next.size() - 1) {
+                        takes.add(new Take(picture.apply(current), shot));
+                    }
                 }
             }
+            EditStep.remarkUnused(group, current, console);
+            takes.add(new Take(picture.apply(current), shot));
         }
-        EditStep.remarkUnused(steps, steps.size(), current, console);
-        takes.add(new Take(picture.apply(current), shot));
         return takes;
     }
 

@@ -12,6 +12,7 @@ import lightning.base.file.SafeFile;
 import lightning.base.text.Decimal;
 import lightning.base.work.Memory;
 import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenFile;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.plan.UpdatePlan;
@@ -62,7 +63,7 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Optional<MovieKind> movie = MovieKind.of(output.file());
-        FrameFiles files = FrameFiles.of(output.file(), input.path());
+        FrameFiles files = FrameFiles.of(output.file(), JenFile.stem(input.path().getFileName().toString()));
         if (movie.isEmpty()) {
             output.checkKind(files.file(0));
         } else if (resume) {

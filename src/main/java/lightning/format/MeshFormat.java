@@ -2,22 +2,95 @@ package lightning.format;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.format.gltf.GltfFile;
+import lightning.format.gltf.GltfMeshes;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.MeshException;
+import lightning.format.mesh.NamedMesh;
+import lightning.format.mesh.Notes;
+import lightning.format.mesh.obj.ObjReader;
 import lightning.format.mesh.ply.PlyReader;
+import lightning.format.nff.NffFile;
+import lightning.format.nff.NffReader;
 
-/** What a file of meshes is: its content says it, or its name where the content has no mark. */
+/** The formats of meshes and of other programs' scenes. The content of a file says its format, or its name where the content has no mark. */
 public enum MeshFormat {
-    PLY,
-    OBJ,
-    NFF,
-    GLTF;
+    PLY("PLY", PlyReader::isPly, ".ply") {
+        @Override
+        List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
+            return List.of(new NamedMesh(ONLY_PART, PlyReader.read(source, new Notes())));
+        }
+    },
+    OBJ("OBJ", null, ".obj") {
+        @Override
+        List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
+            return ObjReader.read(source, new Notes()).parts().stream().map(part -> new NamedMesh(part.name(), part.mesh())).toList();
+        }
+    },
+    NFF("NFF", null, ".nff") {
+        @Override
+        List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
+            NffFile file = NffReader.read(source, new Notes());
+            if (file.meshes().isEmpty()) {
+                throw source.problem("", "must have polygons or patches to be a mesh; import it as a scene");
+            }
+            return file.meshes().stream().map(surface -> new NamedMesh(surface.name(), surface.mesh())).toList();
+        }
+    },
+    GLTF("glTF", GltfFile::isGltf, ".gltf", ".glb") {
+        @Override
+        List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
+            return GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
+                    .map(part -> new NamedMesh(part.name(), part.triangles())).toList();
+        }
+    };
+
+    /** The name of the one mesh in a file that names none. */
+    public static final String ONLY_PART = "mesh";
 
     private static final byte[] UTF_16 = {(byte) 0xFE, (byte) 0xFF};
     private static final byte[] UTF_16_SWAPPED = {(byte) 0xFF, (byte) 0xFE};
+
+    private final String title;
+    /** Recognizes the first bytes of a file; null where they can be any. */
+    private final Mark mark;
+    private final List<String> endings;
+
+    private interface Mark {
+        boolean isIn(ByteSource source) throws IOException;
+    }
+
+    MeshFormat(String title, Mark mark, String... endings) {
+        this.title = title;
+        this.mark = mark;
+        this.endings = List.of(endings);
+    }
+
+    abstract List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException;
+
+    /** The format's name, the same in every language. */
+    public String title() {
+        return title;
+    }
+
+    /** The ends of file names of all formats, in lower case. */
+    public static List<String> allEndings() {
+        return Arrays.stream(values()).flatMap(format -> format.endings.stream()).toList();
+    }
+
+    /** Whether a file has one of the formats by its name. */
+    public static boolean isNamedSo(String file) {
+        return Arrays.stream(values()).anyMatch(format -> format.isNameOf(file));
+    }
+
+    private boolean isNameOf(String file) {
+        return endings.stream().anyMatch(file.toLowerCase(Locale.ROOT)::endsWith);
+    }
 
     /**
      * The format of a file.
@@ -31,24 +104,36 @@ public enum MeshFormat {
         }
     }
 
-    /** The same of a file that is open, of which nothing was read yet, and nothing is. */
-    static MeshFormat of(Path file, ByteSource source) throws IOException, MeshException {
-        if (PlyReader.isPly(source)) {
-            return PLY;
-        }
-        if (GltfFile.isGltf(source)) {
-            return GLTF;
+    /** The format of an open file of which nothing was read yet, and nothing is. */
+    private static MeshFormat of(Path file, ByteSource source) throws IOException, MeshException {
+        for (MeshFormat format : values()) {
+            if (format.mark != null && format.mark.isIn(source)) {
+                return format;
+            }
         }
         if (source.startsWith(UTF_16) || source.startsWith(UTF_16_SWAPPED)) {
             throw source.problem("", "is text in UTF-16; save it as UTF-8");
         }
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        if (name.endsWith(".obj")) {
-            return OBJ;
-        }
-        if (name.endsWith(".nff")) {
-            return NFF;
+        for (MeshFormat format : values()) {
+            if (format.mark == null && format.isNameOf(file.getFileName().toString())) {
+                return format;
+            }
         }
         throw source.problem("", "must be a PLY, OBJ, NFF or glTF file, found another kind");
+    }
+
+    /**
+     * Reads all meshes of a file. No memory is taken for what a file says to hold and does not.
+     *
+     * @param progress hears how many KiB are read
+     * @return at least one, in the order of the file
+     * @throws MeshException         if its content is wrong; the message says where
+     * @throws IOException           if it cannot be read, or is a folder, a pipe or a device
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    public static List<NamedMesh> meshes(Path file, Progress progress) throws IOException, MeshException {
+        try (ByteSource source = ByteSource.open(file, progress)) {
+            return of(file, source).meshes(source, progress);
+        }
     }
 }

@@ -2,7 +2,7 @@
  * All files of meshes, whatever their format.
  *
  * <pre>{@code
- * List<NamedMesh> parts = MeshFiles.read(Path.of("statue.ply"), Progress.NONE);
+ * List<NamedMesh> parts = MeshFormat.meshes(Path.of("statue.ply"), Progress.NONE);
  * Mesh mesh = parts.getFirst().mesh();
  * }</pre>
  */

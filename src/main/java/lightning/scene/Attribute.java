@@ -43,7 +43,7 @@ public sealed class Attribute<T, V> permits LightAttribute, MaterialAttribute {
         return title;
     }
 
-    public final ValueKind<V> kind() {
+    public ValueKind<V> kind() {
         return kind;
     }
 

@@ -9,7 +9,7 @@ import java.util.Locale;
  * @param all   the values
  * @param words what a file writes for each, in the same order
  */
-public record Choice<V>(List<V> all, List<String> words) implements ValueKind<V> {
+public record Choice<V>(List<V> all, List<String> words) implements ValueKind.OfLight<V>, ValueKind.OfMaterial<V> {
     static final Choice<Boolean> YES_OR_NO = new Choice<>(List.of(true, false), List.of("yes", "no"));
 
     /** The constants of an enum, in lower case. */

@@ -85,11 +85,14 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
             Section.SWITCHES, Map.of());
     public static final LightAttribute<String> BANK =
-            of("bank", new ValueKind.Naming(), "", "the name of a bank", Light::bank, Light::withBank,
+            of("bank", new ValueKind.Naming(scene -> scene.rig().banks().stream().map(Bank::name).toList(),
+                    Texts.key("The bank that the light belongs to")), "", "the name of a bank", Light::bank, Light::withBank,
                     Section.SWITCHES, Map.of());
-    public static final LightAttribute<Links> ILLUMINATES = of("illuminates", new ValueKind.Linking(), Links.ALL, "shapes and groups",
+    public static final LightAttribute<Links> ILLUMINATES = of("illuminates", new ValueKind.Linking(
+            Texts.key("Shines on"), Texts.key("The shapes and groups that the light shines on")), Links.ALL, "shapes and groups",
             Light::illuminates, Light::withIlluminates, Section.LINKS, all(LightTerm.REACH));
-    public static final LightAttribute<Links> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.Linking(),
+    public static final LightAttribute<Links> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.Linking(
+            Texts.key("Shadowed by"), Texts.key("The shapes and groups that throw shadows in its light")),
             Links.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS, all(LightTerm.SHADOW));
 
     /** All of them. */
@@ -99,6 +102,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
                     HEIGHT,
                     UP, SAMPLES, ON, SOLO, BANK, ILLUMINATES, SHADOWED_BY);
 
+    private final ValueKind.OfLight<V> kind;
     private final Section section;
     private final Map<LightType, LightTerm> terms;
 
@@ -106,20 +110,26 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
      * @param terms what it changes of a light of each type that has it; none where it decides which others act, or
      *              whether any does
      */
-    private LightAttribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<Light, V> get,
+    private LightAttribute(String name, String title, ValueKind.OfLight<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         super(name, title, kind, initial, unit, get, with);
+        this.kind = kind;
         this.section = section;
         this.terms = terms;
     }
 
-    private static <V> LightAttribute<V> of(String name, ValueKind<V> kind, V initial, String unit, Function<Light, V> get,
+    private static <V> LightAttribute<V> of(String name, ValueKind.OfLight<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         return new LightAttribute<>(name, name, kind, initial, unit, get, with, section, terms);
     }
 
     private static Map<LightType, LightTerm> all(LightTerm term) {
         return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term);
+    }
+
+    @Override
+    public ValueKind.OfLight<V> kind() {
+        return kind;
     }
 
     public Section section() {

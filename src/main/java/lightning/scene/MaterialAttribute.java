@@ -98,20 +98,22 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             List.of(AMBIENT, MODEL, DIFFUSE, BASE, TEXTURE, CUTOUT, CUTOFF, BUMP, HEIGHT, NORMALS, STRENGTH,
                     SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE, CLEAR, IOR, THIN, TINT, TINT_DISTANCE, SHADOWS);
 
+    private final ValueKind.OfMaterial<V> kind;
     private final MaterialTerm term;
     /** The only one by which it acts; null where it acts by all. */
     private final SurfaceModel model;
     private final Section section;
     private final String help;
 
-    private MaterialAttribute(String name, ValueKind<V> kind, V initial, String unit, Function<Material, V> get,
+    private MaterialAttribute(String name, ValueKind.OfMaterial<V> kind, V initial, String unit, Function<Material, V> get,
             BiFunction<Material, V, Material> with, MaterialTerm term, SurfaceModel model, Section section, String help) {
         this(name, name, kind, initial, unit, get, with, term, model, section, help);
     }
 
-    private MaterialAttribute(String name, String title, ValueKind<V> kind, V initial, String unit, Function<Material, V> get,
+    private MaterialAttribute(String name, String title, ValueKind.OfMaterial<V> kind, V initial, String unit, Function<Material, V> get,
             BiFunction<Material, V, Material> with, MaterialTerm term, SurfaceModel model, Section section, String help) {
         super(name, title, kind, initial, unit, get, with);
+        this.kind = kind;
         this.term = term;
         this.model = model;
         this.section = section;
@@ -151,19 +153,20 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
         return acts(of) ? value : initial();
     }
 
-    private static <V> MaterialAttribute<V> relief(String name, String title, ValueKind<V> kind, V initial, String unit,
+    private static <V> MaterialAttribute<V> relief(String name, String title, ValueKind.OfMaterial<V> kind, V initial, String unit,
             Function<Relief, V> get, BiFunction<Relief, V, Relief> with, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.relief()),
                 (m, v) -> m.withRelief(with.apply(m.relief(), v)), MaterialTerm.NORMAL, null, Section.RELIEF, help);
     }
 
-    private static <V> MaterialAttribute<V> cutout(String name, ValueKind<V> kind, V initial, String unit, Function<Cutout, V> get,
+    private static <V> MaterialAttribute<V> cutout(String name, ValueKind.OfMaterial<V> kind, V initial, String unit,
+            Function<Cutout, V> get,
             BiFunction<Cutout, V, Cutout> with, String help) {
         return new MaterialAttribute<>(name, kind, initial, unit, m -> get.apply(m.cutout()),
                 (m, v) -> m.withCutout(with.apply(m.cutout(), v)), MaterialTerm.PRESENCE, null, Section.CUTOUT, help);
     }
 
-    private static <V> MaterialAttribute<V> clarity(String name, String title, ValueKind<V> kind, V initial, String unit,
+    private static <V> MaterialAttribute<V> clarity(String name, String title, ValueKind.OfMaterial<V> kind, V initial, String unit,
             Function<Clarity, V> get, BiFunction<Clarity, V, Clarity> with, MaterialTerm term, String help) {
         return new MaterialAttribute<>(name, title, kind, initial, unit, m -> get.apply(m.clarity()),
                 (m, v) -> m.withClarity(with.apply(m.clarity(), v)), term, null, Section.CLEAR, help);
@@ -177,6 +180,11 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
 
     private static boolean sameFloats(Rgb a, Rgb b) {
         return (float) a.r() == (float) b.r() && (float) a.g() == (float) b.g() && (float) a.b() == (float) b.b();
+    }
+
+    @Override
+    public ValueKind.OfMaterial<V> kind() {
+        return kind;
     }
 
     /** What it changes. */

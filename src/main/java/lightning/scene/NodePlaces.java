@@ -17,11 +17,6 @@ final class NodePlaces {
         last = near;
     }
 
-    /** Where what is asked for next may stand. */
-    int[] near() {
-        return last;
-    }
-
     /** The nodes looked at so far, about. */
     long looked() {
         return looked;

@@ -26,7 +26,8 @@ import lightning.base.text.Measure;
  */
 public record Quantity<V>(Form form, List<String> labels, double min, double max, double step, boolean whole,
         Measure measure,
-        Function<V, List<Double>> split, Function<List<Double>, V> join, Range<V> range) implements ValueKind<V> {
+        Function<V, List<Double>> split, Function<List<Double>, V> join, Range<V> range)
+        implements ValueKind.OfLight<V>, ValueKind.OfMaterial<V> {
 
     private static final List<String> CHANNELS = List.of("red", "green", "blue");
     private static final List<String> AXES = List.of("x", "y", "z");

@@ -124,15 +124,6 @@ public final class Stage {
     }
 
     /**
-     * This stage with a shape or a group in place of that name's; all other nodes are shared.
-     *
-     * @throws IllegalArgumentException as {@link #Stage(List, List)}
-     */
-    public Stage withNode(String name, Node node) {
-        return replacing(name, List.of(node));
-    }
-
-    /**
      * This stage with none, one or several nodes in place of that name's; itself where there is none of that name. What is known of all
      * others serves on, so that it takes little time however many there are.
      *

@@ -1,14 +1,22 @@
 package lightning.scene;
 
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import lightning.base.text.Texts;
 
 /**
  * What values an {@link Attribute} has.
  *
  * @param <V> the type of a value
  */
-public sealed interface ValueKind<V>
-        permits Quantity, Choice, ValueKind.Filed, ValueKind.Linking, ValueKind.Naming, ValueKind.Texturing {
+public sealed interface ValueKind<V> permits ValueKind.OfLight, ValueKind.OfMaterial {
+
+    /** Values that a light can have: each kind has a control in the editor. */
+    sealed interface OfLight<V> extends ValueKind<V> permits Quantity, Choice, Filed, Linking, Naming {}
+
+    /** Values that a material can have: each kind has a control in the editor. */
+    sealed interface OfMaterial<V> extends ValueKind<V> permits Quantity, Choice, Texturing {}
 
     /**
      * Refuses a value that no scene may hold.
@@ -33,8 +41,13 @@ public sealed interface ValueKind<V>
         };
     }
 
-    /** The name of something in the scene, or none, which is empty. */
-    record Naming() implements ValueKind<String> {
+    /**
+     * The name of something in the scene, or none, which is empty.
+     *
+     * @param names the names in a scene
+     * @param help  a key of {@link Texts}: a sentence without a full stop
+     */
+    record Naming(Function<Scene, List<String>> names, String help) implements OfLight<String> {
         @Override
         public void check(String what, String value) {
             if (!value.isEmpty()) {
@@ -53,8 +66,13 @@ public sealed interface ValueKind<V>
         }
     }
 
-    /** Some of the scene's shapes. */
-    record Linking() implements ValueKind<Links> {
+    /**
+     * Some of the scene's shapes.
+     *
+     * @param caption a key of {@link Texts}: what stands above the control
+     * @param help    a key of {@link Texts}: a sentence without a full stop
+     */
+    record Linking(String caption, String help) implements OfLight<Links> {
         @Override
         public void check(String what, Links value) {
             // All links have checked themselves.
@@ -72,7 +90,7 @@ public sealed interface ValueKind<V>
     }
 
     /** What a file holds, or none. */
-    sealed interface Filed<F extends FromFile> extends ValueKind<Optional<F>> {
+    sealed interface Filed<F extends FromFile> extends OfLight<Optional<F>> {
         @Override
         default void check(String what, Optional<F> value) {
             // Every file was checked when it was read.
@@ -104,7 +122,7 @@ public sealed interface ValueKind<V>
      * @param repeat  what a file calls how often it repeats
      * @param samples what its samples stand for
      */
-    record Texturing(String repeat, SampleMeaning samples) implements ValueKind<Optional<TextureMap>> {
+    record Texturing(String repeat, SampleMeaning samples) implements OfMaterial<Optional<TextureMap>> {
         @Override
         public void check(String what, Optional<TextureMap> value) {
             // Every map has checked itself.

@@ -14,9 +14,6 @@ import lightning.render.image.Film;
  * @param source      gives the film, from afar where it is kept there
  */
 public record FrameUpdate(int frame, boolean traced, String plan, long rays, long nanoseconds, Supplier<Film> source) {
-    public double milliseconds() {
-        return nanoseconds / 1e6;
-    }
 
     /**
      * The film of the whole frame; nobody writes to it any more. May wait for another machine.

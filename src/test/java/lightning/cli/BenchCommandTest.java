@@ -162,10 +162,15 @@ class BenchCommandTest {
     }
 
     @Test
-    void pageOfWhatThereIs_isWrittenWhileTheRunGoesOn() throws Exception {
+    void tablesOfWhatThereIs_areWrittenWhileTheRunGoesOn_thePageAtItsEnd() throws Exception {
         bench(scene, "--figure", 21).isDone();
         Path kept = Files.createDirectory(folder.resolve("kept"));
-        new BenchFolder(kept, Report::write).writeNowAndThen(results());
+        BenchFolder files = new BenchFolder(kept, Report::write);
+        files.writeNowAndThen(results());
+        assertThat(kept).isDirectoryNotContaining(file -> file.endsWith("report.html"));
+        assertThat(ResultsFile.readJson(kept.resolve("results.json"))).isEqualTo(results());
+        assertThat(kept.resolve("results.csv")).exists();
+        files.write(results());
         assertThat(kept.resolve("report.html")).exists();
     }
 

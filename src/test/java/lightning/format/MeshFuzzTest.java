@@ -150,7 +150,7 @@ class MeshFuzzTest {
             SplittableRandom random = Fuzz.random(i);
             Path file = Files.write(folder.resolve(name), Fuzz.mutated(pool, random, bits));
             try {
-                List<NamedMesh> parts = MeshFiles.read(file, Progress.NONE);
+                List<NamedMesh> parts = MeshFormat.meshes(file, Progress.NONE);
                 assertThat(parts).isNotEmpty();
                 assertThat(parts.stream().map(NamedMesh::name)).doesNotHaveDuplicates()
                         .allMatch(part -> !part.isBlank() && Visible.is(part));

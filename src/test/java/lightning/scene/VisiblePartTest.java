@@ -33,9 +33,9 @@ class VisiblePartTest {
 
     @Test
     void attributesThatDoNotAct_areNotSeen() {
-        assertThat(unseen(LightEdits.position(scene, "sun", new Vec3(9, 9, 9)))).isTrue();
+        assertThat(unseen(LightEdits.with(scene, "sun", l -> l.withPosition(new Vec3(9, 9, 9))))).isTrue();
         assertThat(unseen(Desk.dial("attenuation linear").set(scene, "sun", 3))).isTrue();
-        assertThat(unseen(LightEdits.direction(scene, "fill", new Vec3(9, 9, 9)))).isTrue();
+        assertThat(unseen(LightEdits.with(scene, "fill", l -> l.withDirection(new Vec3(9, 9, 9))))).isTrue();
         assertThat(unseen(Desk.dial("angle").set(scene, "fill", 3))).isTrue();
         assertThat(unseen(LightEdits.rename(scene, "key", "rim"))).isTrue();
     }
@@ -48,8 +48,8 @@ class VisiblePartTest {
                 assertThat(VisiblePart.same(typed, Desk.done(dial.set(typed, "key", Math.min(7, dial.steps().max()))))).isFalse();
             });
         }
-        assertThat(unseen(LightEdits.position(scene, "key", Vec3.ZERO))).isFalse();
-        assertThat(unseen(LightEdits.direction(scene, "sun", Vec3.Y))).isFalse();
+        assertThat(unseen(LightEdits.with(scene, "key", l -> l.withPosition(Vec3.ZERO)))).isFalse();
+        assertThat(unseen(LightEdits.with(scene, "sun", l -> l.withDirection(Vec3.Y)))).isFalse();
         assertThat(unseen(LightEdits.type(scene, "key", LightType.POINT))).isFalse();
         assertThat(unseen(LightEdits.on(scene, "key", false))).isFalse();
         assertThat(unseen(LightEdits.solo(scene, "key", true))).isFalse();
@@ -58,7 +58,7 @@ class VisiblePartTest {
     @Test
     void editsOfADarkLight_areNotSeen() {
         Scene off = Desk.done(LightEdits.on(scene, "key", false));
-        assertThat(VisiblePart.same(off, Desk.done(LightEdits.position(off, "key", Vec3.ZERO)))).isTrue();
+        assertThat(VisiblePart.same(off, Desk.done(LightEdits.with(off, "key", l -> l.withPosition(Vec3.ZERO))))).isTrue();
     }
 
     @Test

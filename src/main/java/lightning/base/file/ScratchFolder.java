@@ -75,11 +75,6 @@ public final class ScratchFolder implements AutoCloseable {
         return folder.resolve(name);
     }
 
-    /** The bytes that are free where the folder is. */
-    public long free() throws IOException {
-        return Files.getFileStore(folder).getUsableSpace();
-    }
-
     /**
      * Writes a file that is not there yet.
      *

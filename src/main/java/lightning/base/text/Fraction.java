@@ -12,7 +12,6 @@ import java.math.MathContext;
  */
 record Fraction(BigInteger over, BigInteger under) {
     static final Fraction ZERO = new Fraction(BigInteger.ZERO, BigInteger.ONE);
-    static final Fraction ONE = new Fraction(BigInteger.ONE, BigInteger.ONE);
     static final Fraction HUNDRED = new Fraction(BigInteger.valueOf(100), BigInteger.ONE);
     /**
      * Two values that differ, one a double or the middle between two, the other one of these, are at least 1 / (under · 2^1075) apart; a

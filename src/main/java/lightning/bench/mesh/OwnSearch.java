@@ -18,6 +18,7 @@ public final class OwnSearch {
     private final MeshPackets packets = new MeshPackets();
     private final Rays rays = new Rays();
     private final double[] limits = new double[Rays.WIDTH];
+    /** The rays that hit something: counted so that the search is not left out. */
     private int hits;
 
     public OwnSearch(MeshSolid solid) {
@@ -47,11 +48,6 @@ public final class OwnSearch {
             }
         }
         return (THREADS.getCurrentThreadCpuTime() - start) / 1e6;
-    }
-
-    /** How many rays hit something when they were traced last. */
-    public int hits() {
-        return hits;
     }
 
     private void load(RaySet set, int at) {

@@ -10,10 +10,6 @@ public record KeyPlace(Target target, String attribute, int frame) {
         return new KeyPlace(track.target(), track.attribute(), key.frame());
     }
 
-    boolean isOf(Track track) {
-        return track.target().equals(target) && track.attribute().equals(attribute);
-    }
-
     /** The key of the same attribute some frames later. */
     public KeyPlace later(int frames) {
         return new KeyPlace(target, attribute, frame + frames);

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
-import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.text.Quote;
 import lightning.base.text.Texts;
@@ -36,11 +35,6 @@ public final class LightEdits {
         return Change.of(() -> scene.withLight(edit.apply(light(scene, name))));
     }
 
-    /** @param color linear, 0…1000 per channel */
-    public static Change color(Scene scene, String name, Rgb color) {
-        return with(scene, name, l -> l.withColor(color));
-    }
-
     /** The colour as hue, saturation and value, of linear channels. */
     public static Change hsv(Scene scene, String name, Hsv color) {
         return Change.of(() -> scene.withLight(light(scene, name).withColor(color.rgb())));
@@ -53,20 +47,6 @@ public final class LightEdits {
      */
     public static Change temperature(Scene scene, String name, double kelvin) {
         return with(scene, name, l -> l.withColor(Kelvin.rgb(kelvin).times(l.color().isBlack() ? 1 : l.color().max())));
-    }
-
-    public static Change position(Scene scene, String name, Vec3 position) {
-        return with(scene, name, l -> l.withPosition(position));
-    }
-
-    /** @param direction where it shines to, any length but 0 */
-    public static Change direction(Scene scene, String name, Vec3 direction) {
-        return with(scene, name, l -> l.withDirection(direction));
-    }
-
-    /** Turns the light to a point, from its position; refused for a point light, and where it stands at the point. */
-    public static Change aim(Scene scene, String name, Vec3 target) {
-        return with(scene, name, l -> LightPlacing.from(l, new LightPlacing.Act.Pool(), target).aimed(target));
     }
 
     /** Another type; all attributes are kept (paper §4.5). */

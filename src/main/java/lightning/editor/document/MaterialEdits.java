@@ -48,26 +48,7 @@ public final class MaterialEdits {
      * @param file   as a scene file names it
      * @param folder the folder of the scene file
      */
-    public static Change texture(Scene scene, String name, String file, Path folder) {
-        return Change.of(() -> PropertyEdit.texture(scene, name, file, folder));
-    }
-
-    /** The same of any picture that a material has. */
     public static Change picture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
         return Change.of(() -> PropertyEdit.picture(scene, name, attribute, file, folder));
-    }
-
-    /** Takes the picture off the surface. */
-    public static Change noTexture(Scene scene, String name) {
-        return with(scene, name, m -> m.withTexture(Optional.empty()));
-    }
-
-    /** How often the picture repeats; refused where there is none. */
-    public static Change repeat(Scene scene, String name, double u, double v) {
-        return with(scene, name, m -> {
-            TextureMap map = m.texture().orElseThrow(() -> new IllegalArgumentException(
-                    Texts.of("material {0}: repeat needs a texture, found none", Quote.of(name))));
-            return m.withTexture(Optional.of(new TextureMap(map.file(), u, v, map.image())));
-        });
     }
 }

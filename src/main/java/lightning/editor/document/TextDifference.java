@@ -1,12 +1,14 @@
 package lightning.editor.document;
 
+import com.github.difflib.algorithm.Change;
+import com.github.difflib.algorithm.myers.MyersDiffWithLinearSpace;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Two texts line by line, side by side: lines that both have stand in one row. */
 public final class TextDifference {
-    /** Cells of the table of a search for common lines: 64 MB. What differs more is told as all different. */
-    private static final long MOST_CELLS = 16L << 20;
+    /** The product of the numbers of lines that are compared at most. What differs more is told as all different. */
+    private static final long MOST_PAIRS = 16L << 20;
 
     private TextDifference() {}
 
@@ -36,47 +38,33 @@ public final class TextDifference {
         while (tail < Math.min(a.size(), b.size()) - head && a.get(a.size() - 1 - tail).equals(b.get(b.size() - 1 - tail))) {
             tail++;
         }
+        List<String> middleA = a.subList(head, a.size() - tail);
+        List<String> middleB = b.subList(head, b.size() - tail);
         var rows = new Rows(a, b);
-        rows.same(head);
-        middle(rows, a.subList(head, a.size() - tail), b.subList(head, b.size() - tail));
-        rows.same(tail);
+        rows.add(head, head);
+        if ((long) middleA.size() * middleB.size() > MOST_PAIRS) {
+            rows.add(middleA.size(), middleB.size());
+        } else {
+            // Neighboring changes are one: the algorithm may split a changed block into single lines that are deleted and inserted.
+            int onlyA = 0;
+            int onlyB = 0;
+            int end = 0;
+            for (Change change : new MyersDiffWithLinearSpace<String>().computeDiff(middleA, middleB, null)) {
+                if (change.startOriginal > end) {
+                    rows.add(onlyA, onlyB);
+                    rows.add(change.startOriginal - end, change.startOriginal - end);
+                    onlyA = 0;
+                    onlyB = 0;
+                }
+                onlyA += change.endOriginal - change.startOriginal;
+                onlyB += change.endRevised - change.startRevised;
+                end = change.endOriginal;
+            }
+            rows.add(onlyA, onlyB);
+            rows.add(middleA.size() - end, middleA.size() - end);
+        }
+        rows.add(tail, tail);
         return rows.all;
-    }
-
-    /** The longest common subsequence, by the table of its lengths for all ends of both lists. */
-    private static void middle(Rows rows, List<String> a, List<String> b) {
-        if ((long) a.size() * b.size() > MOST_CELLS) {
-            rows.different(a.size(), b.size());
-            return;
-        }
-        int[][] common = new int[a.size() + 1][b.size() + 1];
-        for (int i = a.size() - 1; i >= 0; i--) {
-            for (int j = b.size() - 1; j >= 0; j--) {
-                common[i][j] = a.get(i).equals(b.get(j)) ? common[i + 1][j + 1] + 1
-                        : Math.max(common[i + 1][j], common[i][j + 1]);
-            }
-        }
-        int i = 0;
-        int j = 0;
-        int onlyA = 0;
-        int onlyB = 0;
-        while (i < a.size() && j < b.size()) {
-            if (a.get(i).equals(b.get(j))) {
-                rows.different(onlyA, onlyB);
-                onlyA = 0;
-                onlyB = 0;
-                rows.same(1);
-                i++;
-                j++;
-            } else if (common[i + 1][j] >= common[i][j + 1]) {
-                onlyA++;
-                i++;
-            } else {
-                onlyB++;
-                j++;
-            }
-        }
-        rows.different(onlyA + a.size() - i, onlyB + b.size() - j);
     }
 
     /** Rows so far, and how many lines of each text they hold. */
@@ -92,12 +80,8 @@ public final class TextDifference {
             this.theirs = theirs;
         }
 
-        void same(int lines) {
-            different(lines, lines);
-        }
-
-        /** Lines that stand for each other as far as there are some on both sides. */
-        void different(int mineLines, int theirsLines) {
+        /** Adds lines of both texts side by side as far as there are some on both sides. */
+        void add(int mineLines, int theirsLines) {
             for (int i = 0; i < Math.max(mineLines, theirsLines); i++) {
                 boolean left = i < mineLines;
                 boolean right = i < theirsLines;

@@ -26,11 +26,6 @@ public record RenderState(UpdatePlan plan, int done, int total, int checked, int
         return total == 0 ? 0 : (double) done / total;
     }
 
-    /** Whether a verification runs. */
-    public boolean isVerifying() {
-        return toCheck > 0;
-    }
-
     /** What the update that made the picture saves; empty while that is not known. */
     public Optional<WarmSaving> saving() {
         return Optional.ofNullable(measured).filter(m -> frame != null && m.isOf(frame.update()));

@@ -7,8 +7,9 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.document.Recovery;
 import lightning.editor.window.model.Glimpse;
 import lightning.editor.window.model.Preferences;
-import lightning.format.exchange.Importer;
+import lightning.format.MeshFormat;
 import lightning.format.jen.JenException;
+import lightning.format.jen.JenFile;
 
 /**
  * What the editor begins with, read from files.
@@ -22,7 +23,7 @@ record Opening(OpenDocument document, Glimpse glimpse, Path failed, Exception wh
 
     /** Whether a file is by its name a scene, or one of another program of which a scene can be made. */
     static boolean isNamedSo(String file) {
-        return file.endsWith(".jen") || Importer.isNamedSo(file);
+        return JenFile.isNamedSo(file) || MeshFormat.isNamedSo(file);
     }
 
     /**
@@ -34,7 +35,7 @@ record Opening(OpenDocument document, Glimpse glimpse, Path failed, Exception wh
      */
     static Opening read(Path file, Preferences preferences, Recovery recovery) throws IOException, JenException {
         List<Recovery.Found> left = left(recovery);
-        if (Importer.isNamedSo(file.toString())) {
+        if (MeshFormat.isNamedSo(file.toString())) {
             return of(OpenDocument.open(Folders.firstScene()), preferences, null, null, left, file);
         }
         try {

@@ -2,24 +2,14 @@ package lightning.format.exchange;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.format.MeshFiles;
 import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 
 /** Makes scenes of the files of other programs: glTF, OBJ, PLY and NFF. */
 public final class Importer {
-    /** How the names of such files end. */
-    public static final List<String> ENDINGS = MeshFiles.ENDINGS;
-
     private Importer() {}
-
-    /** Whether a file is one of them by its name. */
-    public static boolean isNamedSo(String file) {
-        return MeshFiles.isNamedSo(file);
-    }
 
     /**
      * Reads a file and all that belongs to it; writes nothing.

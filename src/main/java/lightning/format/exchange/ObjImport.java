@@ -10,7 +10,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.work.Progress;
-import lightning.format.MeshFiles;
+import lightning.format.MeshFormat;
 import lightning.format.mesh.ByteSource;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.obj.MtlMaterial;
@@ -43,7 +43,7 @@ final class ObjImport {
         var made = new ObjImport(source, to, progress);
         try (ByteSource bytes = ByteSource.open(source, progress)) {
             Mesh mesh = PlyReader.read(bytes, made.pieces.notes);
-            made.add(MeshFiles.ONLY_PART, Material.DEFAULT.name(), mesh);
+            made.add(MeshFormat.ONLY_PART, Material.DEFAULT.name(), mesh);
         }
         return made.pieces.finish();
     }

@@ -47,10 +47,6 @@ final class Accessors {
         buffers = file.buffers();
     }
 
-    Buffers buffers() {
-        return buffers;
-    }
-
     int count(Json index) throws MeshException {
         return index.in(file.array("accessors")).get("count").whole(1, MeshLimits.VERTICES);
     }

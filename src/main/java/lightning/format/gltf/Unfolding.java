@@ -19,7 +19,6 @@ final class Unfolding {
     /** An index of one byte becomes an int, and its vertex at most 16 floats; twice that for what is shared on purpose. */
     private static final long BYTES_OF_A_BYTE = 128;
 
-    private final GltfFile file;
     private final long bytes;
 
     /**
@@ -29,7 +28,6 @@ final class Unfolding {
      * @throws IOException   if their sizes cannot be read
      */
     Unfolding(GltfFile file) throws IOException, MeshException {
-        this.file = file;
         long sum = Files.size(file.path());
         for (Path buffer : file.buffers().files()) {
             sum += Files.size(buffer);

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
-import lightning.format.MeshFiles;
+import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
 import lightning.scene.Mesh;
@@ -53,7 +53,7 @@ final class MeshFolder {
             throw new UnusableFileException("a scene may have at most " + JenLimits.MESHES + " mesh files, found another, "
                     + Quote.of(file));
         }
-        List<NamedMesh> parts = MeshFiles.read(path, Progress.NONE);
+        List<NamedMesh> parts = MeshFormat.meshes(path, Progress.NONE);
         triangles += parts.stream().mapToLong(p -> p.mesh().triangleCount()).sum();
         if (triangles > JenLimits.TRIANGLES) {
             throw new UnusableFileException("mesh file " + Quote.of(file) + " is one too many: all meshes together must have at most "

@@ -130,11 +130,6 @@ public final class PropertyEdit {
      * @param folder where the picture is looked for, as if the scene file were in it
      * @throws IllegalArgumentException if there is no such material, or no such picture
      */
-    public static Scene texture(Scene scene, String material, String file, Path folder) {
-        return picture(scene, material, MaterialAttribute.TEXTURE, file, folder);
-    }
-
-    /** The same of any picture that a material has. */
     public static Scene picture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
         FileName.check(attribute.name(), file, TextureFolder.NAME);
         return set(scene, MATERIAL + NameText.of(material), attribute.name(), new Value.Quoted(file).text(),

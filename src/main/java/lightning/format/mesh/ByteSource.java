@@ -121,20 +121,6 @@ public final class ByteSource implements AutoCloseable {
         return numbers.getDouble(take(8));
     }
 
-    /**
-     * Passes over bytes.
-     *
-     * @throws EOFException if there are fewer
-     */
-    public void skip(long bytes) throws IOException {
-        long left = bytes;
-        while (left > 0) {
-            int part = (int) Math.min(left, BLOCK);
-            take(part);
-            left -= part;
-        }
-    }
-
     /** So many bytes; taken only where the file has them. */
     public byte[] bytes(int count) throws IOException {
         if (count > left()) {

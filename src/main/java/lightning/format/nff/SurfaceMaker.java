@@ -65,10 +65,6 @@ final class SurfaceMaker {
         }
     }
 
-    int corners() {
-        return outline.size();
-    }
-
     int vertexCount() {
         return positions.size() / 3;
     }

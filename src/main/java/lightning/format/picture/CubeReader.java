@@ -22,6 +22,8 @@ public final class CubeReader {
 
     private static final List<String> KEYWORDS =
             List.of("TITLE", "LUT_1D_SIZE", "LUT_3D_SIZE", "DOMAIN_MIN", "DOMAIN_MAX", "LUT_1D_INPUT_RANGE", "LUT_3D_INPUT_RANGE");
+    /** What the names of such files end in. */
+    public static final String ENDING = ".cube";
     private static final double MOST = 1e9;
     private static final int MOST_FOUND = 40;
 

@@ -54,4 +54,11 @@ final class Exr {
             return film;
         }
     }
+
+    /** Whether the header says that a color has more bits than a half. */
+    static boolean holdsFloats(Path file) throws IOException {
+        try (ExrReader reader = new ExrReader(file)) {
+            return reader.header().channels().stream().anyMatch(c -> COLORS.contains(c.name()) && c.type() != ExrType.HALF);
+        }
+    }
 }

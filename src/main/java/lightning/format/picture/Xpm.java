@@ -3,39 +3,18 @@ package lightning.format.picture;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import lightning.base.file.OrdinaryFile;
-import lightning.render.image.Film;
-import lightning.render.image.Pixels;
-import org.apache.commons.imaging.bytesource.ByteSource;
-import org.apache.commons.imaging.formats.xpm.XpmImageParser;
 
 /**
- * XPM, the picture as C source text: display pixels, 8 bits a channel, without loss.
- *
- * <p>Reading is left to Commons Imaging. Writing is not: its writer looks up each pixel by walking the palette, which
- * takes minutes for a shaded picture of tens of thousands of colours, and it names the picture at random, so that
- * saving twice gives two different files. Here every colour stays what it is and the palette is sorted.
+ * XPM, the picture as C source text: display pixels, 8 bits a channel, without loss. Every color stays what it is and the palette is
+ * sorted, so that saving twice gives the same file.
  */
 final class Xpm {
 
     /** 64 characters that need no escape in C; four of them name all 2²⁴ colours. */
     private static final byte[] DIGITS =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-".getBytes(StandardCharsets.US_ASCII);
-
-    private static final String SPACE_OR_COMMENT = "(?:\\s|/\\*[^*]{0,200}+\\*/)*+";
-
-    /** Everything up to the first string: width, height, number of colours, characters per pixel. */
-    private static final Pattern HEADER = Pattern.compile("/\\*\\s*XPM\\s*\\*/" + SPACE_OR_COMMENT
-            + "static\\s+char\\s*\\*\\s*\\w+\\s*\\[\\s*\\]\\s*=\\s*\\{" + SPACE_OR_COMMENT
-            + "\"\\s*+(\\d{1,9})\\s+(\\d{1,9})\\s+(\\d{1,9})\\s+(\\d{1,2})[\\s\"]");
-
-    private static final int LONGEST_HEADER = 2048;
 
     private Xpm() {}
 
@@ -58,35 +37,6 @@ final class Xpm {
             out.write('"');
             out.write(row);
             text(out, y < height - 1 ? "\",\n" : "\"\n};\n");
-        }
-    }
-
-    /** @throws IOException if the file is no XPM that Commons Imaging can read, or is too large; without its name */
-    static Film read(Path file) throws IOException {
-        checkHeader(file);
-        try {
-            return Pixels.toFilm(new XpmImageParser().getBufferedImage(ByteSource.file(file.toFile()), null));
-        } catch (RuntimeException e) {
-            // The parser answers some damaged files with unchecked exceptions.
-            throw new IOException("is no undamaged XPM picture", e);
-        }
-    }
-
-    private static void checkHeader(Path file) throws IOException {
-        String start;
-        try (var in = OrdinaryFile.open(file, "a XPM picture")) {
-            start = new String(in.readNBytes(LONGEST_HEADER), StandardCharsets.ISO_8859_1);
-        }
-        Matcher header = HEADER.matcher(start);
-        if (!header.lookingAt()) {
-            throw new IOException("is no XPM picture: expected /* XPM */, static char * and four numbers");
-        }
-        long width = Long.parseLong(header.group(1));
-        long height = Long.parseLong(header.group(2));
-        PictureLimits.check(width, height);
-        long text = (width * height + Long.parseLong(header.group(3))) * Long.parseLong(header.group(4));
-        if (text > Files.size(file)) {
-            throw new IOException("is cut short: it has fewer pixels or colours than its header says");
         }
     }
 

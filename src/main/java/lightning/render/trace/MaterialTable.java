@@ -31,7 +31,6 @@ public final class MaterialTable {
     private final List<Material> materials;
     /** Which of them shapes with colours of their own have. */
     private final boolean[] tinted;
-    private final Predicate<Material> mirrors;
     private final int reflectiveCount;
     private final int clearCount;
     private final int[] rank;
@@ -51,7 +50,6 @@ public final class MaterialTable {
      * @param mirrors which of them cast mirrored rays: all that mirror, and perhaps others
      */
     MaterialTable(List<String> names, Set<String> tinted, Scene scene, MaterialTable before, Predicate<Material> mirrors) {
-        this.mirrors = mirrors;
         Map<String, Material> byName = scene.materialsByName();
         materials = IntStream.range(0, names.size()).mapToObj(m -> {
             Material material = byName.get(names.get(m));

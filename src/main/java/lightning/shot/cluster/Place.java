@@ -51,6 +51,16 @@ public record Place(InetAddress bind, int port, int ports, List<InetSocketAddres
         return of(towards(join.getFirst()), ASKING_PORT, ASKING_PORTS, join, certificate);
     }
 
+    /** Returns the address and port at which this process listens, as a person would type them. */
+    public String text() {
+        return new HostPort(bind.getHostAddress(), port).text();
+    }
+
+    /** Returns the first member that is asked for, as a person would type it. */
+    public String firstJoinText() {
+        return new HostPort(join.getFirst().getHostString(), join.getFirst().getPort()).text();
+    }
+
     private static InetAddress towards(InetSocketAddress other) throws JoinException {
         if (other.getAddress().isLoopbackAddress()) {
             return InetAddress.getLoopbackAddress();

@@ -71,7 +71,7 @@ public final class TlsNetwork implements Network {
         } catch (Exception e) {
             close();
             throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}",
-                    new HostPort(place.bind().getHostAddress(), place.port()).text(), reason(e)), e);
+                    place.text(), reason(e)), e);
         }
     }
 

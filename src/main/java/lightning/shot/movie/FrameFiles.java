@@ -14,14 +14,13 @@ import java.util.Locale;
 public record FrameFiles(Path folder, String name, String ending) {
     /**
      * @param output a file's name, which gets the numbers before its ending, or, without an ending, a folder for PNG files
-     * @param scene  whose name the files in such a folder have
+     * @param scene  the scene's name without an ending, which the files in such a folder have
      */
-    public static FrameFiles of(Path output, Path scene) {
+    public static FrameFiles of(Path output, String scene) {
         String file = output.getFileName() == null ? "" : output.getFileName().toString();
         int point = file.lastIndexOf('.');
         if (point <= 0) {
-            String own = scene.getFileName().toString();
-            return new FrameFiles(output, own.endsWith(".jen") ? own.substring(0, own.length() - 4) : own, ".png");
+            return new FrameFiles(output, scene, ".png");
         }
         Path folder = output.toAbsolutePath().getParent();
         return new FrameFiles(output.getParent() == null ? Path.of("") : folder == null ? output : output.getParent(),

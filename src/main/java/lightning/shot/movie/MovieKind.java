@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /** The kinds of films that can be written. */
 public enum MovieKind {
@@ -43,10 +42,5 @@ public enum MovieKind {
     public static Optional<MovieKind> of(Path file) {
         String name = file.getFileName() == null ? "" : file.getFileName().toString().toLowerCase(Locale.ROOT);
         return Arrays.stream(values()).filter(kind -> name.endsWith(kind.ending)).findFirst();
-    }
-
-    /** All endings: {@code .mp4, .mov}. */
-    public static String endings() {
-        return Arrays.stream(values()).map(MovieKind::ending).collect(Collectors.joining(", "));
     }
 }

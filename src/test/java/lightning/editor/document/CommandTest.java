@@ -108,7 +108,7 @@ class CommandTest {
     @Test
     void editsThatNoPictureShows_leaveNothingToRender() {
         go();
-        document.apply(LightEdits.position(document.scene(), "sun", new Vec3(9, 9, 9)));
+        document.apply(LightEdits.with(document.scene(), "sun", l -> l.withPosition(new Vec3(9, 9, 9))));
         document.apply(LightEdits.rename(document.scene(), "key", "rim"));
         assertDisabled(Command.GO, "nothing was edited since the last Go");
         assertThat(document.isDirty()).isTrue();

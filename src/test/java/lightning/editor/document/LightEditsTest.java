@@ -17,26 +17,31 @@ class LightEditsTest {
         return Desk.light(Desk.done(change), name);
     }
 
+    private Change aim(String name, Vec3 target) {
+        return LightEdits.with(scene, name, l -> LightPlacing.from(l, new LightPlacing.Act.Pool(), target).aimed(target));
+    }
+
     @Test
     void aim_pointsFromThePositionToTheTarget() {
-        Light aimed = after(LightEdits.aim(scene, "key", new Vec3(0, 1, 0)), "key");
+        Light aimed = after(aim("key", new Vec3(0, 1, 0)), "key");
         assertThat(aimed.position().plus(aimed.direction())).isEqualTo(new Vec3(0, 1, 0));
     }
 
     @Test
     void aimOfAPointLight_isRefused() {
-        assertThat(LightEdits.aim(scene, "fill", Vec3.ZERO).refusal()).contains("a point light has no direction");
+        assertThat(aim("fill", Vec3.ZERO).refusal()).contains("a point light has no direction");
     }
 
     @Test
     void aimAtItself_isRefused() {
-        assertThat(LightEdits.aim(scene, "key", new Vec3(3, 5, 2)).refusal())
+        assertThat(aim("key", new Vec3(3, 5, 2)).refusal())
                 .contains("the light stands at the point that it should aim at");
     }
 
     @Test
     void zeroDirection_isRefused() {
-        assertThat(LightEdits.direction(scene, "key", Vec3.ZERO).refusal()).contains("direction must not be zero, was 0 0 0");
+        assertThat(LightEdits.with(scene, "key", l -> l.withDirection(Vec3.ZERO)).refusal())
+                .contains("direction must not be zero, was 0 0 0");
     }
 
     @Test
@@ -137,7 +142,7 @@ class LightEditsTest {
 
     @Test
     void temperature_keepsTheBrightestChannel() {
-        Scene bright = Desk.done(LightEdits.color(scene, "key", new Rgb(0.2, 3, 1)));
+        Scene bright = Desk.done(LightEdits.with(scene, "key", l -> l.withColor(new Rgb(0.2, 3, 1))));
         Rgb warm = after(LightEdits.temperature(bright, "key", 2700), "key").color();
         assertThat(warm.max()).isEqualTo(3);
         assertThat(warm.r()).isGreaterThan(warm.g());

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
+import lightning.scene.TextureMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -35,10 +37,12 @@ class MaterialEditsTest {
 
     @Test
     void texture_isReadBesideTheSceneAndTakenAway() {
-        Scene wood = Desk.done(MaterialEdits.texture(scene, "mirror", "wood.png", Path.of("scenes")));
-        Scene repeated = Desk.done(MaterialEdits.repeat(wood, "mirror", 2, 3));
+        Scene wood = Desk.done(MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "wood.png", Path.of("scenes")));
+        TextureMap map = wood.material("mirror").orElseThrow().texture().orElseThrow();
+        Scene repeated = Desk.done(MaterialEdits.set(wood, "mirror", MaterialAttribute.TEXTURE,
+                Optional.of(new TextureMap(map.file(), 2, 3, map.image()))));
         assertThat(repeated.material("mirror").orElseThrow().texture().orElseThrow().repeatV()).isEqualTo(3);
-        assertThat(Desk.done(MaterialEdits.noTexture(repeated, "mirror"))).isEqualTo(scene);
+        assertThat(Desk.done(MaterialEdits.set(repeated, "mirror", MaterialAttribute.TEXTURE, Optional.empty()))).isEqualTo(scene);
     }
 
     @Test
@@ -48,10 +52,10 @@ class MaterialEditsTest {
                 .contains("shininess must be ≥ 0, was -3");
         assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, new Rgb(0, 2, 0)).refusal())
                 .contains("diffuse green must be from 0 to 1, was 2");
-        assertThat(MaterialEdits.repeat(scene, "mirror", 2, 2).refusal()).contains("material 'mirror': repeat needs a texture, found none");
-        assertThat(MaterialEdits.texture(scene, "mirror", "none.png", Path.of("scenes")).refusal().orElseThrow())
+        assertThat(MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "none.png", Path.of("scenes")).refusal().orElseThrow())
                 .contains("there is no texture 'none.png'");
-        assertThat(MaterialEdits.texture(scene, "mirror", "../wood.png", Path.of("scenes")).refusal().orElseThrow())
+        assertThat(
+                MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "../wood.png", Path.of("scenes")).refusal().orElseThrow())
                 .contains("without empty names, . and ..");
     }
 

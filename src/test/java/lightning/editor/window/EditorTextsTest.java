@@ -32,7 +32,7 @@ class EditorTextsTest {
             // Told on the console, where no window can be.
             "no window can be opened here (", "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)",
             // Kinds of files.
-            "OpenEXR (*.exr)", "Radiance HDR (*.hdr)", "PFM, linear floats (*.pfm)", "Scenes (*.jen)", "Tables (*.cube)",
+            "Scenes", "Tables",
             // A key, a name in the preferences, names of gauges that fields ask for.
             "Shortcut+Y", "glowing textures", "gel red", "gel green", "gel blue");
 

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import lightning.base.text.Visible;
 import lightning.base.work.Progress;
 import lightning.base.work.Wait;
+import lightning.format.MeshFormat;
 import lightning.format.mesh.MeshException;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;
@@ -37,7 +38,7 @@ class SampleFilesTest {
         Assumptions.assumeTrue(Files.isDirectory(FOLDER) || System.getenv("LIGHTNING_NEEDS_SAMPLES") != null, "no samples in " + FOLDER);
         List<Path> files;
         try (Stream<Path> all = Files.walk(FOLDER)) {
-            files = all.filter(Files::isRegularFile).filter(f -> Importer.isNamedSo(f.getFileName().toString())).sorted().toList();
+            files = all.filter(Files::isRegularFile).filter(f -> MeshFormat.isNamedSo(f.getFileName().toString())).sorted().toList();
         }
         assertThat(files).isNotEmpty();
         return files.stream().map(file -> dynamicTest(FOLDER.relativize(file).toString(), () -> opensOrSaysWhyNot(file)));

@@ -76,11 +76,6 @@ public record Lighting(World world, Rig rig) {
         return all;
     }
 
-    /** As a file says it: the blocks {@code world}, {@code bank} and {@code light} of a scene file. */
-    public String text() {
-        return JenDocument.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, world, Stage.EMPTY, rig)).text();
-    }
-
     /** Writes it to a file, at once or not at all. */
     public void write(Path file) throws IOException {
         JenDocument.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, world, Stage.EMPTY, rig)).save(SafeFile.at(file));

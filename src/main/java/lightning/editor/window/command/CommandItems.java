@@ -98,12 +98,6 @@ public final class CommandItems {
         }
     }
 
-    /** Says what the command does, and does it. */
-    public MenuItem item(Command command, Runnable action) {
-        commands.setAction(command, action);
-        return item(command);
-    }
-
     /** Does the command with a value of its own: one of the scenes opened before, say. For a menu that is filled anew when it opens. */
     public MenuItem value(Command command, String title, Runnable action) {
         var item = new MenuItem(title, new FontIcon(command.icon()));

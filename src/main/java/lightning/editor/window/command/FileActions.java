@@ -20,11 +20,14 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
+import lightning.format.MeshFormat;
 import lightning.format.exchange.Import;
 import lightning.format.exchange.Importer;
 import lightning.format.exchange.LightUnits;
 import lightning.format.exchange.UnitPictures;
+import lightning.format.jen.JenFile;
 import lightning.format.picture.PictureFile;
+import lightning.format.picture.PictureFormat;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
@@ -75,14 +78,8 @@ public final class FileActions {
 
     /** Asks where, and begins a scene there; one that was there was asked about by the dialog. */
     private void begin() {
-        prompt.sceneToWrite(editor.document().file().resolveSibling("untitled.jen")).ifPresent(chosen -> {
-            if (chosen.getFileName().toString().endsWith(".jen")) {
-                begin(chosen);
-            } else {
-                Path named = chosen.resolveSibling(chosen.getFileName() + ".jen");
-                notices.unlessThere(model.files(), named, () -> begin(named));
-            }
-        });
+        prompt.sceneToWrite(editor.document().file().resolveSibling("untitled" + JenFile.ENDING))
+                .ifPresent(chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, this::begin));
     }
 
     private void begin(Path file) {
@@ -93,7 +90,7 @@ public final class FileActions {
     }
 
     private void read(Path file) {
-        if (Importer.isNamedSo(file.getFileName().toString())) {
+        if (MeshFormat.isNamedSo(file.getFileName().toString())) {
             bringIn(file);
         } else {
             read(file, () -> OpenDocument.open(file));
@@ -103,19 +100,13 @@ public final class FileActions {
     /** Makes a scene beside a file of another program and opens it; asks where if one is there already. */
     private void bringIn(Path file) {
         String name = file.getFileName().toString();
-        Path proposal = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + ".jen");
+        Path proposal = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + JenFile.ENDING);
         model.files().beside(() -> Files.exists(proposal), there -> {
             if (!there) {
                 bringIn(file, proposal);
             } else {
-                prompt.sceneToWrite(proposal).ifPresent(chosen -> {
-                    if (chosen.getFileName().toString().endsWith(".jen")) {
-                        bringIn(file, chosen);
-                    } else {
-                        Path named = chosen.resolveSibling(chosen.getFileName() + ".jen");
-                        notices.unlessThere(model.files(), named, () -> bringIn(file, named));
-                    }
-                });
+                prompt.sceneToWrite(proposal).ifPresent(
+                        chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, to -> bringIn(file, to)));
             }
         }, why -> notices.failed(Texts.of("{0} could not be imported", Quote.path(file.getFileName())), why));
     }
@@ -240,27 +231,26 @@ public final class FileActions {
             }
         }
         Path scene = editor.document().file();
-        String name = editor.document().name().replaceFirst("\\.jen$", "") + ".png";
+        String name = JenFile.stem(editor.document().name()) + PictureFormat.PNG.ending();
         Frame frame = model.picture().frame();
         prompt.pictureToWrite(scene.resolveSibling(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().contains(".")) {
                 write(chosen, frame);
             } else {
-                // A name without an ending becomes a PNG's, about which the system did not ask.
-                Path file = chosen.resolveSibling(chosen.getFileName() + ".png");
-                notices.unlessThere(model.files(), file, () -> write(file, frame));
+                notices.withEnding(model.files(), chosen, PictureFormat.PNG.ending(), file -> write(file, frame));
             }
         });
     }
 
     private void write(Path file, Frame frame) {
         ViewTransform view = model.picture().viewProperty().get().ofPicture();
+        boolean displayed = PictureFormat.find(file).filter(PictureFormat::isDisplayed).isPresent();
         message.show(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
         model.files().inTurn(() -> {
             PictureFile.write(file, frame.film(), view);
             return file;
         }, _ -> message.show(
-                Texts.of("Saved {0}{1}", Quote.path(file.getFileName()), PictureFile.isShown(file) && !view.equals(ViewTransform.DEFAULT)
+                Texts.of("Saved {0}{1}", Quote.path(file.getFileName()), displayed && !view.equals(ViewTransform.DEFAULT)
                         ? " (" + view.text() + ")" : "")),
                 why -> {
                     message.clear();

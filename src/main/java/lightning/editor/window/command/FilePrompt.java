@@ -2,25 +2,22 @@ package lightning.editor.window.command;
 
 import java.io.File;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Comparator;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
 import lightning.base.text.Texts;
-import lightning.format.exchange.Importer;
+import lightning.format.MeshFormat;
 import lightning.format.jen.FileKind;
+import lightning.format.jen.JenFile;
+import lightning.format.picture.CubeReader;
+import lightning.format.picture.PictureFormat;
 
 /** Asks which file. */
 public interface FilePrompt {
-    /** What pictures can be saved as. */
-    List<FileChooser.ExtensionFilter> PICTURES = List.of(new FileChooser.ExtensionFilter("PNG (*.png)", "*.png"),
-            new FileChooser.ExtensionFilter("OpenEXR (*.exr)", "*.exr"), new FileChooser.ExtensionFilter("Radiance HDR (*.hdr)", "*.hdr"),
-            new FileChooser.ExtensionFilter("XPM, as in 1998 (*.xpm)", "*.xpm"),
-            new FileChooser.ExtensionFilter("PFM, linear floats (*.pfm)", "*.pfm"));
-
     /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
     Optional<Path> scene(Path folder);
 
@@ -52,10 +49,10 @@ public interface FilePrompt {
 
     /** The system's own windows. */
     static FilePrompt of(Window owner) {
-        var scenes = new FileChooser.ExtensionFilter("Scenes (*.jen)", "*.jen");
+        var scenes = filter("Scenes", JenFile.ENDING);
         var files = new FileChooser.ExtensionFilter(Texts.of("Scenes, glTF, OBJ, PLY, NFF"),
-                Stream.concat(Stream.of(".jen"), Importer.ENDINGS.stream()).map(ending -> "*" + ending).toList());
-        var tables = new FileChooser.ExtensionFilter("Tables (*.cube)", "*.cube");
+                Stream.concat(Stream.of(JenFile.ENDING), MeshFormat.allEndings().stream()).map(ending -> "*" + ending).toList());
+        var tables = filter("Tables", CubeReader.ENDING);
         return new FilePrompt() {
             @Override
             public Optional<Path> scene(Path folder) {
@@ -96,12 +93,16 @@ public interface FilePrompt {
             public Optional<Path> pictureToWrite(Path proposal) {
                 String name = proposal.getFileName().toString();
                 var chooser = chooser(Texts.of("Save Image"), proposal.toAbsolutePath().getParent(),
-                        PICTURES.stream().sorted(Comparator.comparing(kind -> !name.endsWith(kind.getExtensions().getFirst().substring(1))))
-                                .toArray(FileChooser.ExtensionFilter[]::new));
+                        Arrays.stream(PictureFormat.values()).sorted(Comparator.comparing(format -> !name.endsWith(format.ending())))
+                                .map(format -> filter(format.title(), format.ending())).toArray(FileChooser.ExtensionFilter[]::new));
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
         };
+    }
+
+    private static FileChooser.ExtensionFilter filter(String title, String ending) {
+        return new FileChooser.ExtensionFilter(title + " (*" + ending + ")", "*" + ending);
     }
 
     private static FileChooser chooser(String title, Path folder, FileChooser.ExtensionFilter... filters) {

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.scene.Node;
 import javafx.scene.control.Alert;
 import javafx.scene.control.ButtonBar.ButtonData;
@@ -133,11 +134,21 @@ public final class Notices {
                 ButtonType.CANCEL).showAndWait();
     }
 
-    /** Goes on unless a file is there that the artist does not want to lose. */
-    void unlessThere(FileThread files, Path file, Runnable then) {
+    /**
+     * Adds the ending of a kind of files to a chosen name that lacks it. Asks before a file of the longer name is replaced: the system's
+     * dialog asked about the name as it was typed only.
+     *
+     * @param then gets the file, unless the artist wants to keep the one that exists
+     */
+    void withEnding(FileThread files, Path chosen, String ending, Consumer<Path> then) {
+        if (chosen.getFileName().toString().endsWith(ending)) {
+            then.accept(chosen);
+            return;
+        }
+        Path file = chosen.resolveSibling(chosen.getFileName() + ending);
         files.beside(() -> Files.exists(file), there -> {
             if (!there || mayReplace(file)) {
-                then.run();
+                then.accept(file);
             }
         }, why -> failed(Texts.of("{0} could not be looked at", Quote.path(file)), why));
     }

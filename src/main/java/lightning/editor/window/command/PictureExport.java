@@ -15,6 +15,7 @@ import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.exr.ExrType;
+import lightning.format.jen.JenFile;
 import lightning.format.layer.LayerFile;
 import lightning.format.picture.PictureFile;
 import lightning.render.cache.PixelCache;
@@ -44,16 +45,9 @@ final class PictureExport {
     }
 
     private void ask(ExportKind kind) {
-        String name = model.editor().document().name().replaceFirst("\\.jen$", "") + kind.ending();
-        prompt.pictureToWrite(model.editor().document().file().resolveSibling(name)).ifPresent(chosen -> {
-            if (chosen.getFileName().toString().endsWith(kind.ending())) {
-                export(kind, chosen);
-            } else {
-                // The system asked about the name as it was typed only.
-                Path file = chosen.resolveSibling(chosen.getFileName() + kind.ending());
-                notices.unlessThere(model.files(), file, () -> export(kind, file));
-            }
-        });
+        String ending = kind.format().ending();
+        prompt.pictureToWrite(model.editor().document().file().resolveSibling(JenFile.stem(model.editor().document().name()) + ending))
+                .ifPresent(chosen -> notices.withEnding(model.files(), chosen, ending, file -> export(kind, file)));
     }
 
     private void export(ExportKind kind, Path file) {

@@ -11,13 +11,12 @@ import lightning.editor.document.FileThread;
 import lightning.editor.document.cue.Lighting;
 import lightning.editor.window.model.Commands;
 import lightning.editor.window.model.SceneEditor;
+import lightning.format.jen.JenFile;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 
 /** The commands about light rigs as files. A rig is a scene file of lights and banks; any scene's lights can be taken too. */
 final class RigActions {
-    private static final String ENDING = ".jen";
-
     private final SceneEditor editor;
     private final FileThread files;
     private final FilePrompt prompt;
@@ -60,15 +59,9 @@ final class RigActions {
     }
 
     private void save() {
-        String name = editor.document().name().replaceFirst("\\.jen$", "") + "-lights" + ENDING;
-        prompt.rigToWrite(folder().resolve(name)).ifPresent(chosen -> {
-            if (chosen.getFileName().toString().endsWith(ENDING)) {
-                write(chosen);
-            } else {
-                Path file = chosen.resolveSibling(chosen.getFileName() + ENDING);
-                notices.unlessThere(files, file, () -> write(file));
-            }
-        });
+        String name = JenFile.stem(editor.document().name()) + "-lights" + JenFile.ENDING;
+        prompt.rigToWrite(folder().resolve(name))
+                .ifPresent(chosen -> notices.withEnding(files, chosen, JenFile.ENDING, this::write));
     }
 
     private void write(Path file) {

@@ -19,6 +19,7 @@ import lightning.editor.document.TextDifference;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
+import lightning.format.jen.JenFile;
 import lightning.format.jen.JenLimits;
 import lightning.scene.shot.AnimatedScene;
 
@@ -48,20 +49,8 @@ final class SceneSaver {
 
     /** Asks where to; {@code then} runs when the scene was written. */
     void saveAs(Runnable then) {
-        prompt.sceneToWrite(editor.document().file()).ifPresent(chosen -> {
-            Path file = withEnding(chosen);
-            if (file.equals(chosen)) {
-                write(file, Set.of(), then);
-            } else {
-                // The system asked about the name that was typed, not about this one.
-                notices.unlessThere(model.files(), file, () -> write(file, Set.of(), then));
-            }
-        });
-    }
-
-    private static Path withEnding(Path file) {
-        String name = file.getFileName().toString();
-        return name.endsWith(".jen") ? file : file.resolveSibling(name + ".jen");
+        prompt.sceneToWrite(editor.document().file()).ifPresent(
+                chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, file -> write(file, Set.of(), then)));
     }
 
     private void write(Path file, Set<Consent> allowed, Runnable then) {

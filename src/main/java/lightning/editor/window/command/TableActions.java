@@ -79,7 +79,7 @@ public final class TableActions {
             return Path.of(text);
         } catch (InvalidPathException e) {
             // Another system wrote it: there is no such file here.
-            return Path.of("table.cube");
+            return Path.of("table" + CubeReader.ENDING);
         }
     }
 }

@@ -25,10 +25,6 @@ final class Meter extends Region {
         requestLayout();
     }
 
-    double part() {
-        return part;
-    }
-
     @Override
     protected void layoutChildren() {
         double high = Math.min(1, part) * getHeight();

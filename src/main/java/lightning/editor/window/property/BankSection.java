@@ -1,15 +1,10 @@
 package lightning.editor.window.property;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
 import javafx.beans.value.ObservableValue;
-import javafx.scene.control.ComboBox;
-import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
-import javafx.util.StringConverter;
 import lightning.base.math.Rgb;
 import lightning.base.text.Texts;
 import lightning.editor.document.BankEdits;
@@ -20,7 +15,6 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
-import lightning.editor.window.widget.Obstacle;
 import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Light;
@@ -31,57 +25,26 @@ final class BankSection extends VBox {
     private static final String NO_BANK = Texts.key("the light is in no bank");
 
     private final SceneEditor editor;
-    private final ComboBox<String> bank = new ComboBox<>();
-    private final Obstacle noLight;
     private final ArrowWidget master;
     private final ColorSliders gel;
-    private boolean showing;
 
-    /** @param seen as in {@link PropertyPane} */
-    BankSection(SceneEditor editor, ObservableValue<Situation> seen) {
+    /**
+     * @param bank says which bank the light belongs to
+     * @param seen as in {@link PropertyPane}
+     */
+    BankSection(SceneEditor editor, NameBox bank, ObservableValue<Situation> seen) {
         this.editor = editor;
         getStyleClass().add("section-content");
-        bank.setId("light-bank");
-        bank.setAccessibleText(Texts.of("bank"));
-        bank.setMaxWidth(Double.MAX_VALUE);
-        bank.setConverter(new StringConverter<>() {
-            @Override
-            public String toString(String name) {
-                return name == null ? "" : name.isEmpty() ? Texts.of("none") : name;
-            }
-
-            @Override
-            public String fromString(String text) {
-                throw new IllegalStateException("the names are chosen, not typed");
-            }
-        });
-        bank.valueProperty().addListener((_, _, now) -> {
-            if (!showing && now != null) {
-                String light = editor.selection().lightName();
-                editor.editOrReport(scene -> now.isEmpty() ? BankEdits.leave(scene, light) : BankEdits.join(scene, light, now));
-            }
-        });
-        StackPane around = new StackPane(bank);
-        noLight = new Obstacle(around, bank, Texts.of("The bank that the light belongs to"));
         master = new ArrowWidget(Texts.of("Master"), "master", gauge("master", Bank.INTENSITY, (Double v, Double x) -> x));
         master.setId("master");
         gel = ColorSliders.ofSurface("gel", Texts.of("A factor of the colours of all its lights"), 1, new Gel());
         gel.setId("gel");
-        getChildren().addAll(around, master, Sections.caption(Texts.of("Gel")), gel);
+        getChildren().addAll(bank, master, Sections.caption(Texts.of("Gel")), gel);
         seen.subscribe(this::show);
     }
 
     private void show(Situation now) {
-        Optional<Light> light = now.selected();
-        Optional<Bank> of = light.flatMap(l -> now.scene().rig().bank(l.bank()));
-        showing = true;
-        List<String> names = Stream.concat(Stream.of(""), now.scene().rig().banks().stream().map(Bank::name)).toList();
-        if (!bank.getItems().equals(names)) {
-            bank.getItems().setAll(names);
-        }
-        bank.setValue(light.map(Light::bank).orElse(null));
-        showing = false;
-        noLight.set(light.isPresent() ? Optional.empty() : Optional.of(Texts.of("no light is selected")));
+        Optional<Bank> of = now.selected().flatMap(l -> now.scene().rig().bank(l.bank()));
         Optional<String> obstacle = of.isPresent() ? Optional.empty() : Optional.of(Texts.of(NO_BANK));
         master.setObstacle(obstacle);
         gel.setObstacle(obstacle);

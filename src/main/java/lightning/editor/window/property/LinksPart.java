@@ -26,6 +26,7 @@ import lightning.scene.Links;
 import lightning.scene.Node;
 import lightning.scene.Shape;
 import lightning.scene.Stage;
+import lightning.scene.ValueKind;
 
 /** Some links of the selected light: which shapes and groups, by check marks in a menu, and whether only those or all but those. */
 final class LinksPart extends StackPane {
@@ -40,7 +41,7 @@ final class LinksPart extends StackPane {
     private final Obstacle obstacle;
 
     /** @param seen as in {@link PropertyPane} */
-    LinksPart(SceneEditor editor, Commands commands, LightAttribute<Links> attribute, String what, ObservableValue<Situation> seen) {
+    LinksPart(SceneEditor editor, Commands commands, LightAttribute<Links> attribute, ValueKind.Linking kind, ObservableValue<Situation> seen) {
         this.editor = editor;
         this.attribute = attribute;
         make = CommandItems.of(commands);
@@ -52,7 +53,7 @@ final class LinksPart extends StackPane {
         choice.getItems().setAll(new SeparatorMenuItem());
         choice.setOnShowing(_ -> fill());
         getChildren().add(choice);
-        obstacle = new Obstacle(this, choice, what);
+        obstacle = new Obstacle(this, choice, Texts.of(kind.help()));
         seen.subscribe(this::show);
     }
 

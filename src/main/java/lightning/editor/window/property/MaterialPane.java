@@ -31,6 +31,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.Obstacle;
+import lightning.editor.window.widget.VectorField;
 import lightning.scene.Choice;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
@@ -162,12 +163,10 @@ final class MaterialPane extends VBox {
             case Quantity<V> q -> switch (q.form()) {
                 case COLOR -> List.of(color(attribute, q));
                 case EACH -> IntStream.range(0, q.labels().size()).mapToObj(i -> number(attribute, q, i)).toList();
-                case POSITION, DIRECTION -> throw new IllegalStateException("there is no widget for " + attribute.title());
+                case POSITION, DIRECTION -> List.of(vector(attribute, q));
             };
             case ValueKind.Texturing _ -> List.of(picture(pictured(attribute)));
             case Choice<V> c -> List.of(choice(attribute, c));
-            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _ ->
-                    throw new IllegalStateException("there is no widget for " + attribute.title());
         };
     }
 
@@ -187,6 +186,13 @@ final class MaterialPane extends VBox {
         widget.setId(title);
         return new Row(attribute, widget, widget::setObstacle, m -> widget.show(q.number(attribute.of(m), index)), widget::showNothing,
                 widget::revert);
+    }
+
+    private <V> Row vector(MaterialAttribute<V> attribute, Quantity<V> q) {
+        var field = new VectorField(attribute.title(), (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
+                m -> attribute.with(m, q.join().apply(List.of(v.x(), v.y(), v.z())))), gesture));
+        field.setId(attribute.title());
+        return new Row(attribute, field, field::setObstacle, m -> field.show(q.vector(attribute.of(m))), field::showNothing, field::revert);
     }
 
     private <V> Row choice(MaterialAttribute<V> attribute, Choice<V> choice) {

@@ -24,11 +24,9 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.VectorField;
 import lightning.scene.Choice;
-import lightning.scene.FromFile;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
-import lightning.scene.Links;
 import lightning.scene.Quantity;
 import lightning.scene.ValueKind;
 
@@ -43,7 +41,6 @@ public final class PropertyPane extends VBox {
     private final List<ArrowWidget> dials = new ArrayList<>();
     private final List<Row> rows = new ArrayList<>();
     private final LightHeader header;
-    private final ColorSliders color;
     private final BankSection bank;
     /** How things are, told while the pane is in front. */
     private final ObservableValue<Situation> seen;
@@ -74,16 +71,11 @@ public final class PropertyPane extends VBox {
         setId("properties");
         getStyleClass().add("properties");
         header = new LightHeader(editor, commands);
-        color = new ColorSliders(new LightColor(editor));
-        color.setId("color");
-        bank = new BankSection(editor, seen);
+        bank = new BankSection(editor, new NameBox(editor, LightAttribute.BANK, (ValueKind.Naming) LightAttribute.BANK.kind(), seen), seen);
         ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
-                Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE).map(this::section),
-                Stream.of(Sections.section(Texts.of("Links"), Sections.caption(Texts.of("Shines on")),
-                        links(LightAttribute.ILLUMINATES, Texts.of("The shapes and groups that the light shines on")),
-                        Sections.caption(Texts.of("Shadowed by")),
-                        links(LightAttribute.SHADOWED_BY, Texts.of("The shapes and groups that throw shadows in its light"))),
-                        Sections.section(Texts.of("Bank"), bank),
+                Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.LINKS)
+                        .map(this::section),
+                Stream.of(Sections.section(Texts.of("Bank"), bank),
                         Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
                                 FilePart.ofWorld(editor, commands, files, seen),
                                 dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
@@ -109,23 +101,33 @@ public final class PropertyPane extends VBox {
     <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
         return switch (attribute.kind()) {
             case Quantity<V> q -> switch (q.form()) {
-                case COLOR -> List.of(withMenu(color, attribute));
+                case COLOR -> List.of(withMenu(color(attribute, q), attribute));
                 case POSITION, DIRECTION ->
                         List.of(Sections.caption(Sections.title(attribute.title())), withMenu(vector(attribute, q), attribute));
                 case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
             case ValueKind.Filed<?> kind -> List.of(Sections.caption(Sections.title(attribute.title())),
-                    withMenu(FilePart.of(editor, commands, files, filed(attribute), kind, seen), attribute));
+                    withMenu(FilePart.of(editor, commands, files, of(attribute, kind), kind, seen), attribute));
             case Choice<V> c -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(choice(attribute, c), attribute));
-            case ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ ->
-                    throw new IllegalStateException("there is no widget for " + attribute.title());
+            case ValueKind.Linking kind -> List.of(Sections.caption(Texts.of(kind.caption())),
+                    withMenu(new LinksPart(editor, commands, of(attribute, kind), kind, seen), attribute));
+            case ValueKind.Naming kind -> List.of(Sections.caption(Sections.title(attribute.title())),
+                    withMenu(new NameBox(editor, of(attribute, kind), kind, seen), attribute));
         };
     }
 
-    /** Its kind has told that it is from a file: the compiler cannot follow that. */
+    /** The attribute with the values of its kind: the compiler cannot follow that. */
     @SuppressWarnings("unchecked")
-    private static LightAttribute<Optional<FromFile>> filed(LightAttribute<?> attribute) {
-        return (LightAttribute<Optional<FromFile>>) attribute;
+    private static <V> LightAttribute<V> of(LightAttribute<?> attribute, ValueKind.OfLight<V> kind) {
+        return (LightAttribute<V>) attribute;
+    }
+
+    private <V> ColorSliders color(LightAttribute<V> attribute, Quantity<V> quantity) {
+        var sliders = new ColorSliders(new LightColor(editor));
+        sliders.setId(attribute.name());
+        rows.add(new Row(attribute, sliders::setObstacle, light -> sliders.show(quantity.color(attribute.of(light))),
+                sliders::showNothing, sliders::revert));
+        return sliders;
     }
 
     private <V> Node choice(LightAttribute<V> attribute, Choice<V> choice) {
@@ -133,10 +135,6 @@ public final class PropertyPane extends VBox {
                 scene -> LightEdits.with(scene, editor.selection().lightName(), light -> attribute.with(light, v))));
         rows.add(new Row(attribute, words::setObstacle, light -> words.show(attribute.of(light)), words::showNothing, () -> {}));
         return words;
-    }
-
-    private Node links(LightAttribute<Links> attribute, String what) {
-        return withMenu(new LinksPart(editor, commands, attribute, what, seen), attribute);
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
@@ -172,7 +170,6 @@ public final class PropertyPane extends VBox {
         if (!selected.equals(shown)) {
             shown = selected;
             header.revert();
-            color.revert();
             bank.revert();
             rows.forEach(row -> row.revert().run());
             dials.forEach(ArrowWidget::revert);
@@ -180,8 +177,6 @@ public final class PropertyPane extends VBox {
     }
 
     private void show(Situation now) {
-        color.setObstacle(now.selected().isEmpty() ? Optional.of(Texts.of(NO_LIGHT)) : Optional.empty());
-        now.selected().ifPresentOrElse(light -> color.show(light.color()), color::showNothing);
         rows.forEach(row -> {
             row.obstacle().accept(obstacle(now, row.attribute()));
             now.selected().ifPresentOrElse(row.show(), row.showNothing());

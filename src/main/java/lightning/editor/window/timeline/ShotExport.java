@@ -8,6 +8,7 @@ import lightning.base.file.SafeFile;
 import lightning.base.work.Memory;
 import lightning.base.work.Progress;
 import lightning.format.picture.PictureFile;
+import lightning.format.picture.PictureFormat;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
@@ -45,7 +46,7 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotKind kind, ViewT
         }
         if (kind.movie().isEmpty()) {
             var files = new FrameFiles(to, name, kind.ending());
-            run(progress, listener, PictureFile.bytesToWrite(files.file(first), picture().width(), picture().height()),
+            run(progress, listener, PictureFormat.of(files.file(first)).bytesToWrite(picture().width(), picture().height()),
                     (frame, film, _) -> PictureFile.write(files.file(frame), film, view, kind.bits()));
         } else {
             MovieKind movie = kind.movie().get();

@@ -25,6 +25,7 @@ import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.Obstacle;
+import lightning.format.jen.JenFile;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Limits;
 import lightning.scene.shot.Shot;
@@ -142,7 +143,7 @@ final class ShotExportPane extends VBox {
     }
 
     private void begin() {
-        String name = editor.document().name().replaceFirst("\\.jen$", "");
+        String name = JenFile.stem(editor.document().name());
         ShotKind wanted = kind.getValue();
         if (wanted.movie().isEmpty()) {
             ask.folder(Texts.of("Export pictures to")).ifPresent(folder -> begin(folder, name));

@@ -69,10 +69,6 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     /** Whether there was a picture with all its samples, or none will be: before, the window's thread has much to do. */
     private boolean begun;
 
-    public TracedPane(EditorModel model) {
-        this(model, Lasting.Later.WINDOW);
-    }
-
     /** @param later when badges are looked at again */
     TracedPane(EditorModel model, Lasting.Later later) {
         this(model, view(), later);

@@ -27,7 +27,6 @@ final class SurfaceLanes {
     private static final VectorShape HALF_SHAPE = VectorShape.forBitSize(SPECIES.vectorBitSize() / 2);
     private static final VectorSpecies<Float> FLOATS = VectorSpecies.of(float.class, HALF_SHAPE);
     private static final VectorSpecies<Integer> INTS = VectorSpecies.of(int.class, HALF_SHAPE);
-    private static final DoubleVector ZERO = DoubleVector.zero(SPECIES);
     private static final DoubleVector ONE = broadcast(SPECIES, 1);
 
     private final PrimitiveTable primitives;

@@ -33,19 +33,15 @@ final class MeshLanes {
     final double[] inverseZ;
     /** The first ray that was taken. */
     int first;
-    private final double[][] origin;
-    private final double[][] direction;
 
     /** @param most rays, a multiple of a packet's */
     MeshLanes(int most) {
         ox = new double[most];
         oy = new double[most];
         oz = new double[most];
-        origin = new double[][] {ox, oy, oz};
         dx = new double[most];
         dy = new double[most];
         dz = new double[most];
-        direction = new double[][] {dx, dy, dz};
         pad = new double[most];
         inverseX = new double[most];
         inverseY = new double[most];

@@ -38,7 +38,7 @@ class CuePaneTest extends EditorDesk {
         day = model().editor().scene();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
         keep("day");
-        robot.interact(() -> model().editor().edit(s -> LightEdits.color(s, "lamp", new Rgb(0.1, 0.1, 0.5))));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.with(s, "lamp", l -> l.withColor(new Rgb(0.1, 0.1, 0.5)))));
         robot.interact(() -> model().editor().edit(s -> LightEdits.on(s, "sun", false)));
         go();
         night = model().editor().scene();

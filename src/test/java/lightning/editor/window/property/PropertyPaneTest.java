@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Pos;
@@ -23,6 +24,7 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.editor.document.BankEdits;
 import lightning.editor.document.Command;
 import lightning.editor.document.Dial;
 import lightning.editor.document.Kelvin;
@@ -98,6 +100,48 @@ class PropertyPaneTest {
         robot.interact(() -> model.editor().selection().selectLight(null));
         assertThat(box.getValue()).isNull();
         assertThat(box.isDisabled()).isTrue();
+    }
+
+    /** Whatever its section: a table's attribute needs no line of the pane's. */
+    @Test
+    void everyAttribute_hasAControlThatCanBeUsedWhereItActs(FxRobot robot) {
+        for (LightAttribute<?> attribute : LightAttribute.ALL) {
+            robot.interact(() -> {
+                var controls = new VBox();
+                controls.getChildren().addAll(pane.widgets(attribute));
+                assertThat(controls.getChildren()).as(attribute.title()).isNotEmpty();
+                model.selectLight(null);
+                assertThat(inputs(controls)).as(attribute.title()).isNotEmpty().allMatch(Node::isDisabled);
+                for (Light light : model.lights()) {
+                    model.selectLight(light.name());
+                    boolean acts = attribute.acts(light.type()) || attribute == LightAttribute.POSITION;
+                    assertThat(inputs(controls)).as(attribute.title() + " of " + light.name())
+                            .allMatch(input -> input.isDisabled() != acts);
+                }
+            });
+        }
+    }
+
+    private static List<Node> inputs(Node controls) {
+        return Stream.of(".combo-box", ".menu-button", ".text-field").flatMap(css -> controls.lookupAll(css).stream()).toList();
+    }
+
+    @Test
+    void nameOfALight_isABoxOfTheNamesInTheScene(FxRobot robot) {
+        robot.interact(() -> {
+            model.edit(scene -> BankEdits.add(scene, OpenEditor.SUN));
+            ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
+                    .setAll(pane.widgets(LightAttribute.BANK));
+        });
+        ComboBox<String> box = robot.lookup("#light-bank").query();
+        robot.interact(() -> model.selectLight(OpenEditor.POINT));
+        String bank = model.scene().rig().banks().getFirst().name();
+        assertThat(box.getItems()).containsExactly("", bank);
+        assertThat(box.getValue()).isEmpty();
+        robot.interact(() -> box.setValue(bank));
+        assertThat(model.selectedLight().bank()).isEqualTo(bank);
+        robot.interact(() -> box.setValue(""));
+        assertThat(model.selectedLight().bank()).isEmpty();
     }
 
     @Test
