@@ -13,7 +13,9 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import lightning.base.math.SrgbCurve;
 import lightning.render.image.Film;
+import lightning.render.image.Films;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Slow;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -21,6 +23,7 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Slow
 class PictureFileTest {
 
     @TempDir
