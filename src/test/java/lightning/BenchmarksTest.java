@@ -16,12 +16,14 @@ import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The programs of {@code benchmarks}, which are compiled against a build when they are used, long after it was made. */
+@Slow
 class BenchmarksTest {
     @TempDir
     private Path classes;

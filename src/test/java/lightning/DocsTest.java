@@ -18,6 +18,7 @@ class DocsTest {
     private static final Path README = Path.of("README.md");
     private static final Set<List<String>> PROMISED = Set.of(
             List.of("mvn", "-q", "compile", "exec:exec"),
+            List.of("mvn", "test"),
             List.of("mvn", "verify"),
             List.of("mvn", "-q", "package", "-DskipTests"),
             List.of("mvn", "-q", "-Prelease", "-DskipTests", "package"));

@@ -38,7 +38,7 @@ final class ExampleProcess implements AutoCloseable {
     ExampleProcess(Path folder) throws IOException {
         process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules",
                 "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-Dlightning.home=" + HOME,
-                "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
+                "-Dlightning.warmup=0", "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
                 .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile()).start();
         to = process.outputWriter(StandardCharsets.UTF_8);
         from = process.inputReader(StandardCharsets.UTF_8);

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import lightning.ExampleProcess.Result;
 import lightning.cli.HelpPages;
 import lightning.format.gltf.Gltf;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
@@ -28,6 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
  * holds nothing but the files that the examples take for the user's own. Those of the help, and those that a document shows indented, are
  * run small.
  */
+@Slow
 class ExamplesTest {
     /** What is said where another program is not installed. */
     private static final Pattern OTHER_PROGRAM = Pattern.compile("no program povray|program ffmpeg, which is not installed");

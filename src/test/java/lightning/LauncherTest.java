@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -25,6 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The launcher script, with scripts in place of Java that say what they were called with. */
 @DisabledOnOs(OS.WINDOWS)
+@Slow
 class LauncherTest {
     private static final String WARNING = "WARNING: Using incubator modules: jdk.incubator.vector";
 

@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import lightning.sample.Packaged;
 import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What the assembled program ships. */
+@Packaged
 class ProgramFolderIT {
     private static final Path PROGRAM = Path.of("target/lightning");
     /** {@code javafx-base-26.0.2-linux.jar}: name, version, and for some the platform. */

@@ -28,7 +28,7 @@ final class EditingBench {
     private static final int DEPTH = 2;
     /** What takes less than milliseconds has so many samples for each repetition, and as many more before them. */
     private static final int SHORT = 8;
-    /** Fewer shapes take less than all else in the heap. */
+    /** The heap is measured from here on: fewer shapes take less than all else in it. */
     private static final int MANY = 10_000;
     /** More shapes are read and put into a tree once. */
     private static final int ONCE = 100_000;
@@ -68,14 +68,14 @@ final class EditingBench {
         String text = JenWriter.write(GeneratedScenes.of(settings.seed(), SIZE, point.shapes(), point.lights(), DEPTH));
         int times = longSamples(point.shapes());
         Samples load = samples(times, progress, _ -> timed(() -> read(text)));
-        long before = used();
-        Scene scene = read(text).scene();
-        long read = used();
-        Samples tree = samples(times, progress, _ -> timed(() -> new Geometry(scene)));
-        long rest = used();
-        Geometry geometry = new Geometry(scene);
-        long built = used();
         boolean many = point.shapes() >= MANY;
+        long before = many ? used() : 0;
+        Scene scene = read(text).scene();
+        long read = many ? used() : 0;
+        Samples tree = samples(times, progress, _ -> timed(() -> new Geometry(scene)));
+        long rest = many ? used() : 0;
+        Geometry geometry = new Geometry(scene);
+        long built = many ? used() : 0;
         Light first = scene.lights().getFirst();
         Samples newScene = shortSamples(progress, i -> timed(() -> scene.withLight(first.withIntensity(2 + i))));
         var explainer = new PixelExplainer(scene, geometry);

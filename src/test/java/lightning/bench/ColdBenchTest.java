@@ -7,9 +7,11 @@ import java.nio.file.Path;
 import java.util.List;
 import lightning.base.work.Progress;
 import lightning.format.pov.PovRay;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Slow
 class ColdBenchTest {
     private static final PictureSize SMALL = new PictureSize(24, 16);
 

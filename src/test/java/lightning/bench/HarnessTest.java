@@ -15,6 +15,7 @@ import lightning.bench.accuracy.Timing;
 import lightning.format.picture.PictureFile;
 import lightning.render.image.Film;
 import lightning.render.relight.PictureTooLarge;
+import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -109,6 +110,7 @@ class HarnessTest {
     }
 
     @Test
+    @Slow
     void figure_isMeasuredWithItsValuesAtEachSize() throws Exception {
         Results results = run(settings(3, 24, SMALL, LARGE));
         assertThat(results.scenes()).extracting(SceneResult::width).containsExactly(24, 40);
@@ -126,6 +128,7 @@ class HarnessTest {
     }
 
     @Test
+    @Slow
     void rungs_tellTheWorkOfTheirLevel() throws Exception {
         EditResult edit = run(settings(1, 15, LARGE)).scenes().getFirst().edits().getFirst();
         List<RungResult> rungs = edit.values().getFirst().rungs();
@@ -169,6 +172,7 @@ class HarnessTest {
     }
 
     @Test
+    @Slow
     void unprintedEdits_areMeasuredToo() throws Exception {
         assertThat(run(settings(1, 0, SMALL)).scenes().getFirst().edits()).extracting(EditResult::edit).contains("color", "undo",
                 "depth-more").hasSizeGreaterThan(20);
@@ -219,6 +223,7 @@ class HarnessTest {
     }
 
     @Test
+    @Slow
     void editingAlone_tellsWhatLargeScenesCostAndNothingElse() throws Exception {
         Results results = run(settings(1, 0, SMALL).editingAlone());
         assertThat(results.scenes()).isEmpty();
@@ -243,6 +248,7 @@ class HarnessTest {
     }
 
     @Test
+    @Slow
     void growth_hasAPointForEachPart() throws Exception {
         Ledger ledger = new Ledger();
         GrowthBench growth = new GrowthBench(settings(1, 0, SMALL), ledger, 1e7);

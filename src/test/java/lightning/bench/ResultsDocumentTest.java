@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 import lightning.bench.report.DocumentCharts;
 import lightning.bench.report.Statements;
 import lightning.bench.report.Tables;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -88,6 +89,7 @@ class ResultsDocumentTest {
 
     /** Their bytes depend on the fonts of who made them, their numbers on the run that they name. */
     @Test
+    @Slow
     void everyChart_isOfTheKeptRun() throws IOException {
         KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
         Map<String, String> charts = DocumentCharts.of(kept.part("figures"));

@@ -15,10 +15,12 @@ import lightning.bench.ResultsFile;
 import lightning.bench.SceneResult;
 import lightning.bench.report.Report;
 import lightning.sample.DefaultLocale;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Slow
 class BenchCommandTest {
     @TempDir
     Path folder;

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Processes that the system grants too few file handles. */
 @EnabledOnOs({OS.LINUX, OS.MAC})
+@Slow
 final class HandleLimitTest {
     private static final int HANDLES = 40;
 

@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import lightning.base.file.SafeFile;
 import lightning.base.work.Progress;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The process as a whole, ended from outside as by Ctrl-C. */
 @DisabledOnOs(OS.WINDOWS)
+@Slow
 class InterruptTest {
     private static final int EDITS = 1000;
 

@@ -10,12 +10,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import lightning.sample.DefaultLocale;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** All commands under locales whose digits (Egypt), upper and lower case (Turkey) or decimal point (Germany) are not those of English. */
+@Slow
 class LocaleTest {
     @TempDir
     private Path folder;

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Outputs that cannot be written, and inputs that are no ordinary files. */
 @DisabledOnOs(OS.WINDOWS)
+@Slow
 class OddFilesTest {
     private static final String JAVA = Path.of(System.getProperty("java.home"), "bin", "java").toString();
 

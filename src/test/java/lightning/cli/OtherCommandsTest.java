@@ -10,11 +10,13 @@ import java.util.Set;
 import lightning.format.picture.PictureFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** check, compare, explain, export, effects and tour, as their users see them. */
+@Slow
 class OtherCommandsTest {
     @TempDir
     Path folder;

@@ -15,6 +15,7 @@ import lightning.render.image.Difference;
 import lightning.render.image.Film;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.ClearScenes;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -161,6 +162,7 @@ class RelightCommandTest {
 
     @ParameterizedTest
     @MethodSource("casesOfAllScenes")
+    @Slow
     void everyCaseOfEveryScene_isVerified(Path file, String name) {
         Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "18x12", "--update-reflections", "--verify",
                 "--no-savings");
@@ -183,6 +185,7 @@ class RelightCommandTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"--accuracy=exact", "--accuracy=ratio"})
+    @Slow
     void materials_areEditedWithoutAPass(String accuracy) {
         String out = Cli
                 .run("relight", "scenes/balls.jen", "--size", "60x40", "-o", picture, accuracy, "--verify", "--set",

@@ -12,12 +12,14 @@ import lightning.format.jen.PropertyEdit;
 import lightning.format.picture.PictureFile;
 import lightning.render.image.Film;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Edits in all frames of a shot. */
+@Slow
 class ShotRelightCommandTest {
     /** Lights alone change at first, then the camera, then a shape. */
     private static final String SHOT = """

@@ -17,6 +17,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
 import lightning.format.mesh.ply.PlyText;
 import lightning.sample.Fuzz;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,8 +26,9 @@ import org.junit.jupiter.api.io.TempDir;
  * Files of meshes with a few mistakes: whatever comes, the reader answers with meshes or with its own error, in one line, soon;
  * {@link Fuzz} tells the options.
  */
+@Slow
 class MeshFuzzTest {
-    private static final int TRIES = Fuzz.tries(20_000);
+    private static final int TRIES = Fuzz.tries(4_000);
     private static final String PLY = """
             ply
             format ascii 1.0

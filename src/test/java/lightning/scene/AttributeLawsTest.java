@@ -14,6 +14,7 @@ import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.AttributeArbitraries;
 import lightning.sample.AttributeArbitraries.Changed;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -108,6 +109,7 @@ class AttributeLawsTest {
 
     /** What is said to be unseen is unseen, and an update by the difference that was found gives the full trace's bits. */
     @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void changedLight_isRenderedAsInFull(@ForAll("lights") Changed<Light> changed) {
         Scene studio = StudioScene.of(changed.before().type());
         assertUpdated(studio.withLight(changed.before()), studio.withLight(changed.after()), changed.attribute());

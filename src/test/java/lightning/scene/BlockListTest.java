@@ -9,12 +9,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import lightning.sample.Slow;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 /** A list in blocks is the list that a plain one would be, and shares what an edit left alone. */
+@Slow
 class BlockListTest {
     private static final int MANY = 5 * BlockList.MOST;
 

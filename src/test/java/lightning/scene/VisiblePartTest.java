@@ -13,12 +13,14 @@ import lightning.editor.document.LightEdits;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
+@Slow
 class VisiblePartTest {
     private final Scene scene = Desk.scene();
 

@@ -16,6 +16,7 @@ import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Session;
 import lightning.sample.ShotArbitraries;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.ShotSuccession;
@@ -72,6 +73,7 @@ class RelitShotTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE, tries = 10)
+    @Slow
     void everyFrame_equalsItsReferenceAfterAllEdits(@ForAll("stories") Story story, @ForAll("budgets") long memory,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll @IntRange(min = 1, max = 15) int settles,
             @ForAll @IntRange(max = ShotArbitraries.LAST - FRAMES) int first, @ForAll("budgets") long disk) throws Exception {

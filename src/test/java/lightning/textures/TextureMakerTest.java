@@ -11,10 +11,12 @@ import lightning.format.picture.PictureFile;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+@Slow
 class TextureMakerTest {
 
     private static final Path TEXTURES = Path.of("textures");

@@ -3,6 +3,7 @@ package lightning.bench.accuracy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import lightning.base.work.Progress;
 import lightning.base.work.Workers;
@@ -22,9 +23,10 @@ import lightning.scene.Scene;
  * <p>Each update starts from what was kept of the scene before it. The full trace gets its tree of boxes for free.
  */
 public final class SavingMeter implements AutoCloseable {
-    private static final long WARM_UP_NANOSECONDS = 4_000_000_000L;
+    /** A test that asks for no times sets 0: each edit once. */
+    private static final long WARM_UP_NANOSECONDS = TimeUnit.MILLISECONDS.toNanos(Long.getLong("lightning.warmup", 4000));
     /** A process on a busy machine may still compile then: it gets so long at most. */
-    private static final long LONGEST_WARM_UP_NANOSECONDS = 30_000_000_000L;
+    private static final long LONGEST_WARM_UP_NANOSECONDS = 15 * WARM_UP_NANOSECONDS / 2;
     private static final Compilers COMPILERS = Compilers.ofJava();
 
     private final Renderer renderer;

@@ -18,7 +18,7 @@ import lightning.base.text.Texts;
  * @param ports       how many it may try
  * @param join        where members are asked for; none for the first member
  * @param certificate the file that all members have
- * @param timing      when a member counts as lost
+ * @param timing      when a member counts as the first, and when as lost
  */
 public record Place(InetAddress bind, int port, int ports, List<InetSocketAddress> join, Path certificate, Timing timing) {
     /** Of nodes. */
@@ -78,13 +78,15 @@ public record Place(InetAddress bind, int port, int ports, List<InetSocketAddres
     }
 
     /**
-     * When a member counts as lost: one whose connection ended, when it does not answer a question; one that is silent, after so long.
+     * When a member counts as the first, and when as lost: one whose connection ended, when it does not answer a question; one that is
+     * silent, after so long.
      *
+     * @param join    milliseconds in which a member looks for others before it counts as the first
      * @param silence milliseconds without a sign of life
      * @param verify  milliseconds that it has to answer
      * @param merge   milliseconds after which parts of a cluster look for each other, at most
      */
-    public record Timing(long silence, long verify, long merge) {
-        public static final Timing DEFAULT = new Timing(15_000, 4000, 1500);
+    public record Timing(long join, long silence, long verify, long merge) {
+        public static final Timing DEFAULT = new Timing(2000, 15_000, 4000, 1500);
     }
 }

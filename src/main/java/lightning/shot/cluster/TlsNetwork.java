@@ -40,7 +40,6 @@ public final class TlsNetwork implements Network {
     private static final String CLUSTER = "lightning";
     private static final int SHORT_BYTES = 4096;
     private static final int HANDSHAKE_MILLISECONDS = 5000;
-    private static final int JOIN_MILLISECONDS = 2000;
     /** Attempts to join before a member starts a part of its own. JGroups' 10 block 20 s where the coordinator it found has gone. */
     private static final int JOIN_ATTEMPTS = 2;
     /** Limit of a merge. One that includes a member that does not answer takes all of it and is repeated. */
@@ -132,9 +131,9 @@ public final class TlsNetwork implements Network {
         return multicasts;
     }
 
-    private static GMS membership() {
+    private GMS membership() {
         GMS membership = new GMS();
-        membership.setJoinTimeout(JOIN_MILLISECONDS);
+        membership.setJoinTimeout(place.timing().join());
         membership.setMaxJoinAttempts(JOIN_ATTEMPTS);
         membership.setMergeTimeout(MERGE_MILLISECONDS);
         membership.printLocalAddress(false);

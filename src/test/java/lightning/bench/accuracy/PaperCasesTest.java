@@ -26,6 +26,7 @@ import lightning.render.relight.tile.Options;
 import lightning.render.shading.ConeChange;
 import lightning.render.shading.TraceCounts;
 import lightning.render.trace.Geometry;
+import lightning.sample.Slow;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -151,6 +152,7 @@ class PaperCasesTest {
 
     @ParameterizedTest
     @MethodSource("sceneNames")
+    @Slow
     void everyCaseOfEveryScene_equalsTheTraditionalTrace(String name) {
         Scene scene = SceneFiles.read(name, 40);
         Geometry geometry = new Geometry(scene);

@@ -10,12 +10,14 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.trace.Geometry;
+import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The scenes are lit with care: no light is idle, and no picture is burnt out or lost in the dark. */
+@Slow
 class SceneLightingTest {
     private static final int SIZE = 100;
     /** A light must be seen in a five-hundredth of the picture. */

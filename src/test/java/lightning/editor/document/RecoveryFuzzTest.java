@@ -10,12 +10,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.sample.Fuzz;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Recovery files with a few mistakes: each is found with the file that it is of, or passed over. */
+@Slow
 class RecoveryFuzzTest {
-    private static final int TRIES = Fuzz.tries(5_000);
+    private static final int TRIES = Fuzz.tries(2_000);
     private static final List<byte[]> BITS =
             Stream.of("\n", "-", " for ", "/", "\u0000", "..", "#", "", "99999999999999999999", "-1", "𝐀", " process ")
                     .map(bit -> bit.getBytes(StandardCharsets.UTF_8)).toList();

@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import lightning.base.work.Wait;
 import lightning.format.jen.JenLimits;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -108,6 +109,7 @@ class RecoveryTest {
     }
 
     @Test
+    @Slow
     void textOfTheLargestScene_isFound() throws IOException {
         new Recovery(kept(), CRASHED).keep(folder.resolve("a.jen"), "");
         Path file = new Recovery(kept()).found().getFirst().kept();
@@ -119,6 +121,7 @@ class RecoveryTest {
     }
 
     @Test
+    @Slow
     void textThatNoSceneMayHave_isRefusedBeforeItIsKept() throws IOException {
         var recovery = new Recovery(kept(), CRASHED);
         recovery.keep(folder.resolve("a.jen"), "older");

@@ -27,6 +27,7 @@ import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.TraceCounts;
 import lightning.render.trace.Geometry;
+import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -303,6 +304,7 @@ class RenderLoopTest {
     }
 
     @Test
+    @Slow
     void edit_isFollowedByWhatItSaves() throws Exception {
         go(scene);
         for (int i = 1; i < 3; i++) {
@@ -315,6 +317,7 @@ class RenderLoopTest {
     }
 
     @Test
+    @Slow
     void firstPictureAndAnotherAccuracy_saveNothing() throws Exception {
         go(scene);
         go(sized(50, 40));
@@ -328,6 +331,7 @@ class RenderLoopTest {
     }
 
     @Test
+    @Slow
     void workWhileMeasuring_isNotHeldUpAndTheNewerEditIsMeasured() throws Exception {
         go(sized(400, 300));
         Scene brighter = sized(400, 300).withLight(Desk.light(scene, "key").withIntensity(2));
@@ -338,6 +342,7 @@ class RenderLoopTest {
     }
 
     @Test
+    @Slow
     void verificationWhileMeasuring_letsItBeginAgain() throws Exception {
         go(scene);
         Update update = go(key(2)).frame().update();
@@ -453,6 +458,7 @@ class RenderLoopTest {
     }
 
     @Test
+    @Slow
     void editOfAnAntialiasedPicture_showsTheCentresAndThenTheSamples() throws Exception {
         go(at(scene, Antialias.EDGES));
         loop.render(at(key(2), Antialias.EDGES));

@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import lightning.base.text.GermanTexts;
 import lightning.editor.document.Dial;
 import lightning.render.image.DisplayCurve;
+import lightning.sample.Slow;
 import lightning.scene.Attribute;
 import lightning.scene.Bank;
 import lightning.scene.Choice;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /** All that the editor says has its words in every language. */
+@Slow
 class EditorTextsTest {
     private static final Pattern VALUE = Pattern.compile("\\{\\d}|%[-+,]?[\\d.]*[a-z%]");
     /** Names of products, formats and channels, colours, patterns of numbers and times, words of the window toolkit: the same everywhere. */

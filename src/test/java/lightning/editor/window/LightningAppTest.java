@@ -14,6 +14,7 @@ import javafx.scene.text.Text;
 import javafx.stage.Stage;
 import lightning.base.work.Wait;
 import lightning.editor.window.widget.PictureView;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -22,6 +23,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
 @ExtendWith({JavaFxNeeds.class, ApplicationExtension.class})
+@Slow
 class LightningAppTest {
     private final LightningApp app = new LightningApp() {
         @Override

@@ -117,7 +117,10 @@ public final class QuickRobot extends FxRobot {
     /** What is put into the window pulse by pulse is in it then. */
     private static void awaitSlices() {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Wait.MOST_SECONDS);
-        while (await(Slices::isAnyGoing) && System.nanoTime() < end) {
+        while (await(Slices::isAnyGoing)) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError("slices of work went on for " + Wait.MOST_SECONDS + " s");
+            }
             awaitPulses();
         }
     }

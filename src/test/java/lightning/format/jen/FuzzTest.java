@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.sample.Fuzz;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -19,8 +20,9 @@ import org.junit.jupiter.api.io.TempDir;
  * Files made from the grammar with a few mistakes, and mutations of them: whatever comes, the reader
  * answers with a scene or with its own error; {@link Fuzz} tells the options.
  */
+@Slow
 class FuzzTest {
-    private static final int FILES = Fuzz.tries(100_000);
+    private static final int FILES = Fuzz.tries(25_000);
     private static final List<byte[]> BITS = Stream.of(" ", "{", "}", "\"", "#", "\n", "-", ".", "e9", "\\", "\"a b\"", "\u2028", "𝐀")
             .map(bit -> bit.getBytes(StandardCharsets.UTF_8)).toList();
 

@@ -33,6 +33,7 @@ import lightning.render.trace.Eye;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -138,6 +139,7 @@ class LayerFileTest {
     }
 
     @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void surfaces_areWhatTheRayThroughThePixelsCentreMeets(@ForAll("sessions") Session session) throws IOException {
         Scene scene = session.scenes().getLast();
         try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1))) {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import lightning.base.work.Progress;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -19,6 +20,7 @@ class TextSourceTest {
     private Path folder;
 
     @Test
+    @Slow
     void numbers_areTheNearestDoubles() throws IOException, MeshException {
         var random = new SplittableRandom(7);
         var text = new StringBuilder(

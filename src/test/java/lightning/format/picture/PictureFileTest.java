@@ -19,6 +19,7 @@ import lightning.base.math.SrgbCurve;
 import lightning.render.image.Film;
 import lightning.render.image.Films;
 import lightning.render.image.ViewTransform;
+import lightning.sample.Slow;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -26,6 +27,7 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Slow
 class PictureFileTest {
 
     @TempDir

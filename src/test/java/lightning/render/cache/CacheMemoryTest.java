@@ -16,6 +16,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.LightRows;
+import lightning.sample.Slow;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Clarity;
@@ -34,6 +35,7 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /** The formula of docs/architecture.md against the arrays, and the arrays against the heap. */
+@Slow
 class CacheMemoryTest {
     private static final int SIZE = 512;
     private static final int PIXELS = SIZE * SIZE;

@@ -10,6 +10,7 @@ import lightning.render.trace.Geometry;
 import lightning.sample.CornerScenes;
 import lightning.sample.EngineMix;
 import lightning.sample.SceneArbitraries;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -40,6 +41,7 @@ class TraditionalTracerTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void mirrorsOfAnotherScene_equalTheReferenceTrace(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other,
             @ForAll long engines) {
         Scene scene = CornerScenes.bright(mirrored, mirrored.rig().withLights(other.rig().actingLights())).withWorld(other.world());

@@ -17,6 +17,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.SceneCoverage;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -27,6 +28,7 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.StatisticsReport;
 
 /** An update that is cancelled or fails leaves everything as if it had never begun. */
+@Slow
 class CancellationTest {
     /** So many stops that even an underflow would show: at accuracy ratio every scaling is followed by a refresh. */
     private static final double REFRESHING = 160;

@@ -18,6 +18,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -33,6 +34,7 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
 /** Which lights matter, held against the reference. */
+@Slow
 class ContributionsTest {
     private static final Options OPTIONS = new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1);
 

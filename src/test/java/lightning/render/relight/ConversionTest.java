@@ -15,6 +15,7 @@ import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.TraceCounts;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
@@ -38,6 +39,7 @@ class ConversionTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void switchedAnywhere_eachPictureKeepsItsLevelsPromise(@ForAll("sessions") Session session,
             @ForAll @Size(13) List<Accuracy> accuracies, @ForAll Reflections reflections, @ForAll @IntRange(min = 1, max = 2) int threads) {
         Options options = EXACT.withReflections(reflections).withThreads(threads);

@@ -18,6 +18,7 @@ import lightning.render.shading.TraceCounts;
 import lightning.sample.ClearScenes;
 import lightning.sample.EngineMix;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.scene.PlacedShape;
 import lightning.scene.Rig;
 import lightning.scene.Scene;
@@ -87,6 +88,7 @@ class ExactnessTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void staleReflections_showTheSceneOfTheirLastUpdate(@ForAll("sessions") Session session,
             @ForAll @IntRange(min = 1, max = 7) int refreshEach, @ForAll MirrorStorage storage,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll("effects") Set<Effect> forced,

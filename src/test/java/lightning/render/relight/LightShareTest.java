@@ -12,6 +12,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -25,6 +26,7 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 /** One light's share of a picture, from what is known of it. */
+@Slow
 class LightShareTest {
 
     @Provide

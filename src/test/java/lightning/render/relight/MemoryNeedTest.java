@@ -21,6 +21,7 @@ import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.trace.MeshMemory;
 import lightning.sample.Meshes;
+import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Camera;
 import lightning.scene.Node;
@@ -35,6 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** Memory reckoned beforehand, against what pictures then take. */
+@Slow
 class MemoryNeedTest {
     private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
 

@@ -13,6 +13,7 @@ import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.SceneCoverage;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
@@ -48,6 +49,7 @@ class RatioTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
+    @Slow
     void everyValueIsWithinTheReportedBound(@ForAll("sessions") Session session, @ForAll Reflections reflections,
             @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads) {
         Options options = new Options(Accuracy.RATIO, reflections, storage, threads);

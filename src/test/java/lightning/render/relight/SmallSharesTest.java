@@ -9,6 +9,7 @@ import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
@@ -19,6 +20,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
 /** What lights give to a few pixels. */
+@Slow
 class SmallSharesTest {
 
     @Provide

@@ -14,6 +14,7 @@ import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -36,6 +37,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
+@Slow
 class ViewEffectsTest {
     private static final Rgb RED = new Rgb(1, 0, 0);
 

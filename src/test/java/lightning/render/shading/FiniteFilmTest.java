@@ -21,6 +21,7 @@ import lightning.sample.CornerScenes;
 import lightning.sample.FailedScene;
 import lightning.sample.SceneArbitraries;
 import lightning.sample.Session;
+import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -70,6 +71,7 @@ class FiniteFilmTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void ordinaryScene_hasAFinitePicture(@ForAll("scenes") Scene scene) {
         assertFinite(scene);
     }

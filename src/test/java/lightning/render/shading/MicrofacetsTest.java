@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -172,6 +173,7 @@ class MicrofacetsTest {
 
     /** A white surface sends no more than it gets; the sum's own error is less than twice what a coarser one differs by. */
     @Property(tries = 60)
+    @Slow
     void whiteSurface_sendsNoMoreThanItGets(@ForAll @DoubleRange(min = 0, max = 1) double roughness,
             @ForAll @DoubleRange(min = 0, max = 1) double seen, @ForAll @DoubleRange(min = 0, max = 1) double f0) {
         double fine = Albedo.of(roughness, seen, 160).white(f0);

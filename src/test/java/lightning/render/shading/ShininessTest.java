@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import lightning.base.math.Power;
 import lightning.base.math.Vec3;
+import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -128,6 +129,7 @@ class ShininessTest {
 
     /** The contrast: N and V are floats, and a millionfold of what their lengths lack shows. */
     @Test
+    @Slow
     void cosineOfVectorsThatAreNotQuiteOfLengthOne_isOffByPercents() {
         Random random = new Random(1);
         int wrong = 0;

@@ -9,6 +9,7 @@ import lightning.base.math.Vec3;
 import lightning.render.engine.lanes.PacketTracer;
 import lightning.render.engine.lanes.RayPacket;
 import lightning.render.trace.solid.Form;
+import lightning.sample.Slow;
 import lightning.scene.Solid;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * A surface on which the eye lies does not hide what is before it; through the solid under it, its far side is seen. Each answer
  * is compared with one of many digits. {@code -Dlightning.places=100000} takes as many eyes for each solid of shape.
  */
+@Slow
 class EyeOnSurfaceTest {
     private static final int PLACES = Integer.getInteger("lightning.places", 50);
     private static final int RAYS = 12;

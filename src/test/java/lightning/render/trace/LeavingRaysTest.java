@@ -9,6 +9,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.render.trace.solid.Form;
+import lightning.sample.Slow;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * that goes into the shape and does not meet it. {@code -Dlightning.points=1000000} takes a million points for
  * each shape and place.
  */
+@Slow
 class LeavingRaysTest {
     private static final List<Solid.Canonical> SOLIDS = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM,
             new Solid.Frustum(2, true));

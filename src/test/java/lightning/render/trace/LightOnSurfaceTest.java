@@ -9,6 +9,7 @@ import lightning.render.engine.lanes.PacketTracer;
 import lightning.render.engine.lanes.RayPacket;
 import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.tree.WayEnd;
+import lightning.sample.Slow;
 import lightning.scene.Solid;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * of many digits, made from the numbers of the scene: it must be right for a solid that is larger or smaller by no more than the
  * bound of {@link PrimitiveTable#off}. {@code -Dlightning.places=100000} takes as many lights for each solid of shape.
  */
+@Slow
 class LightOnSurfaceTest {
     private static final int PLACES = Integer.getInteger("lightning.places", 25);
     private static final int ROWS = 12;

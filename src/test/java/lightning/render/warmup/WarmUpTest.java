@@ -11,11 +11,13 @@ import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.trace.Geometry;
 import lightning.sample.EngineMix;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+@Slow
 class WarmUpTest {
     private Scene scene;
     private Geometry geometry;

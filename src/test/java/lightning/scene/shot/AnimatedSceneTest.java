@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import lightning.sample.Session;
 import lightning.sample.ShotArbitraries;
+import lightning.sample.Slow;
 import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Light;
@@ -90,6 +91,7 @@ class AnimatedSceneTest {
 
     /** Of any edit of the program: the frame is as edited, and what has keys is the same at all frames whose way it does not alter. */
     @Property(tries = 100)
+    @Slow
     void edit_isShownAtItsFrame(@ForAll("cases") Case of, @ForAll @IntRange(max = ShotArbitraries.LAST) int frame) {
         AnimatedScene scene = AnimatedScene.of(of.session().scenes().getFirst()).withShot(of.shot());
         Optional<Scene> first = at(scene, frame);

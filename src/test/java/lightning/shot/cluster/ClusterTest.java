@@ -20,6 +20,7 @@ import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
 import lightning.shot.LocalKeeper;
@@ -33,6 +34,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Nodes and a coordinator in one process; what is between them loses messages, and is cut. */
+@Slow
 final class ClusterTest {
     private static final int LAST = 6;
 

@@ -19,6 +19,7 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
+import lightning.sample.Slow;
 import lightning.shot.FrameState;
 import lightning.shot.KeeperGoneException;
 import lightning.shot.RelitShot;
@@ -33,6 +34,7 @@ import org.junit.jupiter.api.io.TempDir;
  * Three nodes, each a process, that are killed at random moments while edits go on, and started anew: every film of every frame is held
  * against its full trace. {@code -Dlightning.kills=100} kills as often, and stops every tenth for so long that it counts as lost.
  */
+@Slow
 final class NodeKillTest {
     private static final int KILLS = Integer.getInteger("lightning.kills", 1);
     private static final int NODES = 3;

@@ -2,31 +2,54 @@ package lightning.shot.cluster;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The command, as a process, with nodes that are processes. */
+@Slow
 final class RelightElsewhereTest {
     private static final int PATIENCE_SECONDS = 240;
 
     @TempDir
     private Path folder;
 
+    /** The program in a process of its own. */
+    private final class Run implements AutoCloseable {
+        private final Path output = Files.createTempFile(folder, "output", "");
+        private final Process process;
+
+        Run(String... words) throws IOException {
+            List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules",
+                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main"));
+            line.addAll(List.of(words));
+            process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
+        }
+
+        /** Waits until it ends with an exit code; returns what it printed. */
+        String end(int exit) throws Exception {
+            assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)).as(Files.readString(output)).isTrue();
+            assertThat(process.exitValue()).as(Files.readString(output)).isEqualTo(exit);
+            return Files.readString(output);
+        }
+
+        @Override
+        public void close() {
+            process.destroyForcibly();
+        }
+    }
+
     private String run(int exit, String... words) throws Exception {
-        List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector",
-                "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main"));
-        line.addAll(List.of(words));
-        Path said = folder.resolve("said");
-        Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(said.toFile()).start();
-        assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)).as(Files.readString(said)).isTrue();
-        assertThat(process.exitValue()).as(Files.readString(said)).isEqualTo(exit);
-        return Files.readString(said);
+        try (Run run = new Run(words)) {
+            return run.end(exit);
+        }
     }
 
     @Test
@@ -39,19 +62,21 @@ final class RelightElsewhereTest {
         try (var _ = new NodeProcess(port, List.of(port), folder)) {
             // A command waits for a node that is there for half a minute, in which no Java need start.
             Wait.until("the node takes part", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("a node at"));
-            String said =
-                    run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port, "--certificate",
-                            certificate));
-            assertThat(said).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them traced again");
-            run(0, with(words, "-o", folder.resolve("here").toString()));
-            for (String file : List.of("1/dusk-0001.png", "1/dusk-0004.png", "2/dusk-0003.png")) {
-                assertThat(folder.resolve("elsewhere").resolve(file)).hasSameBinaryContentAs(folder.resolve("here").resolve(file));
-            }
             String other = folder.resolve("other.p12").toString();
             SelfSigned.write(Path.of(other));
-            assertThat(
-                    run(2, with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other)))
-                    .contains("no node answers at 127.0.0.1:" + port + ":").contains("another certificate").doesNotContain("Exception");
+            // It asks in vain for half a minute, in which the others work.
+            try (Run stranger = new Run(
+                    with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other))) {
+                String said = run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port,
+                        "--certificate", certificate));
+                assertThat(said).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them traced again");
+                run(0, with(words, "-o", folder.resolve("here").toString()));
+                for (String file : List.of("1/dusk-0001.png", "1/dusk-0004.png", "2/dusk-0003.png")) {
+                    assertThat(folder.resolve("elsewhere").resolve(file)).hasSameBinaryContentAs(folder.resolve("here").resolve(file));
+                }
+                assertThat(stranger.end(2)).contains("no node answers at 127.0.0.1:" + port + ":").contains("another certificate")
+                        .doesNotContain("Exception");
+            }
         }
     }
 

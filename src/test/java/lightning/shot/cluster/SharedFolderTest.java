@@ -6,10 +6,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Nodes as processes that are given one folder, as machines with one home folder are. */
+@Slow
 final class SharedFolderTest {
     private static final String REFUSED = "another node uses this folder; name another one with --folder";
 

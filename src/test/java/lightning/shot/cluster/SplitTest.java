@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.jgroups.JChannel;
 import org.jgroups.protocols.DISCARD;
 import org.jgroups.protocols.TCP;
@@ -17,8 +18,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Parts of a cluster that lost each other, or never met, become one: in each pair of members both hear the other. */
+@Slow
 final class SplitTest {
-    private static final Place.Timing QUICK = new Place.Timing(4000, 1000, 1000);
+    private static final Place.Timing QUICK = new Place.Timing(500, 4000, 1000, 1000);
     private static final int MEMBERS = 4;
     private static final int HALF = MEMBERS / 2;
     private static final long PAUSE_MILLISECONDS = 200;

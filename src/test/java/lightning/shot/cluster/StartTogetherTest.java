@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import lightning.base.text.Release;
+import lightning.sample.Slow;
 import lightning.shot.RelitShot;
 import lightning.shot.ShotListener;
 import org.junit.jupiter.api.Test;
@@ -21,8 +22,9 @@ import org.junit.jupiter.api.io.TempDir;
  * Three nodes and a process that asks them start at the same moment. {@code -Dlightning.starts=50} starts them as often. Prints the seconds
  * until all nodes are in use.
  */
+@Slow
 final class StartTogetherTest {
-    private static final int STARTS = Integer.getInteger("lightning.starts", 2);
+    private static final int STARTS = Integer.getInteger("lightning.starts", 1);
     private static final int NODES = 3;
     /** From the moment all nodes take part. On an idle machine it takes up to 6; a split that does not heal lasts for minutes. */
     private static final int MOST_SECONDS = Integer.getInteger("lightning.starts.seconds", 60);

@@ -20,6 +20,7 @@ import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.jgroups.Address;
 import org.jgroups.BytesMessage;
 import org.jgroups.LongMessage;
@@ -38,8 +39,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+@Slow
 final class TlsNetworkTest {
-    private static final Place.Timing QUICK = new Place.Timing(8000, 1000, 1500);
+    private static final Place.Timing QUICK = new Place.Timing(500, 8000, 1000, 1500);
 
     @TempDir
     static Path folder;

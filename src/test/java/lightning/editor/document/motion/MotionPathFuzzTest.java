@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Motion paths with a few mistakes: each gives a path that can be written, or a refusal in one visible line. */
 class MotionPathFuzzTest {
-    private static final int TRIES = Fuzz.tries(30_000);
+    private static final int TRIES = Fuzz.tries(15_000);
     private static final List<byte[]> PATHS =
             bytes("lightning-path 1\nat 0 4 2  direction 0 -1 -1\nat 2.3 3.6 1.4 direction -1 -1 0 # last\n",
                     "\uFEFFlightning-path 1\r\nevery 7\r\n\r\n# one\r\n\tat -1e-3 .5 +6. direction 1e3 0 0\r\n");

@@ -11,12 +11,14 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.editor.window.widget.Looks;
 import lightning.sample.Fuzz;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Preferences with a few mistakes: whatever the file holds, it is read, and written again. */
+@Slow
 class PreferencesFuzzTest {
-    private static final int TRIES = Fuzz.tries(2_000);
+    private static final int TRIES = Fuzz.tries(1_000);
     private static final List<byte[]> PREFERENCES =
             bytes("#Lightning\nwidth=1280.0\nheight=800\nrecent.0=/scenes/a b.jen\nrecent.1=/scenes/b.jen\ntheme=DARK\n",
                     "precision=EXACT\ncurve=LINEAR\nrecent.0=\\u00e4.jen\n");

@@ -35,6 +35,7 @@ import lightning.editor.window.OpenEditor;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.Refusals;
 import lightning.editor.window.widget.Typing;
+import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
@@ -47,6 +48,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class PropertyPaneTest {
     private static final List<String> NUMBERS = List.of("intensity", "angle", "dropoff", "constant", "linear", "quadratic",
             "position", "direction", "ambience");

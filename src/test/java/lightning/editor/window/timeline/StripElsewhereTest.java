@@ -24,6 +24,7 @@ import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Slow;
 import lightning.scene.LightAttribute;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
@@ -39,9 +40,13 @@ import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
+@Slow
 class StripElsewhereTest extends EditorDesk {
     private static final String SHOT =
             "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
+
+    /** Nodes start one after the other: the first need not look for others for long. */
+    private static final Place.Timing QUICK = new Place.Timing(500, 15_000, 4000, 1500);
 
     private final InetAddress loopback = InetAddress.getLoopbackAddress();
     private final List<FrameNode> nodes = new ArrayList<>();
@@ -67,7 +72,7 @@ class StripElsewhereTest extends EditorDesk {
     }
 
     private FrameNode node(int port, int join) throws Exception {
-        var place = new Place(loopback, port, 1, List.of(new InetSocketAddress(loopback, join)), certificate, Place.Timing.DEFAULT);
+        var place = new Place(loopback, port, 1, List.of(new InetSocketAddress(loopback, join)), certificate, QUICK);
         Path own = folder.resolve("node-" + port);
         var node = new FrameNode(new TlsNetwork(place), new FrameNode.Settings(Release.ofMachine(), 1, 1 << 30, own,
                 () -> new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28), _ -> {}));

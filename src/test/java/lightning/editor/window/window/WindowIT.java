@@ -7,11 +7,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import lightning.sample.Packaged;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Starts a virtual display, and an artist on it: see {@link Artist}. */
+@Packaged
 class WindowIT {
     private static final int PATIENCE_MINUTES = 4;
 

@@ -12,6 +12,7 @@ import lightning.render.relight.Renderer;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.warmup.WarmUp;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
@@ -19,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Where Java has no vector module, or its vectors are narrow, all is done in plain loops. */
+@Slow
 class NarrowVectorsTest {
 
     @ParameterizedTest

@@ -8,6 +8,7 @@ import lightning.base.math.Ray;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.TraceScenes;
 import lightning.render.trace.solid.Form;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * Where several shapes are met at one distance, the first of them is: by one ray alone, in a packet, with the tree
  * of boxes and without it. And a way is blocked by a shape nearer than its end, never by one exactly there.
  */
+@Slow
 class TiesTest {
     private static final int PACKETS = 100;
 

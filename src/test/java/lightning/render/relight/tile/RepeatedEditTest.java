@@ -14,6 +14,7 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.Reflections;
+import lightning.sample.Slow;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.Material;
@@ -24,6 +25,7 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 /** While one light is dragged the sums over the others are kept, and no bit differs for it. */
+@Slow
 class RepeatedEditTest {
     private static final Scene NIGHT = SmallNight.SCENE;
 

@@ -6,6 +6,7 @@ import java.util.Random;
 import java.util.function.ToDoubleFunction;
 import lightning.render.trace.solid.Rays;
 import lightning.sample.Meshes;
+import lightning.sample.Slow;
 import lightning.scene.Mesh;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -32,6 +33,7 @@ class MeshPacketsTest {
 
     /** The vector code must have been compiled by the optimising compiler to say that its bits are right. */
     @Test
+    @Slow
     void hotCode_keepsEveryBit() {
         check(new MeshSolid(BALL), new Random(1), 6000);
     }

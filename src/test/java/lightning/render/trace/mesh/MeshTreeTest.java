@@ -6,10 +6,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import lightning.base.work.Wait;
 import lightning.sample.Meshes;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The trees of meshes, asked for by many threads. */
+@Slow
 class MeshTreeTest {
     /** Enough for a tree to be built by several threads. */
     private static final int TRIANGLES = 30_000;

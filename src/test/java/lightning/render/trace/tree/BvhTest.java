@@ -15,6 +15,7 @@ import lightning.render.engine.lanes.TraceRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.TraceScenes;
+import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.Scene;
 import net.jqwik.api.ForAll;
@@ -180,6 +181,7 @@ class BvhTest {
     }
 
     @Test
+    @Slow
     void millionShapes_areBuiltInSeconds() {
         Random random = new Random(1);
         float[] boxes = new float[6_000_000];
