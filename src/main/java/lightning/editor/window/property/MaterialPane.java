@@ -189,7 +189,7 @@ final class MaterialPane extends VBox {
     }
 
     private <V> Row vector(MaterialAttribute<V> attribute, Quantity<V> q) {
-        var field = new VectorField(attribute.title(), (v, gesture) -> model.edit(scene -> MaterialEdits.with(scene, shown,
+        var field = new VectorField(attribute.title(), (v, gesture) -> editor.edit(scene -> MaterialEdits.with(scene, shown,
                 m -> attribute.with(m, q.join().apply(List.of(v.x(), v.y(), v.z())))), gesture));
         field.setId(attribute.title());
         return new Row(attribute, field, field::setObstacle, m -> field.show(q.vector(attribute.of(m))), field::showNothing, field::revert);

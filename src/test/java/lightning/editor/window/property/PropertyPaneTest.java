@@ -112,10 +112,10 @@ class PropertyPaneTest {
                 var controls = new VBox();
                 controls.getChildren().addAll(pane.widgets(attribute));
                 assertThat(controls.getChildren()).as(attribute.title()).isNotEmpty();
-                model.selectLight(null);
+                model.editor().selection().selectLight(null);
                 assertThat(inputs(controls)).as(attribute.title()).isNotEmpty().allMatch(Node::isDisabled);
-                for (Light light : model.lights()) {
-                    model.selectLight(light.name());
+                for (Light light : model.editor().scene().lights()) {
+                    model.editor().selection().selectLight(light.name());
                     boolean acts = attribute.acts(light.type()) || attribute == LightAttribute.POSITION;
                     assertThat(inputs(controls)).as(attribute.title() + " of " + light.name())
                             .allMatch(input -> input.isDisabled() != acts);
@@ -131,19 +131,19 @@ class PropertyPaneTest {
     @Test
     void nameOfALight_isABoxOfTheNamesInTheScene(FxRobot robot) {
         robot.interact(() -> {
-            model.edit(scene -> BankEdits.add(scene, OpenEditor.SUN));
+            model.editor().edit(scene -> BankEdits.add(scene, OpenEditor.SUN));
             ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
                     .setAll(pane.widgets(LightAttribute.BANK));
         });
         ComboBox<String> box = robot.lookup("#light-bank").query();
-        robot.interact(() -> model.selectLight(OpenEditor.POINT));
-        String bank = model.scene().rig().banks().getFirst().name();
+        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
+        String bank = model.editor().scene().rig().banks().getFirst().name();
         assertThat(box.getItems()).containsExactly("", bank);
         assertThat(box.getValue()).isEmpty();
         robot.interact(() -> box.setValue(bank));
-        assertThat(model.selectedLight().bank()).isEqualTo(bank);
+        assertThat(model.editor().selection().light().bank()).isEqualTo(bank);
         robot.interact(() -> box.setValue(""));
-        assertThat(model.selectedLight().bank()).isEmpty();
+        assertThat(model.editor().selection().light().bank()).isEmpty();
     }
 
     @Test
