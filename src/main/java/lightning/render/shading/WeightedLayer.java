@@ -1,8 +1,8 @@
 package lightning.render.shading;
 
 /**
- * A layer of finished contributions, weight and falloff multiplied in: they are added up as they are. Nothing here knows how
- * they are made or updated.
+ * A layer of finished contributions, weight and falloff multiplied in, which are summed as they are. Subclasses define how
+ * contributions are computed and updated.
  */
 public abstract non-sealed class WeightedLayer implements LightLayer {
     /** Diffuse contributions: red, green, blue columns; null where no row is lit. */

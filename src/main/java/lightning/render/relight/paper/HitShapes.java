@@ -12,7 +12,7 @@ import lightning.render.trace.MaterialSet;
  * for none. Points and lights follow from it without a search. Used for one tile after the other: one for each thread.
  */
 public final class HitShapes {
-    /** Of a tile of which no level is known. */
+    /** The list of a tile without known levels. */
     public static final int[][] NONE = {};
 
     private final List<int[]> hit = new ArrayList<>();
@@ -20,7 +20,7 @@ public final class HitShapes {
     private int next;
 
     /**
-     * What a tile's list still says after an update; nothing where its rays may go other ways.
+     * Returns the part of a tile's list that is valid after an update; none if its rays may take other paths.
      *
      * @param mirrored with the materials that mirrors show afterwards
      */
@@ -41,7 +41,7 @@ public final class HitShapes {
                 .anyMatch(shape -> shape >= 0 && materials.contains(geometry.materialOf(shape)));
     }
 
-    /** Begins with another tile, of which these levels are known. */
+    /** Starts a tile with the levels that are known. */
     public void begin(int[][] shapes) {
         hit.clear();
         known = shapes;
@@ -58,17 +58,17 @@ public final class HitShapes {
         return hasNext() ? known[next++] : null;
     }
 
-    /** Drops what is known of the levels to come. */
+    /** Drops the known shapes of all further levels. */
     public void dropRest() {
         next = known.length;
     }
 
-    /** Adds the shapes of a level to the list that the tile keeps. */
+    /** Adds the shapes of a level to the list to keep. */
     public void add(int[] shapes) {
         hit.add(shapes);
     }
 
-    /** The list that the tile keeps. */
+    /** The list to keep. */
     public int[][] list() {
         return hit.toArray(int[][]::new);
     }

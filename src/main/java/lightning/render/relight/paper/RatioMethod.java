@@ -27,7 +27,7 @@ public record RatioMethod() implements UpdateMethod {
 
     /**
      * The paper's choice: a turned light is recomputed in full (§4.5), and so is one whose old weight is 0
-     * (§4.1), shadow rays included. The layers of a light that is off wait.
+     * (§4.1), shadow rays included. Layers of a light that is off are updated once it shines.
      */
     @Override
     public LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene) {
@@ -69,7 +69,7 @@ public record RatioMethod() implements UpdateMethod {
         return ErrorBound.of(cache).shows(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
     }
 
-    /** All contributions that were scaled anew, of the scene that is shown. */
+    /** Recomputes all contributions that were scaled, for the scene shown. */
     public static UpdatePlan.Relight refresh(PixelCache cache) {
         int depth = cache.scene().picture().depth();
         MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());

@@ -8,7 +8,7 @@ import lightning.render.shading.Luminaire;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** How an accuracy carries out edits: what layers hold, which update leads to a light, and what the updates lose. */
+/** How an accuracy carries out edits: the contents of layers, the update for an edited light, and the error of updates. */
 public interface UpdateMethod {
     /**
      * The least update to a light.
@@ -19,7 +19,7 @@ public interface UpdateMethod {
     LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene);
 
     /**
-     * What a layer shows after an update that kept some of its terms.
+     * The stamp of a layer after an update that kept some of its terms.
      *
      * @param before       what it was computed for
      * @param weight       whether the light's weight changed
@@ -29,7 +29,7 @@ public interface UpdateMethod {
     LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff);
 
     /**
-     * What updates layers in one thread.
+     * Creates the updater of one thread.
      *
      * @param lights how many the scene has
      */
@@ -47,10 +47,10 @@ public interface UpdateMethod {
     double errorBound(PixelCache cache);
 
     /**
-     * What makes up for errors that may show.
+     * The update that removes errors large enough to show.
      *
      * @param exposure how the film is displayed, in stops
-     * @return {@link UpdatePlan.Nothing} where none may
+     * @return {@link UpdatePlan.Nothing} if no error can show
      */
     UpdatePlan refresh(PixelCache cache, double exposure, DisplayCurve curve);
 }

@@ -21,8 +21,8 @@ import lightning.scene.Antialias;
 import lightning.scene.Light;
 
 /**
- * Makes what is kept of a picture, on all threads: all of it, its pixels' centres alone, or the finer samples of centres that are known.
- * For one job.
+ * Builds the pixel cache of a picture on all threads: all of it, the pixels' centres alone, or the finer samples of known centres.
+ * One for each job.
  */
 public final class CacheBuilder {
     /** Of a small picture each thread takes tiles so many times at least, so that all are ready at about the same time. */
@@ -34,7 +34,7 @@ public final class CacheBuilder {
     private final List<Crew<TileWorker>> threads;
     private final int[] order;
 
-    /** @param old what is known, or null where all is made from nothing */
+    /** @param old the cache to start from, or null for a first pass */
     public CacheBuilder(Job job, Workers workers, PixelCache old) {
         this.job = job;
         this.workers = workers;
@@ -43,16 +43,13 @@ public final class CacheBuilder {
         order = old == null ? MiddleFirst.order(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
     }
 
-    /**
-     * What was made.
-     *
-     * @param work what that took
-     */
+    /** A new cache and the work that it took. */
     public record Built(PixelCache cache, Tally work) {}
 
     /**
-     * The picture.
+     * Builds the cache as the job plans it.
      *
+     * @param centersAlone whether finer samples are left out
      * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */
     public Built build(boolean centersAlone) {
@@ -73,7 +70,7 @@ public final class CacheBuilder {
     }
 
     /**
-     * A picture of known centres with its finer samples.
+     * Adds the finer samples to known centres.
      *
      * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */

@@ -15,10 +15,10 @@ import lightning.render.shading.Luminaire;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** Updates that make the bits of a full trace: layers hold terms, and nothing is lost. */
+/** Updates that give the bits of a full trace: layers hold terms, which are never scaled. */
 public record ExactMethod() implements UpdateMethod {
 
-    /** A dark light's layers wait. */
+    /** Layers of a dark light are updated once it shines. */
     @Override
     public LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene) {
         return wanted.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), wanted.light()).update(wanted.light());

@@ -18,7 +18,7 @@ import lightning.scene.Scene;
  *
  * @param shown    what the first level shall show
  * @param mirrored what the mirror levels shall show: the same where they are updated too, and in a first pass
- * @param plan     what is done; null where all is made from nothing
+ * @param plan     the update; null in a first pass
  * @param coding   whether anti-aliasing looks for edges
  */
 public record Job(PreparedScene shown, PreparedScene mirrored, Options options, UpdatePlan.Relight plan, boolean coding,
@@ -59,12 +59,12 @@ public record Job(PreparedScene shown, PreparedScene mirrored, Options options, 
         return shown.scene();
     }
 
-    /** The update of the first level; null where it is made from nothing. */
+    /** The update of the first level; null in a first pass. */
     LevelPlan top() {
         return plan == null ? null : plan.top();
     }
 
-    /** The update of the mirror levels; null where they stay or are made from nothing. */
+    /** The update of the mirror levels; null where they stay, and in a first pass. */
     LevelPlan mirrors() {
         return plan == null ? null : plan.mirrors();
     }
@@ -88,7 +88,7 @@ public record Job(PreparedScene shown, PreparedScene mirrored, Options options, 
         return scene().picture().depth();
     }
 
-    /** The depth of the picture before; that of the scene where all is made from nothing. */
+    /** The depth of the picture before; that of the scene in a first pass. */
     int depthBefore() {
         return plan == null ? depth() : plan.depthFrom();
     }
