@@ -36,7 +36,8 @@ import lightning.scene.shot.Target;
 public record Situation(Scene scene, Optional<Frame> frame, Optional<Scene> inWork,
         boolean verifying, Optional<Light> selected, Optional<Node> node, Optional<String> undo, Optional<String> redo,
         Optional<String> undoLight, Optional<String> redoLight, boolean dirty, boolean changedOnDisk,
-        Optional<Light> copied, boolean animating, boolean reading, Optional<Moment> moment, int chosenKeys, boolean way) implements SituationBuilder.With {
+        Optional<Light> copied, boolean animating, boolean reading, Optional<Moment> moment, int chosenKeys, boolean way)
+        implements SituationBuilder.With {
 
     /** The situation of a document with a picture, and nothing running, copied or animated. */
     public static Situation of(OpenDocument document, Optional<Frame> frame) {
