@@ -6,6 +6,7 @@ import static lightning.scene.LightType.POINT;
 import static lightning.scene.LightType.RECT;
 import static lightning.scene.LightType.SPOT;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -34,6 +35,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
         PLACE,
         LINKS
     }
+
+    private static final List<LightAttribute<?>> DECLARED = new ArrayList<>();
 
     public static final LightAttribute<LightType> TYPE = of("type", Choice.of(LightType.class), POINT, "",
             Light::type, Light::withType, Section.KIND, Map.of());
@@ -95,12 +98,8 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
             Texts.key("Shadowed by"), Texts.key("The shapes and groups that throw shadows in its light")),
             Links.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS, all(LightTerm.SHADOW));
 
-    /** All of them. */
-    public static final List<LightAttribute<?>> ALL =
-            List.of(TYPE, COLOR, INTENSITY, POSITION, DIRECTION, ATTENUATION, ANGLE, DROPOFF, DOORS, FEATHER, GOBO, PROFILE, RADIUS, SPREAD,
-                    WIDTH,
-                    HEIGHT,
-                    UP, SAMPLES, ON, SOLO, BANK, ILLUMINATES, SHADOWED_BY);
+    /** All of them, as they are declared above. */
+    public static final List<LightAttribute<?>> ALL = List.copyOf(DECLARED);
 
     private final ValueKind.OfLight<V> kind;
     private final Section section;
@@ -116,6 +115,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
         this.kind = kind;
         this.section = section;
         this.terms = terms;
+        DECLARED.add(this);
     }
 
     private static <V> LightAttribute<V> of(String name, ValueKind.OfLight<V> kind, V initial, String unit, Function<Light, V> get,

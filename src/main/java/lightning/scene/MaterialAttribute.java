@@ -1,5 +1,6 @@
 package lightning.scene;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -24,6 +25,8 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
         CLEAR,
         AMBIENT
     }
+
+    private static final List<MaterialAttribute<?>> DECLARED = new ArrayList<>();
 
     public static final MaterialAttribute<Rgb> AMBIENT = color("ambient", Limits.MAX_EMISSION, Rgb.BLACK, Material::ambient,
             Material::withAmbient, null, Section.AMBIENT, "What the surface shows without a light: times the scene's ambience, 0 or more");
@@ -93,10 +96,8 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
             ShadowsThrown.FULL, "", Clarity::shadows, Clarity::withShadows, MaterialTerm.SHADOW,
             "Which shadows shapes of the material throw: full ones, those of the colour of the light that passes, or none");
 
-    /** All of them; that which decides about others before these. */
-    public static final List<MaterialAttribute<?>> ALL =
-            List.of(AMBIENT, MODEL, DIFFUSE, BASE, TEXTURE, CUTOUT, CUTOFF, BUMP, HEIGHT, NORMALS, STRENGTH,
-                    SPECULAR, SHININESS, METALNESS, ROUGHNESS, F0, REFLECTIVE, CLEAR, IOR, THIN, TINT, TINT_DISTANCE, SHADOWS);
+    /** All of them, as they are declared above; that which decides about others before these. */
+    public static final List<MaterialAttribute<?>> ALL = List.copyOf(DECLARED);
 
     private final ValueKind.OfMaterial<V> kind;
     private final MaterialTerm term;
@@ -118,6 +119,7 @@ public final class MaterialAttribute<V> extends Attribute<Material, V> {
         this.model = model;
         this.section = section;
         this.help = help;
+        DECLARED.add(this);
     }
 
     private static MaterialAttribute<Rgb> color(String name, double max, Rgb initial, Function<Material, Rgb> get,
