@@ -13,7 +13,6 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import lightning.base.math.SrgbCurve;
 import lightning.render.image.Film;
-import lightning.render.image.Films;
 import lightning.render.image.ViewTransform;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
