@@ -19,9 +19,9 @@ import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
-import lightning.editor.window.model.EditorModel;
 import lightning.editor.document.Change;
 import lightning.editor.loop.Frame;
+import lightning.editor.window.model.EditorModel;
 import lightning.render.engine.choice.Engines;
 
 /** From the event of a drag to the drawn picture, and what lies between: widgets of the first light's properties, dragged by the mouse. */

@@ -3,8 +3,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.CRC32C;
-import lightning.render.image.Film;
+import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.Update;
 import lightning.render.relight.plan.Accuracy;
@@ -12,7 +13,6 @@ import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.scene.Scene;
-import lightning.base.work.Progress;
 
 /**
  * Goes through kept sessions by the names that all builds share, for {@code benchmarks/films}: a line for each scene of each

@@ -4,21 +4,21 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
 import lightning.bench.accuracy.Bandwidth;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
+import lightning.format.jen.JenReader;
 import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
-import lightning.format.jen.JenReader;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.Update;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.base.work.Progress;
-import lightning.base.work.Workers;
 
 /**
  * How far edits are from the floor, for {@code benchmarks/floor}: one thread's processor time beside the time that its memory

@@ -8,22 +8,22 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.Workers;
+import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
-import lightning.format.jen.JenReader;
-import lightning.base.math.Vec3;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.Update;
 import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.Options;
+import lightning.render.trace.Geometry;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Picture;
 import lightning.scene.Scene;
-import lightning.render.trace.Geometry;
-import lightning.base.work.Progress;
-import lightning.base.work.Workers;
 
 /**
  * Times one build of the engine by the names that all builds share, for {@code benchmarks/pair}: a line for each of the full

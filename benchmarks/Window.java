@@ -13,13 +13,13 @@ import javafx.application.Platform;
 import javafx.scene.Scene;
 import javafx.scene.layout.Pane;
 import javafx.stage.Stage;
-import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.widget.PictureView;
-import lightning.editor.document.LightEdits;
-import lightning.editor.loop.Frame;
-import lightning.render.engine.choice.Engines;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
+import lightning.editor.document.LightEdits;
+import lightning.editor.loop.Frame;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.widget.PictureView;
+import lightning.render.engine.choice.Engines;
 import lightning.scene.Light;
 
 /** What an artist waits for, in the real window, for {@code benchmarks/window}: one process for each line that is printed. */

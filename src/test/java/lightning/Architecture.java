@@ -41,7 +41,8 @@ final class Architecture {
                     + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.shading render.engine"
                     + " render.engine.scalar render.engine.lanes render.engine.choice render.fulltrace render.warmup render.cache"
                     + " render.relight.plan render.relight.tile render.relight";
-    private static final String DOCUMENT = ENGINE + " base.file scene.shot format.jen format.picture bench.accuracy editor.loop editor.document";
+    private static final String DOCUMENT =
+            ENGINE + " base.file scene.shot format.jen format.picture bench.accuracy editor.loop editor.document";
     private static final String DESK = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
 
     /** The groups from the bottom of the program up: a package imports from its own group and from those before it. */
@@ -71,7 +72,7 @@ final class Architecture {
                     "base.math scene render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
             row("render.engine.lanes",
                     "base.math scene render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree render.trace"
-                    + " render.shading render.engine"),
+                            + " render.shading render.engine"),
             row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
             row("render.fulltrace",
                     "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"),
@@ -80,10 +81,10 @@ final class Architecture {
             row("render.relight.plan", "base.text base.math scene render.image render.trace render.shading render.cache"),
             row("render.relight.tile",
                     "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"
-                    + " render.cache render.relight.plan"),
+                            + " render.cache render.relight.plan"),
             row("render.relight",
                     "base.math base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
-                    + " render.cache render.relight.plan render.relight.tile"),
+                            + " render.cache render.relight.plan render.relight.tile"),
             row("format.mesh", "base.text base.work base.file scene"),
             row("format.mesh.ply", "base.text base.math scene format.mesh"),
             row("format.mesh.obj", "base.text base.math scene format.mesh"),
@@ -99,14 +100,14 @@ final class Architecture {
             row("format.pov", "base.math base.file scene render.image format.picture"),
             row("format.exchange",
                     "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
-                    + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
+                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.cache"
-                    + " render.relight.plan render.relight.tile render.relight"),
+                            + " render.relight.plan render.relight.tile render.relight"),
             row("shot.cluster.wire", "base.text"),
             row("shot.cluster",
                     "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
-                    + " shot.cluster.wire"),
+                            + " shot.cluster.wire"),
             row("shot.movie", ENGINE),
             row("bench.accuracy", ENGINE),
             row("bench.mesh", "scene render.trace.solid render.trace.mesh"),
@@ -131,10 +132,10 @@ final class Architecture {
             row("editor.window.cue", DESK + " editor.document.cue"),
             row("editor.window",
                     DESK + " format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
-                    + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.cue"),
+                            + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.cue"),
             row("cli",
                     ENGINE + " base.file scene.shot format.hdr format.jen format.exr format.picture format.layer format.pov format.exchange"
-                    + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
+                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
             row("", "editor.window cli"));
 
     /** @param known the packages that it may import, beside itself */
