@@ -41,7 +41,8 @@ final class Architecture {
                     + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.shading render.engine"
                     + " render.engine.scalar render.engine.lanes render.engine.choice render.fulltrace render.warmup render.cache"
                     + " render.relight.plan render.relight.tile render.relight";
-    private static final String DOCUMENT = ENGINE + " base.file scene.shot format.jen format.picture bench.accuracy editor.loop editor.document";
+    private static final String DOCUMENT =
+            ENGINE + " base.file scene.shot format.jen format.picture bench.accuracy editor.loop editor.document";
     private static final String DESK = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
 
     /** The groups from the bottom of the program up: a package imports from its own group and from those before it. */
@@ -71,7 +72,7 @@ final class Architecture {
                     "base.math scene render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
             row("render.engine.lanes",
                     "base.math scene render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree render.trace"
-                    + " render.shading render.engine"),
+                            + " render.shading render.engine"),
             row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
             row("render.fulltrace",
                     "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"),
@@ -101,14 +102,14 @@ final class Architecture {
             row("format.pov", "base.math base.file scene render.image format.picture"),
             row("format.exchange",
                     "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
-                    + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
+                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
                     + " render.relight.plan render.relight.tile render.relight"),
             row("shot.cluster.wire", "base.text"),
             row("shot.cluster",
                     "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
-                    + " shot.cluster.wire"),
+                            + " shot.cluster.wire"),
             row("shot.movie", ENGINE),
             row("bench.accuracy", ENGINE),
             row("bench.mesh", "scene render.trace.solid render.trace.mesh"),

@@ -1,14 +1,19 @@
 package lightning.sample;
 
 import java.lang.annotation.ElementType;
+import java.lang.annotation.Inherited;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 import org.junit.jupiter.api.Tag;
 
-/** Marks tests that {@code mvn test} leaves to {@code mvn verify}: those of a class take about two seconds or more, or wait long. */
+/**
+ * Marks tests that {@code mvn test} leaves to {@code mvn verify}: those that open a window, and all that take about two seconds or more,
+ * alone or as a class.
+ */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)
+@Inherited
 @Tag("slow")
 @net.jqwik.api.Tag("slow")
 public @interface Slow {}

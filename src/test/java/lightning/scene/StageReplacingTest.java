@@ -115,7 +115,8 @@ class StageReplacingTest {
 
     @Test
     void scalesThatMultiplyBeyondTheRange_areRefused() {
-        var small = new Placement(lightning.base.math.Vec3.ZERO, lightning.base.math.Vec3.ZERO, lightning.base.math.Vec3.ONE.times(Limits.MIN_SCALE));
+        var small = new Placement(lightning.base.math.Vec3.ZERO, lightning.base.math.Vec3.ZERO,
+                lightning.base.math.Vec3.ONE.times(Limits.MIN_SCALE));
         Stage stage = new Stage(List.of(), List.of(new Group("g", small, List.of(sphere("a")))));
         assertThatIllegalArgumentException().isThrownBy(() -> stage.replacing("a", List.of(sphere("a").withPlacement(small))))
                 .withMessageStartingWith("shape 'a'");

@@ -22,12 +22,10 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.widget.Contrast;
 import lightning.editor.window.widget.Looks;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** The windows beside the editor's, and its own in both themes, for who sees little or has no mouse. */
-@Slow
 class AccessOfPanelsTest extends EditorDesk {
     private static final int MANY = 120;
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,

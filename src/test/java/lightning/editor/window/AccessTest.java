@@ -17,11 +17,9 @@ import javafx.scene.control.Spinner;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 
 /** Who does not see, or has no mouse, can use the editor too. */
-@Slow
 class AccessTest extends EditorDesk {
     private static final int MANY = 200;
     private static final Set<String> PANES = Set.of("toolbar", "traced", "preview", "lists", "side");

@@ -14,12 +14,10 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import org.junit.jupiter.api.Test;
 
 /** The pictures have the room that the artist gives them. */
-@Slow
 class ArrangementTest extends EditorDesk {
     private boolean isThere(String query) {
         return robot.lookup(query).tryQuery().isPresent();

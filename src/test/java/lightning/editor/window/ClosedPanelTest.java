@@ -10,13 +10,11 @@ import javafx.scene.image.ImageView;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.document.Desk;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A closed panel, and a closed editor, leave no thread. */
-@Slow
 class ClosedPanelTest extends EditorDesk {
 
     private static Set<Thread> threads() {

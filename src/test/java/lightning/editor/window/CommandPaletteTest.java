@@ -12,12 +12,10 @@ import javafx.scene.input.KeyCombination;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.Precision;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Every command is found by a few letters, and heard by the key that the artist gave it. */
-@Slow
 class CommandPaletteTest extends EditorDesk {
     @AfterEach
     void closeWindows() {

@@ -26,6 +26,7 @@ import lightning.editor.window.preview.PreviewCanvas;
 import lightning.editor.window.widget.Looks;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Slow;
 import lightning.scene.Light;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -37,6 +38,7 @@ import org.testfx.util.WaitForAsyncUtils;
 
 /** An editor on a small scene with one light of each type, all of them in view. */
 @ExtendWith(JavaFxNeeds.class)
+@Slow
 public abstract class EditorDesk {
     private static final String SCENE = """
             jen 1

@@ -32,11 +32,9 @@ import lightning.format.jen.Problem;
 import lightning.format.picture.PictureFile;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
-import lightning.sample.Slow;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class FilesTest extends EditorDesk {
 
     private void dim() {

@@ -14,6 +14,7 @@ import javafx.scene.paint.Paint;
 import javafx.stage.Stage;
 import lightning.editor.document.FileThread;
 import lightning.editor.window.widget.Looks;
+import lightning.sample.Slow;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,6 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.testfx.api.FxToolkit;
 
 @ExtendWith(JavaFxNeeds.class)
+@Slow
 class FirstFrameTest {
     private static final Offset<Double> A_PIXEL = within(1.0);
 

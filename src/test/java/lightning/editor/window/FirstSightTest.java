@@ -11,6 +11,7 @@ import javafx.stage.Stage;
 import lightning.base.work.Wait;
 import lightning.editor.document.FileThread;
 import lightning.editor.window.model.Preferences;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,7 @@ import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
 
 @ExtendWith(JavaFxNeeds.class)
+@Slow
 class FirstSightTest {
     @TempDir
     private Path folder;

@@ -7,6 +7,7 @@ import java.util.concurrent.TimeUnit;
 import javafx.scene.layout.Region;
 import javafx.stage.Stage;
 import lightning.base.work.Wait;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -16,6 +17,7 @@ import org.testfx.util.WaitForAsyncUtils;
 
 /** A scene that has a shot opens with its timeline. */
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class FirstTimelineTest {
     private LightningApp app;
     private volatile Editor editor;

@@ -25,7 +25,6 @@ import lightning.editor.window.model.Precision;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.TraceCounts;
 import lightning.sample.ClearScenes;
-import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import lightning.scene.Scene;
@@ -34,7 +33,6 @@ import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
-@Slow
 class GoTest extends EditorDesk {
 
     private void asIn1998() {

@@ -24,12 +24,10 @@ import javafx.stage.Window;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandItems;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Whatever a menu of the editor offers is a command. */
-@Slow
 class MenusTest extends EditorDesk {
     @AfterEach
     void closeWindows() {

@@ -16,14 +16,12 @@ import lightning.editor.document.Presence;
 import lightning.editor.document.TextDifference;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
 /** The open scene's file is written by others while it is open here. */
-@Slow
 class OutsideChangesTest extends EditorDesk {
     private Path file;
     private String his;

@@ -12,12 +12,10 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.document.Desk;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** The commands' keys are heard in the windows beside the editor's as in its own. */
-@Slow
 class PanelKeysTest extends EditorDesk {
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
             Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS);

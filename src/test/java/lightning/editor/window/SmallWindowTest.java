@@ -21,12 +21,10 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.model.Precision;
 import lightning.editor.window.widget.OnScreen;
-import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** On a small screen, or a large one at twice the scale, nothing is out of reach. */
-@Slow
 class SmallWindowTest extends EditorDesk {
 
     private void resize(double width, double height) {

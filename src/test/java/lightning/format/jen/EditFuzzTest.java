@@ -9,10 +9,12 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import lightning.base.text.Visible;
 import lightning.sample.Fuzz;
+import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
 /** Edits in words with a few mistakes: each gives a scene that a file can say, or a refusal in one visible line. */
+@Slow
 class EditFuzzTest {
     private static final int TRIES = Fuzz.tries(60_000);
     private static final String TEXT = """

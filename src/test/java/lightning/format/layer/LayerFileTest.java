@@ -50,6 +50,7 @@ import tools.jackson.core.type.TypeReference;
 import tools.jackson.databind.json.JsonMapper;
 
 /** A picture taken apart: the layers of the file add up to the picture in every bit, and each is what it says. */
+@Slow
 class LayerFileTest {
     private static final List<String> COLORS = List.of("R", "G", "B");
 
@@ -139,7 +140,6 @@ class LayerFileTest {
     }
 
     @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
-    @Slow
     void surfaces_areWhatTheRayThroughThePixelsCentreMeets(@ForAll("sessions") Session session) throws IOException {
         Scene scene = session.scenes().getLast();
         try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1))) {

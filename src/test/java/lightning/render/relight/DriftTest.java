@@ -11,6 +11,7 @@ import lightning.render.relight.plan.Reflections;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Scene;
 import net.jqwik.api.ForAll;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What becomes of a picture after many edits in a row. */
+@Slow
 class DriftTest {
     private static final int EDITS = Integer.getInteger("lightning.edits", 10_000);
 

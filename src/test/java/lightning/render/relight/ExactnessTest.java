@@ -82,6 +82,7 @@ class ExactnessTest {
 
     /** Every attribute at any magnitude that it may have, in lights and materials that were drawn likewise. */
     @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
     void extremeScenes_equalTheReferenceAfterEveryEdit(@ForAll("extremes") Session session, @ForAll long engines) {
         assertEqualsTheReference("extreme-scenes", session,
                 new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1).withEngines(new EngineMix(engines)));

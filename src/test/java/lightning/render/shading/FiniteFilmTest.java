@@ -48,6 +48,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whatever scene is accepted, its picture is made of numbers: no NaN, no infinity, nothing negative. */
+@Slow
 class FiniteFilmTest {
 
     @Provide
@@ -71,7 +72,6 @@ class FiniteFilmTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    @Slow
     void ordinaryScene_hasAFinitePicture(@ForAll("scenes") Scene scene) {
         assertFinite(scene);
     }

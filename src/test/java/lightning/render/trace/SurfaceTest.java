@@ -58,7 +58,8 @@ class SurfaceTest {
         Placement placement = new Placement(new Vec3(7, -4, 11), new Vec3(rx, ry, rz), new Vec3(2, 3, 5));
         Vec3 own = new Vec3(2 / 7.0, 3 / 7.0, 6 / 7.0);
         Vec3 gradient =
-                lightning.base.math.Transform.rotation(placement.rotate()).vector(new Vec3(own.x() / 2, own.y() / 3, own.z() / 5)).normalized();
+                lightning.base.math.Transform.rotation(placement.rotate()).vector(new Vec3(own.x() / 2, own.y() / 3, own.z() / 5))
+                        .normalized();
         Vec3 at = placement.transform().point(own);
         assertNormal(hit(Solid.SPHERE, placement, new Ray(at.plus(gradient), gradient.negated())), gradient);
     }

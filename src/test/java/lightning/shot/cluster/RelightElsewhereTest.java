@@ -28,7 +28,8 @@ final class RelightElsewhereTest {
 
         Run(String... words) throws IOException {
             List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules",
-                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"), "lightning.Main"));
+                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"),
+                    "lightning.Main"));
             line.addAll(List.of(words));
             process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
         }

@@ -10,10 +10,12 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.base.text.Visible;
 import lightning.sample.Fuzz;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Motion paths with a few mistakes: each gives a path that can be written, or a refusal in one visible line. */
+@Slow
 class MotionPathFuzzTest {
     private static final int TRIES = Fuzz.tries(15_000);
     private static final List<byte[]> PATHS =

@@ -25,6 +25,7 @@ import lightning.editor.window.OnStage;
 import lightning.editor.window.OpenEditor;
 import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.model.EditorModel;
+import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
@@ -35,6 +36,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class AnimationWindowTest {
     @TempDir
     private Path folder;

@@ -12,6 +12,7 @@ import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
 import lightning.format.exchange.LightUnits;
 import lightning.render.image.Film;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,6 +21,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.util.WaitForAsyncUtils;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class LightUnitCardsTest {
     private final Map<LightUnits, Film> pictures = new EnumMap<>(LightUnits.class);
     private Stage stage;

@@ -14,13 +14,11 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
 import lightning.render.relight.Contribution;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class ContributionPaneTest extends EditorDesk {
 
     /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */

@@ -15,11 +15,9 @@ import lightning.editor.window.EditorDesk;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class CuePaneTest extends EditorDesk {
     private Scene day;
     private Scene night;

@@ -17,11 +17,9 @@ import lightning.render.image.DifferencePicture;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class AccuracyPaneTest extends EditorDesk {
 
     private void dim() {

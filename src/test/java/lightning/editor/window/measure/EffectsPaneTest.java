@@ -8,11 +8,9 @@ import lightning.editor.document.Command;
 import lightning.editor.document.Desk;
 import lightning.editor.window.EditorDesk;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.effects.Effect;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class EffectsPaneTest extends EditorDesk {
 
     private boolean isListed(String id) {

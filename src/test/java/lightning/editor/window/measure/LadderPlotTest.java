@@ -19,12 +19,14 @@ import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
 import lightning.editor.window.QuickRobot;
 import lightning.render.shading.TraceCounts;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class LadderPlotTest {
     private LadderPlot chart;
 

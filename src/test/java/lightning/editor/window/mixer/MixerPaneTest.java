@@ -25,13 +25,11 @@ import lightning.editor.window.widget.Percent;
 import lightning.render.image.Film;
 import lightning.render.relight.LightShare;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class MixerPaneTest extends EditorDesk {
     private Scene first;
 

@@ -20,12 +20,10 @@ import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.EditorDesk;
 import lightning.editor.window.QuickRobot;
 import lightning.editor.window.model.GizmoSize;
-import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.Node;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class PreviewTest extends EditorDesk {
 
     private void drag(Light light, MouseButton button, double right, double down) {

@@ -13,12 +13,10 @@ import javafx.scene.control.MenuItem;
 import javax.imageio.ImageIO;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorDesk;
-import lightning.sample.Slow;
 import lightning.scene.Gobo;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class GoboPartTest extends EditorDesk {
     private MenuButton choice() {
         return robot.lookup("#gobo").query();

@@ -21,6 +21,7 @@ import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
 import lightning.editor.window.OpenEditor;
 import lightning.editor.window.model.EditorModel;
+import lightning.sample.Slow;
 import lightning.scene.LightType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -30,6 +31,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class LightListPaneTest {
     @TempDir
     private Path folder;

@@ -24,13 +24,11 @@ import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
 import lightning.editor.window.EditorDesk;
 import lightning.editor.window.widget.Typing;
-import lightning.sample.Slow;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class MaterialPaneTest extends EditorDesk {
     private static final Vec3 BALL = new Vec3(0, 1, 0);
 

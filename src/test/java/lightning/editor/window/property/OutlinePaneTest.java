@@ -13,7 +13,6 @@ import javafx.scene.input.MouseButton;
 import lightning.base.math.Vec3;
 import lightning.editor.window.EditorDesk;
 import lightning.editor.window.widget.Typing;
-import lightning.sample.Slow;
 import lightning.scene.Group;
 import lightning.scene.Node;
 import lightning.scene.Placement;
@@ -22,7 +21,6 @@ import lightning.scene.Shape;
 import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class OutlinePaneTest extends EditorDesk {
     private static final Vec3 BALL = new Vec3(0, 1, 0);
 

@@ -18,14 +18,12 @@ import lightning.editor.window.EditorDesk;
 import lightning.editor.window.command.PathAsk;
 import lightning.editor.window.widget.Looks;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.shot.movie.Ffmpeg;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 
-@Slow
 class ShotExportPaneTest extends EditorDesk {
     private static final String SHOT = "shot { frames 1 5  light lamp { intensity { 1 0.5  5 2.5 } } }";
     private Stage window;

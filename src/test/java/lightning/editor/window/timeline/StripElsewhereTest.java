@@ -24,7 +24,6 @@ import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 import lightning.render.relight.tile.Options;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.LightAttribute;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
@@ -40,7 +39,6 @@ import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
-@Slow
 class StripElsewhereTest extends EditorDesk {
     private static final String SHOT =
             "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";

@@ -14,13 +14,11 @@ import lightning.editor.document.Dial;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorDesk;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.LightAttribute;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
-@Slow
 class StripPaneTest extends EditorDesk {
     private static final String SHOT = "shot { frames 1 4  light lamp { intensity { 1 0.5  4 2.5 } } }";
 

@@ -16,7 +16,6 @@ import lightning.editor.document.OpenDocument;
 import lightning.editor.window.EditorDesk;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.LightAttribute;
 import lightning.scene.shot.Key;
 import lightning.scene.shot.Passage;
@@ -26,7 +25,6 @@ import lightning.scene.shot.Track;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class TimelinePaneTest extends EditorDesk {
     private static final String SHOT = """
             shot {

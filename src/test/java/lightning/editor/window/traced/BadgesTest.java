@@ -15,6 +15,7 @@ import lightning.editor.window.OnStage;
 import lightning.editor.window.OpenEditor;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.HandTime;
+import lightning.sample.Slow;
 import lightning.scene.Antialias;
 import lightning.scene.Sampling;
 import org.junit.jupiter.api.Test;
@@ -26,6 +27,7 @@ import org.testfx.framework.junit5.Stop;
 
 /** The canvas's badges, in time that passes by hand. */
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class BadgesTest {
     @TempDir
     private Path folder;

@@ -19,6 +19,7 @@ import lightning.editor.window.OnStage;
 import lightning.editor.window.OpenEditor;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.HandTime;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import org.testfx.framework.junit5.Stop;
 
 /** What is said of a first picture while it is not the picture yet: at once, so that no time passes here. */
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class FirstWordsTest {
     @TempDir
     private Path folder;

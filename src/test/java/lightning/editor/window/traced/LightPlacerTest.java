@@ -20,12 +20,10 @@ import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
 /** What a light does in the traced picture is dragged there. */
-@Slow
 class LightPlacerTest extends EditorDesk {
     private static final double BALL_X = 30;
     private static final double BALL_Y = 22;

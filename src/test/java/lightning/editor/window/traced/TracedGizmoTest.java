@@ -15,13 +15,11 @@ import lightning.editor.document.Viewport;
 import lightning.editor.window.EditorDesk;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
 /** The selected light and shape are taken by hand in the traced picture too. */
-@Slow
 class TracedGizmoTest extends EditorDesk {
     private Point2D inPicture(Vec3 point) {
         PictureView view = robot.lookup("#traced-picture").query();

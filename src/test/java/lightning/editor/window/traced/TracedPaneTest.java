@@ -33,12 +33,10 @@ import lightning.render.relight.LightShare;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.Slow;
 import lightning.scene.effects.Effect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 
-@Slow
 class TracedPaneTest extends EditorDesk {
 
     /** Where a pixel of the traced picture is on the screen. */

@@ -20,6 +20,7 @@ import javafx.stage.Stage;
 import lightning.editor.document.Steps;
 import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
@@ -27,6 +28,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.service.query.PointQuery;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class ArrowWidgetTest {
     private static final double BEGIN = 1.1;
 

@@ -19,6 +19,7 @@ import lightning.editor.document.Kelvin;
 import lightning.editor.document.Steps;
 import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
+import lightning.sample.Slow;
 import lightning.scene.Limits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -26,6 +27,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class ColorSlidersTest {
     private final List<Object> gestures = new ArrayList<>();
     private Rgb color = new Rgb(0.5, 0.25, 0.1);

@@ -16,12 +16,14 @@ import javafx.stage.Stage;
 import lightning.base.math.Vec3;
 import lightning.editor.window.JavaFxNeeds;
 import lightning.editor.window.OnStage;
+import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 
 @ExtendWith({JavaFxNeeds.class, OnStage.class})
+@Slow
 class VectorFieldTest {
     private final List<Vec3> edits = new ArrayList<>();
     private VectorField vector;
