@@ -17,6 +17,7 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import lightning.base.math.SrgbCurve;
 import lightning.render.image.Film;
+import lightning.render.image.Films;
 import lightning.render.image.ViewTransform;
 import lightning.sample.Slow;
 import net.jqwik.api.Arbitrary;

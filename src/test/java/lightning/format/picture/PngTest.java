@@ -13,6 +13,7 @@ import java.util.zip.InflaterInputStream;
 import javax.imageio.ImageIO;
 import lightning.base.work.Workers;
 import lightning.render.image.Film;
+import lightning.render.image.Films;
 import lightning.render.image.ViewTransform;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
