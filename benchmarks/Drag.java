@@ -47,8 +47,8 @@ final class Drag {
     private Drag(EditorModel model, Scene scene, String what) {
         this.scene = scene;
         this.what = what;
-        frame = model.frame();
-        model.renderingProperty().subscribe(state -> {
+        frame = model.picture().frame();
+        model.picture().renderingProperty().subscribe(state -> {
             if (state.frame() != frame && heard == 0) {
                 frame = state.frame();
                 heard = System.nanoTime();
@@ -66,13 +66,13 @@ final class Drag {
         EditorModel model = editor.model();
         Engines.use(Engines.FASTEST);
         onWindow(() -> {
-            model.liveProperty().set(true);
-            return model.edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
+            model.editor().liveProperty().set(true);
+            return model.editor().edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
         });
         await(() -> Window.rests(model));
         Scene scene = onWindow(() -> javafx.stage.Window.getWindows().getFirst().getScene());
         onWindow(() -> {
-            model.selectLight(model.lights().getFirst().name());
+            model.editor().selection().selectLight(model.editor().scene().lights().getFirst().name());
             return null;
         });
         await(() -> Window.rests(model));

@@ -120,9 +120,9 @@ public final class Pauses {
             rest("the first seconds after the window is there");
             Thread.sleep(NOBODY_MS);
             rest("nobody works, and panels are made ahead");
-            step("live", () -> model.liveProperty().set(true));
-            String light = model.lights().getFirst().name();
-            step("a light selected", () -> model.selectLight(light));
+            step("live", () -> model.editor().liveProperty().set(true));
+            String light = model.editor().scene().lights().getFirst().name();
+            step("a light selected", () -> model.editor().selection().selectLight(light));
             drag("its intensity dragged", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
             drag("its colour dragged", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
             drag("its place dragged", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
@@ -165,13 +165,13 @@ public final class Pauses {
                     Command.ONLY_SELECTED, Command.VERIFY, Command.UNDO, Command.REDO, Command.SAVE_SCENE)) {
                 command(command, "");
             }
-            step("the material's tab", () -> model.materials().inFrontProperty().set(true));
-            String shape = model.scene().placedShapes().getFirst().shape().name();
-            step("a shape selected", () -> model.selectNode(shape));
-            drag("it is moved", _ -> model.edit(scene -> NodeEdits.placement(scene, shape,
+            step("the material's tab", () -> model.editor().materialInFrontProperty().set(true));
+            String shape = model.editor().scene().placedShapes().getFirst().shape().name();
+            step("a shape selected", () -> model.editor().selection().selectNode(shape));
+            drag("it is moved", _ -> model.editor().edit(scene -> NodeEdits.placement(scene, shape,
                     p -> new Placement(p.at().plus(new Vec3(0, 0.001, 0)), p.rotate(), p.scale()))));
-            String light = model.lights().getFirst().name();
-            step("a light selected again", () -> model.selectLight(light));
+            String light = model.editor().scene().lights().getFirst().name();
+            step("a light selected again", () -> model.editor().selection().selectLight(light));
             step("the list of shapes", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(1));
             step("the list of lights", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(0));
             command(Command.NEW_SHOT, "");
@@ -188,7 +188,7 @@ public final class Pauses {
 
         private void arrange() throws Exception {
             for (DisplayCurve curve : List.of(DisplayCurve.FALSE, DisplayCurve.SRGB)) {
-                step("curve " + curve, () -> model.viewProperty().set(model.viewProperty().get().withCurve(curve)));
+                step("curve " + curve, () -> model.picture().viewProperty().set(model.picture().viewProperty().get().withCurve(curve)));
             }
             command(Command.MARK_CLIPPING, "");
             command(Command.MARK_CLIPPING, "");
@@ -208,7 +208,7 @@ public final class Pauses {
 
         private void scenes() throws Exception {
             command(Command.RELOAD, "");
-            String light = model.lights().getFirst().name();
+            String light = model.editor().scene().lights().getFirst().name();
             step("an edit", () -> edit(light, l -> l.withIntensity(0.77)));
             beside("question about unsaved edits", () -> editor.files().load(Path.of(arguments.get(1))));
             command(Command.SAVE_SCENE, ", again");
@@ -221,7 +221,7 @@ public final class Pauses {
         }
 
         private void edit(String light, UnaryOperator<Light> change) {
-            model.edit(scene -> LightEdits.with(scene, light, change));
+            model.editor().edit(scene -> LightEdits.with(scene, light, change));
         }
 
         private static Stage main() {
@@ -269,8 +269,8 @@ public final class Pauses {
         private void rest(String after) throws Exception {
             do {
                 Thread.sleep(LOOK_MS);
-            } while (onWindow(() -> model.frame() == null || model.fileWork().file() != null || model.situationProperty().get().isPending()
-                    || model.situationProperty().get().inWork().isPresent()));
+            } while (onWindow(() -> model.picture().frame() == null || model.fileWork().file() != null || model.editor().situationProperty().get().isPending()
+                    || model.editor().situationProperty().get().inWork().isPresent()));
             System.out.println(pulse.longest() + "  " + after);
         }
     }

@@ -105,7 +105,7 @@ public final class Window {
 
         @Override
         void opened(Editor editor) {
-            onceDrawn(() -> editor.model().frame() != null, () -> {
+            onceDrawn(() -> editor.model().picture().frame() != null, () -> {
                 say("window %s picture %s whole %s", window, picture, sinceStart());
                 Platform.exit();
             });
@@ -168,8 +168,8 @@ public final class Window {
     }
 
     static boolean rests(EditorModel model) {
-        return model.frame() != null && !model.situationProperty().get().isPending()
-                && model.situationProperty().get().inWork().isEmpty();
+        return model.picture().frame() != null && !model.editor().situationProperty().get().isPending()
+                && model.editor().situationProperty().get().inWork().isEmpty();
     }
 
     private static Light changed(Light light, int i) {
@@ -184,7 +184,7 @@ public final class Window {
     private static Void story(EditorModel model) throws Exception {
         await(() -> rests(model));
         onWindow(() -> {
-            model.liveProperty().set(true);
+            model.editor().liveProperty().set(true);
             return null;
         });
         List<Double> times = new ArrayList<>();
@@ -192,12 +192,12 @@ public final class Window {
         long begin = System.nanoTime();
         for (int i = 0; System.nanoTime() - begin < STORY_MS * 1_000_000; i++) {
             int step = i;
-            String name = model.lights().get(i / 4 % model.lights().size()).name();
-            Frame before = model.frame();
-            onWindow(() -> model.edit(scene -> LightEdits.with(scene, name, light -> changed(light, step))));
+            String name = model.editor().scene().lights().get(i / 4 % model.editor().scene().lights().size()).name();
+            Frame before = model.picture().frame();
+            onWindow(() -> model.editor().edit(scene -> LightEdits.with(scene, name, light -> changed(light, step))));
             await(() -> rests(model));
-            if (model.frame() != before) {
-                double ms = model.frame().update().milliseconds();
+            if (model.picture().frame() != before) {
+                double ms = model.picture().frame().update().milliseconds();
                 times.add(ms);
                 if (ms > LONG_MS) {
                     slow.add(String.format(Locale.ROOT, "%.0f ms after %.1f s", ms, (System.nanoTime() - begin) / 1e9));

@@ -11,8 +11,16 @@ import java.util.Map;
 import java.util.Random;
 import javax.imageio.ImageIO;
 import lightning.format.jen.JenWriter;
+import lightning.format.picture.PictureFile;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.scene.Group;
 import lightning.scene.Material;
+import lightning.scene.Mesh;
+import lightning.scene.Node;
 import lightning.scene.Scene;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 import net.jqwik.api.sessions.JqwikSession;
@@ -23,6 +31,8 @@ import net.jqwik.api.sessions.JqwikSession;
  */
 public final class SessionFiles {
     private static final int EDGE_CASES = 1000;
+    /** Brightest along the axis. */
+    private static final String PROFILE = "TILT=NONE\n1 1 1 3 1 1 2 0 0 0 1 1 1 0 45 90 0 4 2 1\n";
 
     private SessionFiles() {}
 
@@ -48,6 +58,43 @@ public final class SessionFiles {
         for (Map.Entry<Texture, String> file : files.entrySet()) {
             ImageIO.write(image(file.getKey()), "png", folder.resolve(file.getValue()).toFile());
         }
+        ImageIO.write(image(new Texture(2, 2, new float[] {1, 0.5f, 0, 0, 0.5f, 1, 1, 1, 1, 0.25f, 0, 0.75f})), "png",
+                folder.resolve("sample.png").toFile());
+        Files.writeString(folder.resolve("sample.ies"), PROFILE);
+        PictureFile.write(folder.resolve("sample.hdr"), Film.ofScanlines(2, 1, new float[] {0.5f, 1, 2, 3, 0.25f, 0}), ViewTransform.DEFAULT);
+        for (Scene scene : scenes) {
+            writeMeshes(folder, scene.nodes());
+        }
+    }
+
+    private static void writeMeshes(Path folder, List<Node> nodes) throws IOException {
+        for (Node node : nodes) {
+            switch (node) {
+                case Group group -> writeMeshes(folder, group.children());
+                case Shape shape -> {
+                    if (shape.solid() instanceof Solid.Triangles mesh) {
+                        Files.writeString(folder.resolve(mesh.file()), ply(mesh.mesh()));
+                    }
+                }
+            }
+        }
+    }
+
+    /** Its triangles alone; one triangle where it has none, which no file may have. */
+    private static String ply(Mesh of) {
+        Mesh mesh = of.triangleCount() > 0 ? of : new Mesh(new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0}, new int[] {0, 1, 2}, null, null, null);
+        var text = new StringBuilder("ply\nformat ascii 1.0\nelement vertex ").append(mesh.vertexCount())
+                .append("\nproperty float x\nproperty float y\nproperty float z\nelement face ").append(mesh.triangleCount())
+                .append("\nproperty list uchar int vertex_indices\nend_header\n");
+        for (int v = 0; v < mesh.vertexCount(); v++) {
+            text.append(mesh.positions()[3 * v]).append(' ').append(mesh.positions()[3 * v + 1]).append(' ')
+                    .append(mesh.positions()[3 * v + 2]).append('\n');
+        }
+        for (int t = 0; t < mesh.triangleCount(); t++) {
+            text.append("3 ").append(mesh.triangles()[3 * t]).append(' ').append(mesh.triangles()[3 * t + 1]).append(' ')
+                    .append(mesh.triangles()[3 * t + 2]).append('\n');
+        }
+        return text.toString();
     }
 
     private static Material named(Material material, Map<Texture, String> files) {
