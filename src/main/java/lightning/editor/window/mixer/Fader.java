@@ -19,6 +19,8 @@ final class Fader extends Region {
     private static final double CAP = 16;
     private static final double FINE = 0.1;
     private static final double KEY = 0.1;
+    /** Pixels from the press: less is a hand that shakes in a double click. */
+    private static final double DRAGGED = 3;
     /** Stops that a drag sets are whole hundredths. */
     private static final double GRAIN = 100;
 
@@ -30,6 +32,9 @@ final class Fader extends Region {
     private final Region cap = new Region();
     private final DoubleProperty stops = new SimpleDoubleProperty();
     private Object gesture;
+    /** Whether the last press became a drag: a press soon after it is no double click. */
+    private boolean dragged;
+    private double pressedY;
     private double from;
     private double at;
     private double lastY;
@@ -96,10 +101,12 @@ final class Fader extends Region {
         if (e.getButton() != MouseButton.PRIMARY) {
             return;
         }
-        if (e.getClickCount() == 2) {
+        if (e.getClickCount() == 2 && !dragged) {
             hand.move(0, null);
             return;
         }
+        dragged = false;
+        pressedY = e.getY();
         gesture = new Object();
         from = stops.get();
         at = Math.clamp(from, -range, range);
@@ -112,6 +119,7 @@ final class Fader extends Region {
         if (gesture == null) {
             return;
         }
+        dragged |= Math.abs(e.getY() - pressedY) >= DRAGGED;
         at += (lastY - e.getY()) * stopsPerPixel() * (e.isShiftDown() ? FINE : 1);
         lastY = e.getY();
         double to = Math.clamp(at, -range, range);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.event.Event;
+import javafx.event.EventType;
 import javafx.geometry.Bounds;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
@@ -155,6 +156,26 @@ class MixerPaneTest extends EditorDesk {
         drag("lamp", 1, 2);
         assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
         assertThat(model().editor().materialInFrontProperty().get()).isTrue();
+    }
+
+    @Test
+    void pressSoonAfterADrag_isNoDoubleClick() {
+        mouse("lamp", MouseEvent.MOUSE_PRESSED, 0, 1);
+        mouse("lamp", MouseEvent.MOUSE_DRAGGED, 1, 1);
+        mouse("lamp", MouseEvent.MOUSE_RELEASED, 1, 1);
+        double dragged = light("lamp").intensity();
+        assertThat(dragged).isGreaterThan(first.light("lamp").orElseThrow().intensity());
+        mouse("lamp", MouseEvent.MOUSE_PRESSED, 1, 2);
+        mouse("lamp", MouseEvent.MOUSE_RELEASED, 1, 2);
+        assertThat(light("lamp").intensity()).isEqualTo(dragged);
+        mouse("lamp", MouseEvent.MOUSE_PRESSED, 1, 2);
+        assertThat(light("lamp").intensity()).isEqualTo(1);
+    }
+
+    private void mouse(String name, EventType<MouseEvent> type, double stops, int clicks) {
+        Fader fader = fader(name);
+        robot.interact(() -> Event.fireEvent(fader, new MouseEvent(type, fader.getWidth() / 2, fader.place(stops), 0, 0,
+                MouseButton.PRIMARY, clicks, false, false, false, false, true, false, false, true, false, true, null)));
     }
 
     @Test
