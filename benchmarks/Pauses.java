@@ -269,7 +269,8 @@ public final class Pauses {
         private void rest(String after) throws Exception {
             do {
                 Thread.sleep(LOOK_MS);
-            } while (onWindow(() -> model.picture().frame() == null || model.fileWork().file() != null || model.editor().situationProperty().get().isPending()
+            } while (onWindow(() -> model.picture().frame() == null || model.fileWork().file() != null
+                    || model.editor().situationProperty().get().isPending()
                     || model.editor().situationProperty().get().inWork().isPresent()));
             System.out.println(pulse.longest() + "  " + after);
         }

@@ -83,10 +83,10 @@ final class Architecture {
                     "base.math scene render.column render.image render.trace render.shading render.cache render.relight.plan"),
             row("render.relight.tile",
                     "base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
-                    + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
+                            + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
             row("render.relight",
                     "base.math base.work scene scene.effects render.image render.trace render.shading render.engine"
-                    + " render.cache render.relight.plan render.relight.tile"),
+                            + " render.cache render.relight.plan render.relight.tile"),
             row("format.mesh", "base.text base.work base.file scene"),
             row("format.mesh.ply", "base.text base.math scene format.mesh"),
             row("format.mesh.obj", "base.text base.math scene format.mesh"),
@@ -105,7 +105,7 @@ final class Architecture {
                             + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
             row("shot",
                     "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
-                    + " render.relight.plan render.relight.tile render.relight"),
+                            + " render.relight.plan render.relight.tile render.relight"),
             row("shot.cluster.wire", "base.text"),
             row("shot.cluster",
                     "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"

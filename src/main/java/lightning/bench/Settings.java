@@ -26,7 +26,8 @@ import lightning.bench.accuracy.PaperCases;
  */
 @RecordBuilder
 public record Settings(List<PictureSize> sizes, int figure, int values, boolean further, int repetitions, double patienceMs, int threads,
-        long seed, boolean curves, boolean editing, boolean meshes, boolean effects, boolean peers, int processes, boolean quick) implements SettingsBuilder.With {
+        long seed, boolean curves, boolean editing, boolean meshes, boolean effects, boolean peers, int processes, boolean quick)
+        implements SettingsBuilder.With {
     /** The paper's pictures (§4.1), and today's. */
     private static final List<PictureSize> FULL_SIZES = List.of(new PictureSize(300, 300), new PictureSize(1920, 1080));
     private static final int PROCESSES = 10;

@@ -14,7 +14,8 @@ import lightning.base.math.Rgb;
  * @param shadows      which shadows shapes of the material throw, whether it is clear or not
  */
 @RecordBuilder
-public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tintDistance, ShadowsThrown shadows) implements ClarityBuilder.With {
+public record Clarity(Rgb clear, double ior, boolean thin, Rgb tint, double tintDistance, ShadowsThrown shadows)
+        implements ClarityBuilder.With {
     /** A surface that nothing passes through. */
     public static final Clarity NONE = new Clarity(MaterialAttribute.CLEAR.initial(), MaterialAttribute.IOR.initial(),
             MaterialAttribute.THIN.initial(), MaterialAttribute.TINT.initial(), MaterialAttribute.TINT_DISTANCE.initial(),

@@ -12,7 +12,8 @@ import java.util.Optional;
  * @param strength a factor on how far these lean
  */
 @RecordBuilder
-public record Relief(Optional<TextureMap> bump, double height, Optional<TextureMap> normals, double strength) implements ReliefBuilder.With {
+public record Relief(Optional<TextureMap> bump, double height, Optional<TextureMap> normals, double strength)
+        implements ReliefBuilder.With {
     /** A smooth surface. */
     public static final Relief NONE = new Relief(MaterialAttribute.BUMP.initial(), MaterialAttribute.HEIGHT.initial(),
             MaterialAttribute.NORMALS.initial(), MaterialAttribute.STRENGTH.initial());

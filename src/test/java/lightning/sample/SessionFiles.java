@@ -61,7 +61,8 @@ public final class SessionFiles {
         ImageIO.write(image(new Texture(2, 2, new float[] {1, 0.5f, 0, 0, 0.5f, 1, 1, 1, 1, 0.25f, 0, 0.75f})), "png",
                 folder.resolve("sample.png").toFile());
         Files.writeString(folder.resolve("sample.ies"), PROFILE);
-        PictureFile.write(folder.resolve("sample.hdr"), Film.ofScanlines(2, 1, new float[] {0.5f, 1, 2, 3, 0.25f, 0}), ViewTransform.DEFAULT);
+        PictureFile.write(folder.resolve("sample.hdr"), Film.ofScanlines(2, 1, new float[] {0.5f, 1, 2, 3, 0.25f, 0}),
+                ViewTransform.DEFAULT);
         for (Scene scene : scenes) {
             writeMeshes(folder, scene.nodes());
         }

@@ -17,7 +17,8 @@ import lightning.base.text.Quote;
  * @param marked   whether pixels that are cut off are shown in {@link #OVER_WHITE} and {@link #BLACK}; stops in colours are not
  */
 @RecordBuilder
-public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked) implements ViewTransformBuilder.With {
+public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked)
+        implements ViewTransformBuilder.With {
     /** 0xRRGGBB: the mark of a pixel with a channel that the curve cuts off at white. */
     public static final int OVER_WHITE = 0xFF00C8;
     /** 0xRRGGBB: the mark of a pixel that is shown as black. */

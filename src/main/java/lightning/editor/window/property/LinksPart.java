@@ -41,7 +41,8 @@ final class LinksPart extends StackPane {
     private final Obstacle obstacle;
 
     /** @param seen as in {@link PropertyPane} */
-    LinksPart(SceneEditor editor, Commands commands, LightAttribute<Links> attribute, ValueKind.Linking kind, ObservableValue<Situation> seen) {
+    LinksPart(SceneEditor editor, Commands commands, LightAttribute<Links> attribute, ValueKind.Linking kind,
+            ObservableValue<Situation> seen) {
         this.editor = editor;
         this.attribute = attribute;
         make = CommandItems.of(commands);
