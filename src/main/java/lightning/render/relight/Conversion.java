@@ -1,6 +1,5 @@
 package lightning.render.relight;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
@@ -13,11 +12,8 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.Crew;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
-import lightning.render.relight.plan.LightUpdate;
-import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.Options;
 import lightning.render.relight.tile.Tally;
@@ -30,7 +26,6 @@ import lightning.render.shading.TraceCounts;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.SamplePlaces;
-import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
 
 /**
@@ -52,17 +47,8 @@ record Conversion(PixelCache cache, Options to) {
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
-        return new UpdatePlan.Relight(level(cache.scene(), cache.lights(), materials),
-                level(cache.mirroredScene(), cache.mirroredLights(), materials), depth, depth);
-    }
-
-    private static LevelPlan level(Scene scene, List<KnownLight> lights, MaterialTable materials) {
-        List<LayerPlan> layers = new ArrayList<>();
-        for (KnownLight light : lights) {
-            layers.add(LayerPlan.of(Luminaire.of(light.light(), scene), light,
-                    light.stamp() == null ? new LightUpdate.Keep() : new LightUpdate.Refresh(), ShapeChange.NONE, scene));
-        }
-        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
+        return new UpdatePlan.Relight(LevelPlan.refresh(cache.scene(), cache.lights(), materials, light -> light.stamp() != null),
+                LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth);
     }
 
     /** What is known afterwards, and what that took. */

@@ -1,24 +1,21 @@
 package lightning.render.relight.paper;
 
-import java.util.ArrayList;
 import java.util.List;
 import lightning.render.cache.KnownLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.column.ColumnKind;
 import lightning.render.image.DisplayCurve;
-import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LayerUpdater;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.LightDifference;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.ConeChange;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.Luminaire;
-import lightning.render.trace.ShapeChange;
+import lightning.render.trace.MaterialTable;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -72,20 +69,14 @@ public record RatioMethod() implements UpdateMethod {
     /** Recomputes all contributions that were scaled, for the scene shown. */
     public static UpdatePlan.Relight refresh(PixelCache cache) {
         int depth = cache.scene().picture().depth();
-        MaterialUpdate materials = MaterialUpdate.none(cache.geometry().materials());
+        MaterialTable materials = cache.geometry().materials();
         return new UpdatePlan.Relight(refresh(cache.scene(), cache.lights(), materials),
                 cache.mirroredScene().equals(cache.scene()) ? refresh(cache.mirroredScene(), cache.mirroredLights(), materials) : null,
                 depth, depth);
     }
 
-    private static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialUpdate materials) {
-        List<LayerPlan> layers = new ArrayList<>();
-        for (KnownLight light : lights) {
-            boolean scaled =
-                    light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0 && scene.shines(light.light());
-            layers.add(LayerPlan.of(Luminaire.of(light.light(), scene), light,
-                    scaled ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene));
-        }
-        return new LevelPlan(layers, List.of(), true, materials);
+    private static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialTable materials) {
+        return LevelPlan.refresh(scene, lights, materials, light -> light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0
+                && scene.shines(light.light()));
     }
 }

@@ -2,10 +2,15 @@ package lightning.render.relight.plan;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import lightning.render.cache.KnownLight;
 import lightning.render.cache.TileLevel;
 import lightning.render.shading.BranchSums;
 import lightning.render.shading.LightLayer;
+import lightning.render.shading.Luminaire;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.ShapeChange;
+import lightning.scene.Scene;
 
 /**
  * The update of a level's layers.
@@ -29,6 +34,20 @@ public record LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean co
     /** One that keeps no sums. */
     public LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean compose, MaterialUpdate materials) {
         this(layers, dropped, compose, materials, null);
+    }
+
+    /**
+     * The update that recomputes some lights' contributions for the scene shown, and keeps all else.
+     *
+     * @param refreshed tells the lights to recompute
+     */
+    public static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialTable materials, Predicate<KnownLight> refreshed) {
+        List<LayerPlan> layers = new ArrayList<>();
+        for (KnownLight light : lights) {
+            layers.add(LayerPlan.of(Luminaire.of(light.light(), scene), light,
+                    refreshed.test(light) ? new LightUpdate.Refresh() : new LightUpdate.Keep(), ShapeChange.NONE, scene));
+        }
+        return new LevelPlan(layers, List.of(), true, MaterialUpdate.none(materials));
     }
 
     LevelPlan withKey(BranchSums.Key sums) {
