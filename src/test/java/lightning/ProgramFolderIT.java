@@ -33,8 +33,16 @@ class ProgramFolderIT {
     /** Archives are made when nothing else is to be done. */
     private static final int PATIENCE_SECONDS = 240;
 
+    /** A cache that cannot be written: no archive is found there, and none is made. */
+    private static final Path NO_CACHE = Path.of("/dev/null");
+
+    /** A Java that logs its options, and the archives that the program made with it, made once for all tests. */
+    @TempDir
+    private static Path shared;
+
     @TempDir
     private Path folder;
+    private Path cache = NO_CACHE;
 
     @Test
     void everyLibrary_isListedWithItsLicence() throws IOException {
@@ -89,6 +97,7 @@ class ProgramFolderIT {
                 .directory(folder.toFile()).redirectOutput(out.toFile()).redirectError(err.toFile());
         builder.environment().keySet().removeIf(variable -> variable.startsWith("LC_") || variable.equals("LANG"));
         builder.environment().put("LC_ALL", "C");
+        builder.environment().put("XDG_CACHE_HOME", NO_CACHE.toString());
         assertThat(builder.start().waitFor()).as(Files.readString(err)).isZero();
         assertThat(Files.readString(out)).startsWith(name + ": no problems; 1 shape (1 sphere)");
     }
@@ -96,12 +105,11 @@ class ProgramFolderIT {
     @Test
     @EnabledOnOs(OS.LINUX)
     void shippedScenes_areFoundFromAnyFolder() throws Exception {
-        String list = said(Path.of(System.getProperty("java.home")), "shot", "render", "scenes/dusk.jen", "-o", "frames", "--frames", "20",
+        String list = said("shot", "render", "scenes/dusk.jen", "-o", "frames", "--frames", "20",
                 "--size", "30x20");
         assertThat(list).contains("dusk-0020.png");
         assertThat(folder.resolve("frames/dusk-0020.png")).isNotEmptyFile();
-        assertThat(said(Path.of(System.getProperty("java.home")), "export", "scenes/balls.jen", "-o", "balls.pov"))
-                .doesNotContain("Exception");
+        assertThat(said("export", "scenes/balls.jen", "-o", "balls.pov")).doesNotContain("Exception");
         assertThat(folder.resolve("balls-checker_png.png")).as("a texture beside the export").exists();
     }
 
@@ -109,7 +117,7 @@ class ProgramFolderIT {
     @EnabledOnOs(OS.LINUX)
     void archiveOfClasses_isMadeAndTakenByJava_andABrokenOneIsNoObstacle() throws Exception {
         String plain = checked();
-        Path archive = archive();
+        Path archive = copyOfArchives();
         var java = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java"));
         java.addAll(Files.readAllLines(PROGRAM.resolve("bin/java.options")).stream().filter(line -> line.startsWith("-")).toList());
         // With -Xshare:on Java ends where it cannot take the archive.
@@ -125,20 +133,18 @@ class ProgramFolderIT {
     @Test
     @EnabledOnOs(OS.LINUX)
     void shortPictures_areMadeByAJavaWithoutVectors_andLongOnesByItsSuccessor() throws Exception {
-        Path java = noisyJava();
         String few = "light a point { at 0 3 3 }\n";
-        byte[] plain = rendered(few, java);
+        byte[] plain = rendered(few);
         assertThat(started()).singleElement().asString().contains("jdk.incubator.vector");
-        archive();
-        assertThat(rendered(few, java)).as("by a lighter Java").isEqualTo(plain);
+        Path archive = Path.of(copyOfArchives().toString().replace(".jsa", ".aot"));
+        assertThat(rendered(few)).as("by a lighter Java").isEqualTo(plain);
         assertThat(started()).singleElement().asString().contains("AOTCache=").doesNotContain("jdk.incubator.vector");
         String many = IntStream.range(0, 8).mapToObj(i -> "light a" + i + " directional { spread 1 samples 64 }\n")
                 .collect(Collectors.joining());
-        rendered("picture { size 640 400 }\n" + many, java);
+        rendered("picture { size 640 400 }\n" + many);
         assertThat(started()).satisfiesExactly(first -> assertThat(first).contains("AOTCache="),
                 second -> assertThat(second).contains("jdk.incubator.vector").doesNotContain("AOTCache="));
-        Path archive = Path.of(archive().toString().replace(".jsa", ".aot"));
-        assertNoObstacleWhereBroken(archive, what -> assertThat(rendered(few, java)).as(what).isEqualTo(plain));
+        assertNoObstacleWhereBroken(archive, what -> assertThat(rendered(few)).as(what).isEqualTo(plain));
     }
 
     /** Checks with the archive broken in some ways; the check is given a name of each. */
@@ -153,31 +159,33 @@ class ProgramFolderIT {
         check.accept("another file");
     }
 
-    /** The folder of a Java that writes down with what it is started. */
-    private Path noisyJava() throws IOException {
-        Path real = Path.of(System.getProperty("java.home"));
-        Path home = Files.createDirectories(folder.resolve("java/bin")).getParent();
-        Files.copy(real.resolve("release"), home.resolve("release"));
-        Path script = Files.writeString(home.resolve("bin/java"), "#!/bin/bash\necho \"$*\" >>'" + folder.resolve("starts")
-                + "'\nexec '" + real.resolve("bin/java") + "' \"$@\"\n");
-        assertThat(script.toFile().setExecutable(true)).isTrue();
+    /** Returns the home of a Java that appends its options to the file named by {@code STARTS}. */
+    private static Path loggingJava() throws IOException {
+        Path home = shared.resolve("java");
+        if (Files.notExists(home)) {
+            Path real = Path.of(System.getProperty("java.home"));
+            Files.createDirectories(home.resolve("bin"));
+            Files.copy(real.resolve("release"), home.resolve("release"));
+            Path script = Files.writeString(home.resolve("bin/java"),
+                    "#!/bin/bash\necho \"$*\" >>\"${STARTS:-/dev/null}\"\nexec '" + real.resolve("bin/java") + "' \"$@\"\n");
+            assertThat(script.toFile().setExecutable(true)).isTrue();
+        }
         return home;
     }
 
     /** With what Java was started for a render, since this was asked last. */
     private List<String> started() throws IOException {
         Path starts = folder.resolve("starts");
-        List<String> lines = Files.readAllLines(starts).stream()
-                .filter(line -> line.contains("lightning.Main render") && !line.contains("AOTCacheOutput")).toList();
+        List<String> lines = Files.readAllLines(starts).stream().filter(line -> line.contains("lightning.Main render")).toList();
         Files.delete(starts);
         return lines;
     }
 
     /** The picture of a ball in some lights, as the program writes it; it has nothing to complain of. */
-    private byte[] rendered(String lights, Path java) throws Exception {
+    private byte[] rendered(String lights) throws Exception {
         Path scene = Files.writeString(folder.resolve("scene.jen"), "jen 1\nsphere ball { }\n" + lights);
         Path picture = folder.resolve("picture.pfm");
-        assertThat(said(java, "render", scene.toString(), "-o", picture.toString()))
+        assertThat(said("render", scene.toString(), "-o", picture.toString()))
                 .contains("first pass of").doesNotContain("[warning]", "[error]", "Error", "Exception");
         byte[] bytes = Files.readAllBytes(picture);
         Files.delete(picture);
@@ -186,23 +194,38 @@ class ProgramFolderIT {
 
     /** What the program says of a scene, on both outputs. */
     private String checked() throws Exception {
-        return said(Path.of(System.getProperty("java.home")), "check", Path.of("scenes/bird.jen").toAbsolutePath().toString());
+        return said("check", Path.of("scenes/bird.jen").toAbsolutePath().toString());
     }
 
-    /** What the program says, on both outputs, where it has archives made for this test and does what it is asked for. */
-    private String said(Path java, String... arguments) throws Exception {
+    /** What the program says, on both outputs, where it does what it is asked for. */
+    private String said(String... arguments) throws Exception {
         Path out = folder.resolve("out");
         ProcessBuilder program = launcher(folder, arguments).redirectErrorStream(true).redirectOutput(out.toFile());
-        program.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
-        program.environment().put("JAVA_HOME", java.toString());
+        program.environment().put("XDG_CACHE_HOME", cache.toString());
+        program.environment().put("JAVA_HOME", loggingJava().toString());
+        program.environment().put("STARTS", folder.resolve("starts").toString());
         assertThat(program.start().waitFor()).as(Files.readString(out)).isZero();
         return Files.readString(out);
     }
 
-    /** The archive that the first start has made. */
-    private Path archive() throws Exception {
+    /** Gives this test a cache of its own with the archives that a first start makes; returns that of the editor's classes. */
+    private Path copyOfArchives() throws Exception {
+        Path made = shared.resolve("cache/lightning");
+        if (Files.notExists(made)) {
+            cache = shared.resolve("cache");
+            checked();
+        }
+        Path archive = awaitArchive(made);
+        cache = folder.resolve("cache");
+        Path copies = Files.createDirectories(cache.resolve("lightning"));
+        Path picture = made.resolve(archive.getFileName().toString().replace(".jsa", ".aot"));
+        Files.copy(picture, copies.resolve(picture.getFileName()));
+        return Files.copy(archive, copies.resolve(archive.getFileName()));
+    }
+
+    private static Path awaitArchive(Path made) throws Exception {
         for (int i = 0; i < PATIENCE_SECONDS; i++) {
-            try (Stream<Path> files = Files.list(folder.resolve("cache/lightning"))) {
+            try (Stream<Path> files = Files.list(made)) {
                 Optional<Path> archive = files.filter(file -> file.toString().endsWith(".jsa")).findFirst();
                 if (archive.isPresent()) {
                     return archive.get();
@@ -218,7 +241,9 @@ class ProgramFolderIT {
     private static ProcessBuilder launcher(Path in, String... arguments) {
         List<String> line = new ArrayList<>(List.of(PROGRAM.resolve("bin/lightning").toAbsolutePath().toString()));
         line.addAll(List.of(arguments));
-        return new ProcessBuilder(line).directory(in.toFile());
+        var program = new ProcessBuilder(line).directory(in.toFile());
+        program.environment().put("XDG_CACHE_HOME", NO_CACHE.toString());
+        return program;
     }
 
     /** Name and version, as in {@code picocli:4.7.7}, but the program's own. */

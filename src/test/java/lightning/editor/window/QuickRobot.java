@@ -38,9 +38,10 @@ public final class QuickRobot extends FxRobot {
     private static final List<KeyCode> MODIFIERS = List.of(KeyCode.SHIFT, KeyCode.CONTROL, KeyCode.ALT);
 
     private static List<Window> windowsBefore = List.of();
+    /** One for all tests: a closed window of the headless platform keeps its robot, and each robot the last window that it was used in. */
+    private static Robot hands;
 
     private final List<MouseButton> pressed = new ArrayList<>();
-    private Robot hands;
 
     private void act(Runnable what) {
         await(() -> {
@@ -50,7 +51,7 @@ public final class QuickRobot extends FxRobot {
         settle();
     }
 
-    private Robot hands() {
+    private static Robot hands() {
         if (hands == null) {
             hands = new Robot();
         }
