@@ -19,7 +19,7 @@ import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
-import lightning.editor.document.Change;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.render.engine.choice.Engines;
@@ -48,7 +48,7 @@ final class Drag {
         this.scene = scene;
         this.what = what;
         frame = model.picture().frame();
-        model.picture().renderingProperty().subscribe(state -> {
+        model.picture().renderStateProperty().subscribe(state -> {
             if (state.frame() != frame && heard == 0) {
                 frame = state.frame();
                 heard = System.nanoTime();
@@ -67,7 +67,7 @@ final class Drag {
         Engines.use(Engines.FASTEST);
         onWindow(() -> {
             model.editor().liveProperty().set(true);
-            return model.editor().edit(scene -> Change.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
+            return model.editor().edit(scene -> EditOutcome.of(() -> scene.withPicture(scene.picture().withSize(width, height))));
         });
         await(() -> Window.rests(model));
         Scene scene = onWindow(() -> javafx.stage.Window.getWindows().getFirst().getScene());

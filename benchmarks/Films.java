@@ -7,11 +7,11 @@ import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
@@ -22,13 +22,14 @@ final class Films {
     public static void main(String[] args) throws Exception {
         List<Path> sessions = sorted(Path.of(args[0]));
         for (int i = 0; i < sessions.size(); i++) {
-            Options options =
-                    new Options(i % 5 == 4 ? Accuracy.RATIO : Accuracy.EXACT, i % 3 == 2 ? Reflections.STALE : Reflections.CURRENT,
+            RenderOptions options =
+                    new RenderOptions(i % 5 == 4 ? Accuracy.RATIO : Accuracy.EXACT,
+                            i % 3 == 2 ? ReflectionMode.STALE : ReflectionMode.CURRENT,
                             i % 2 == 1 ? MirrorStorage.HIT_SHAPES : MirrorStorage.FULL_ROWS, 2);
             try (var renderer = new Renderer(options)) {
                 for (Path file : sorted(sessions.get(i)).stream().filter(f -> f.toString().endsWith(".jen")).toList()) {
                     Scene scene = JenReader.read(file).scene();
-                    Update update = renderer.render(scene, Progress.NONE);
+                    UpdateResult update = renderer.render(scene, Progress.NONE);
                     System.out.printf("%s/%s %08x %d %d%n", sessions.get(i).getFileName(), file.getFileName(), checksum(renderer.film()),
                             update.rowsTouched(), update.rays().shadow());
                 }

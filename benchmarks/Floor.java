@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
-import lightning.bench.accuracy.Bandwidth;
+import lightning.base.work.WorkerPool;
+import lightning.bench.accuracy.MemoryBandwidth;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
 import lightning.format.jen.JenReader;
@@ -14,10 +14,10 @@ import lightning.render.cache.PixelCache;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
-import lightning.scene.Picture;
+import lightning.render.relight.UpdateResult;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
@@ -33,9 +33,10 @@ final class Floor {
     public static void main(String[] args) throws Exception {
         Engines.use(Engines.FASTEST);
         Scene read = JenReader.read(Path.of(args[0])).scene();
-        Scene scene = read.withPicture(new Picture(Integer.parseInt(args[1]), Integer.parseInt(args[2]), read.picture().depth()));
-        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1)); var alone = new Workers(1)) {
-            double bytesPerMs = Bandwidth.triad(alone, 15).stream().mapToDouble(d -> d).max().orElseThrow();
+        Scene scene = read.withPicture(new PictureSettings(Integer.parseInt(args[1]), Integer.parseInt(args[2]), read.picture().depth()));
+        try (var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1));
+                var alone = new WorkerPool(1)) {
+            double bytesPerMs = MemoryBandwidth.triad(alone, 15).stream().mapToDouble(d -> d).max().orElseThrow();
             System.out.printf(Locale.ROOT, "%s at %sx%s; memory: %.1f GB/s%n%-20s %9s %9s %9s %9s%n", Path.of(args[0]).getFileName(),
                     args[1],
                     args[2], bytesPerMs / 1e6, "edit", "floor, ms", "takes, ms", "times", "saves, %");
@@ -45,7 +46,7 @@ final class Floor {
                 List<Scene> scenes = edit.scenes();
                 renderer.render(scenes.get(scenes.size() - 2), Progress.NONE);
                 PixelCache kept = renderer.cache();
-                Update[] update = new Update[1];
+                UpdateResult[] update = new UpdateResult[1];
                 double ms = median(() -> renderer.restore(kept), () -> update[0] = renderer.render(edit.after(), Progress.NONE));
                 double floor = update[0].bytesMoved() / bytesPerMs;
                 System.out.printf(Locale.ROOT, "%-20s %9.3f %9.3f %9.2f %9.1f%n", edit.name(), floor, ms, ms / floor,

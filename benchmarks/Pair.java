@@ -10,19 +10,19 @@ import java.util.Locale;
 import java.util.Map;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.UpdateResult;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
@@ -55,17 +55,17 @@ final class Pair {
     public static void main(String[] args) throws Exception {
         Engines.use(Engines.FASTEST);
         Scene read = JenReader.read(Path.of(args[0])).scene();
-        Scene scene = read.withPicture(new Picture(1920, 1080, read.picture().depth()));
-        try (var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(THREADS));
-                var workers = new Workers(THREADS)) {
+        Scene scene = read.withPicture(new PictureSettings(1920, 1080, read.picture().depth()));
+        try (var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(THREADS));
+                var workers = new WorkerPool(THREADS)) {
             var geometry = new Geometry(scene);
             print("full-trace",
                     times(FIRST_WINDOW, () -> {}, () -> new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE)),
                     0, 0);
-            Taken first = times(FIRST_WINDOW, renderer::forget, () -> renderer.render(scene, Progress.NONE));
+            Taken first = times(FIRST_WINDOW, renderer::clear, () -> renderer.render(scene, Progress.NONE));
             print("first-pass", first, renderer.cache().rowCount(), renderer.cache().bytes());
             for (Map.Entry<String, Scene> edit : edits(scene).entrySet()) {
-                var update = new Update[1];
+                var update = new UpdateResult[1];
                 Taken times = times(WINDOW, () -> renderer.render(scene, Progress.NONE),
                         () -> update[0] = renderer.render(edit.getValue(), Progress.NONE));
                 print(edit.getKey(), times, update[0].rowsTouched(), update[0].rays().shadow());

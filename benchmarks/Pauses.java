@@ -22,9 +22,9 @@ import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.NodeEdits;
-import lightning.editor.window.model.Arrangement.Canvases;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.Speech;
+import lightning.editor.window.model.UiLanguage;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
 import lightning.render.image.DisplayCurve;
 import lightning.scene.Light;
 import lightning.scene.Placement;
@@ -58,7 +58,7 @@ public final class Pauses {
     /** The editor, and who works at it. */
     public static final class Story extends LightningApp {
         @Override
-        void opened(Editor editor) {
+        void editorOpened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> {
                 try {
                     new Hour(editor).work();
@@ -165,11 +165,11 @@ public final class Pauses {
                     Command.ONLY_SELECTED, Command.VERIFY, Command.UNDO, Command.REDO, Command.SAVE_SCENE)) {
                 command(command, "");
             }
-            step("the material's tab", () -> model.editor().materialInFrontProperty().set(true));
+            step("the material's tab", () -> model.editor().materialShownProperty().set(true));
             String shape = model.editor().scene().placedShapes().getFirst().shape().name();
             step("a shape selected", () -> model.editor().selection().selectNode(shape));
-            drag("it is moved", _ -> model.editor().edit(scene -> NodeEdits.placement(scene, shape,
-                    p -> new Placement(p.at().plus(new Vec3(0, 0.001, 0)), p.rotate(), p.scale()))));
+            drag("it is moved", _ -> model.editor().edit(scene -> NodeEdits.setPlacement(scene, shape,
+                    p -> new Placement(p.position().plus(new Vec3(0, 0.001, 0)), p.rotation(), p.scale()))));
             String light = model.editor().scene().lights().getFirst().name();
             step("a light selected again", () -> model.editor().selection().selectLight(light));
             step("the list of shapes", () -> ((TabPane) main().getScene().lookup("#lists")).getSelectionModel().select(1));
@@ -192,8 +192,8 @@ public final class Pauses {
             }
             command(Command.MARK_CLIPPING, "");
             command(Command.MARK_CLIPPING, "");
-            for (Canvases canvases : List.of(Canvases.PICTURE_ALONE, Canvases.PREVIEW_ALONE, Canvases.SIDE_BY_SIDE)) {
-                step(canvases.toString(), () -> model.arrangement().canvasesProperty().set(canvases));
+            for (CanvasLayout canvases : List.of(CanvasLayout.PICTURE_ALONE, CanvasLayout.PREVIEW_ALONE, CanvasLayout.SIDE_BY_SIDE)) {
+                step(canvases.toString(), () -> model.layout().canvasLayoutProperty().set(canvases));
             }
             command(Command.HIDE_PANELS, " (Tab)");
             command(Command.HIDE_PANELS, " (Tab), again");
@@ -203,7 +203,7 @@ public final class Pauses {
             command(Command.LIGHT_THEME, ", back");
             command(Command.LIGHT_THEME, ", second time");
             command(Command.LIGHT_THEME, ", back, second time");
-            step(Command.LANGUAGE.plainTitle(), () -> model.speechProperty().set(Speech.GERMAN));
+            step(Command.LANGUAGE.plainTitle(), () -> model.languageProperty().set(UiLanguage.GERMAN));
         }
 
         private void scenes() throws Exception {
@@ -221,7 +221,7 @@ public final class Pauses {
         }
 
         private void edit(String light, UnaryOperator<Light> change) {
-            model.editor().edit(scene -> LightEdits.with(scene, light, change));
+            model.editor().edit(scene -> LightEdits.edit(scene, light, change));
         }
 
         private static Stage main() {
@@ -269,9 +269,9 @@ public final class Pauses {
         private void rest(String after) throws Exception {
             do {
                 Thread.sleep(LOOK_MS);
-            } while (onWindow(() -> model.picture().frame() == null || model.fileWork().file() != null
-                    || model.editor().situationProperty().get().isPending()
-                    || model.editor().situationProperty().get().inWork().isPresent()));
+            } while (onWindow(() -> model.picture().frame() == null || model.fileActivity().file() != null
+                    || model.editor().editorStateProperty().get().hasPendingEdits()
+                    || model.editor().editorStateProperty().get().sceneInProgress().isPresent()));
             System.out.println(pulse.longest() + "  " + after);
         }
     }

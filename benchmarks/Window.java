@@ -104,7 +104,7 @@ public final class Window {
         }
 
         @Override
-        void opened(Editor editor) {
+        void editorOpened(Editor editor) {
             onceDrawn(() -> editor.model().picture().frame() != null, () -> {
                 say("window %s picture %s whole %s", window, picture, sinceStart());
                 Platform.exit();
@@ -115,11 +115,11 @@ public final class Window {
     /** The editor, left alone until its lanes are warm. */
     public static final class Warm extends LightningApp {
         @Override
-        void opened(Editor editor) {
+        void editorOpened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
                 await(() -> rests(editor.model()));
                 String from = sinceStart();
-                await(Engines::areFastest);
+                await(Engines::isFastestInUse);
                 say("rests %s warm %s", from, sinceStart());
                 return null;
             }));
@@ -129,7 +129,7 @@ public final class Window {
     /** A minute of edits, from the first moment on. */
     public static final class Minute extends LightningApp {
         @Override
-        void opened(Editor editor) {
+        void editorOpened(Editor editor) {
             Thread.ofPlatform().daemon().start(() -> Window.run(() -> story(editor.model())));
         }
     }
@@ -137,7 +137,7 @@ public final class Window {
     /** A light's intensity, colour and place dragged, in a warm editor. */
     public static final class Slider extends LightningApp {
         @Override
-        void opened(Editor editor) {
+        void editorOpened(Editor editor) {
             List<String> arguments = getParameters().getUnnamed();
             Thread.ofPlatform().daemon().start(() -> Window.run(() -> {
                 Drag.all(editor, Integer.parseInt(arguments.get(1)), Integer.parseInt(arguments.get(2)));
@@ -168,8 +168,8 @@ public final class Window {
     }
 
     static boolean rests(EditorModel model) {
-        return model.picture().frame() != null && !model.editor().situationProperty().get().isPending()
-                && model.editor().situationProperty().get().inWork().isEmpty();
+        return model.picture().frame() != null && !model.editor().editorStateProperty().get().hasPendingEdits()
+                && model.editor().editorStateProperty().get().sceneInProgress().isEmpty();
     }
 
     private static Light changed(Light light, int i) {
@@ -194,7 +194,7 @@ public final class Window {
             int step = i;
             String name = model.editor().scene().lights().get(i / 4 % model.editor().scene().lights().size()).name();
             Frame before = model.picture().frame();
-            onWindow(() -> model.editor().edit(scene -> LightEdits.with(scene, name, light -> changed(light, step))));
+            onWindow(() -> model.editor().edit(scene -> LightEdits.edit(scene, name, light -> changed(light, step))));
             await(() -> rests(model));
             if (model.picture().frame() != before) {
                 double ms = model.picture().frame().update().milliseconds();

@@ -3,7 +3,7 @@ package lightning;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import lightning.bench.mesh.RaySet;
-import lightning.render.engine.Agreement;
+import lightning.render.engine.KernelAgreement;
 import lightning.render.engine.lanes.RayKernels;
 import lightning.render.engine.lanes.ShapeKernels;
 import lightning.render.shading.RowKernels;
@@ -18,7 +18,7 @@ class KernelsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"bird", "balls"})
-    void kernelsOfRows_agree(String scene) throws Exception {
+    void rowKernels_matchReference(String scene) throws Exception {
         RowKernels kernels = new RowKernels();
         kernels.scene = scene;
         kernels.prepare();
@@ -26,7 +26,7 @@ class KernelsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"bird", "balls"})
-    void kernelsOfRays_agree(String scene) throws Exception {
+    void rayKernels_matchReference(String scene) throws Exception {
         RayKernels kernels = new RayKernels();
         kernels.scene = scene;
         kernels.prepare();
@@ -34,7 +34,7 @@ class KernelsTest {
 
     @ParameterizedTest
     @EnumSource
-    void kernelsOfShapes_agree(ShapeKernels.Kind kind) {
+    void shapeKernels_matchReference(ShapeKernels.Kind kind) {
         ShapeKernels kernels = new ShapeKernels();
         kernels.kind = kind;
         kernels.prepare();
@@ -42,7 +42,7 @@ class KernelsTest {
 
     @ParameterizedTest
     @EnumSource
-    void kernelsOfMeshes_agree(RaySet.Kind kind) {
+    void meshKernels_matchReference(RaySet.Kind kind) {
         MeshKernels kernels = new MeshKernels();
         kernels.triangles = 10_000;
         kernels.kind = kind;
@@ -50,9 +50,9 @@ class KernelsTest {
     }
 
     @Test
-    void oneOtherBit_isRefused() {
-        Agreement.require(1f, 1f, "row", 3);
-        assertThatThrownBy(() -> Agreement.require(1f, Math.nextUp(1f), "row", 3)).isInstanceOf(IllegalStateException.class)
+    void singleBitDifference_isRejected() {
+        KernelAgreement.requireEqual(1f, 1f, "row", 3);
+        assertThatThrownBy(() -> KernelAgreement.requireEqual(1f, Math.nextUp(1f), "row", 3)).isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("row 3");
     }
 }

@@ -109,7 +109,7 @@ final class Release {
         Path list = training.resolve("classes");
         java(training, "-XX:DumpLoadedClassList=" + list.toAbsolutePath(), "-Dlightning.home=" + shipped.toAbsolutePath(),
                 "-Dlightning.data=" + training.resolve("data").toAbsolutePath(), "-Dglass.platform=Headless", "-Dprism.order=sw",
-                "lightning.Training", training.resolve("picture.png").toAbsolutePath().toString());
+                "lightning.ArchiveTraining", training.resolve("picture.png").toAbsolutePath().toString());
         List<String> classes = Files.readAllLines(list).stream().filter(line -> !line.startsWith("#") && !line.startsWith("@cp"))
                 .map(line -> line.replaceFirst(" id: .*", "")).toList();
         Files.write(list, Stream.concat(classes.stream(), waiting(classes)).distinct().sorted().toList());

@@ -11,7 +11,7 @@ import lightning.editor.window.LightningApp;
 /** Starts the program. */
 public final class Main {
     /** How long Ctrl-C waits for a command to put away what it was writing. */
-    private static final int PATIENCE_SECONDS = 5;
+    private static final int CANCEL_TIMEOUT_SECONDS = 5;
     private static final int BAD_INPUT = 2;
 
     private Main() {}
@@ -22,36 +22,36 @@ public final class Main {
      * editor's place.
      */
     public static void main(String[] args) {
-        if (!namesTheEditor(args)) {
-            command(args);
+        if (!opensEditor(args)) {
+            runCommand(args);
         }
-        List<String> file = file(args);
-        Optional<String> obstacle = LightningApp.open(file);
-        if (obstacle.isEmpty()) {
+        List<String> file = fileArguments(args);
+        Optional<String> reason = LightningApp.open(file);
+        if (reason.isEmpty()) {
             System.exit(0);
         }
         if (file.stream().allMatch(name -> name.endsWith(".jen"))) {
-            System.err.println("lightning: " + obstacle.get() + "; here is the tour of the scene instead.");
-            command(Stream.concat(Stream.of("tour"), file.stream()).toArray(String[]::new));
+            System.err.println("lightning: " + reason.get() + "; here is the tour of the scene instead.");
+            runCommand(Stream.concat(Stream.of("tour"), file.stream()).toArray(String[]::new));
         }
-        System.err.println("lightning: " + obstacle.get() + "; 'lightning import' makes a scene of the file without one.");
+        System.err.println("lightning: " + reason.get() + "; 'lightning import' makes a scene of the file without one.");
         System.exit(BAD_INPUT);
     }
 
-    static boolean namesTheEditor(String... args) {
-        List<String> file = file(args);
-        return file.isEmpty() || file.size() == 1 && LightningApp.opens(file.getFirst()) && !file.getFirst().startsWith("-");
+    static boolean opensEditor(String... args) {
+        List<String> file = fileArguments(args);
+        return file.isEmpty() || file.size() == 1 && LightningApp.canOpen(file.getFirst()) && !file.getFirst().startsWith("-");
     }
 
     /** The arguments without the word that names the editor. */
-    private static List<String> file(String... args) {
+    private static List<String> fileArguments(String... args) {
         return List.of(args).subList(args.length > 0 && args[0].equals("edit") ? 1 : 0, args.length);
     }
 
-    private static void command(String... args) {
+    private static void runCommand(String... args) {
         Thread command = Thread.currentThread();
         CountDownLatch finished = new CountDownLatch(1);
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> cancel(command, finished), "lightning-interrupt"));
+        Runtime.getRuntime().addShutdownHook(new Thread(() -> awaitCancellation(command, finished), "lightning-interrupt"));
         int exit = run(args);
         finished.countDown();
         System.exit(exit);
@@ -69,13 +69,13 @@ public final class Main {
     }
 
     /** An interrupted command removes its temporary file before the process ends. */
-    private static void cancel(Thread command, CountDownLatch finished) {
+    private static void awaitCancellation(Thread command, CountDownLatch finished) {
         if (finished.getCount() == 0) {
             return;
         }
         command.interrupt();
         try {
-            finished.await(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            finished.await(CANCEL_TIMEOUT_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

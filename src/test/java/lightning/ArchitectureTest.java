@@ -19,7 +19,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program keeps the rules of {@link Architecture}, and the rules catch what breaks them. */
+/** The program keeps the rules of {@link ArchitectureRules}, and the rules catch what breaks them. */
 @Slow
 class ArchitectureTest {
     private static final JavaClasses PROGRAM = new ClassFileImporter()
@@ -30,206 +30,194 @@ class ArchitectureTest {
     private Path folder;
 
     @Test
-    void program_isSeenByTheRules() {
+    void program_isImported() {
         assertThat(PROGRAM.contain("lightning.Main")).isTrue();
         assertThat(PROGRAM.contain("lightning.scene.Scene")).isTrue();
         assertThat(PROGRAM.contain("lightning.ArchitectureTest")).isFalse();
     }
 
     @Test
-    void program_rowsKnowOnlyRowsAbove() {
-        Architecture.rowsKnowOnlyRowsAbove().check(PROGRAM);
+    void program_layersDependOnlyOnLowerLayers() {
+        ArchitectureRules.layersDependOnlyOnLowerLayers().check(PROGRAM);
     }
 
     @Test
-    void rows_areToldOnlyRowsBeforeThem() {
-        assertThat(Architecture.rowsToldALaterOne()).isEmpty();
+    void layers_haveNoForwardDependencies() {
+        assertThat(ArchitectureRules.layersWithForwardDependency()).isEmpty();
     }
 
     @Test
-    void rows_standInTheOrderOfTheirGroups() {
-        assertThat(Architecture.rowsOutOfGroup()).isEmpty();
+    void layers_areInGroupOrder() {
+        assertThat(ArchitectureRules.layersOutOfOrder()).isEmpty();
     }
 
     @Test
-    void program_hasOneClassOfEachName() {
-        Architecture.classesHaveNamesOfTheirOwn().check(PROGRAM);
-    }
-
-    @Test
-    void program_onlyAppSeesJavaFx() {
-        Architecture.onlyAppSeesJavaFx().check(PROGRAM);
+    void program_onlyEditorUsesJavaFx() {
+        ArchitectureRules.onlyEditorUsesJavaFx().check(PROGRAM);
     }
 
     @Test
     void program_onlyCommandsPrint() {
-        Architecture.onlyCommandsPrint().check(PROGRAM);
+        ArchitectureRules.onlyCommandsPrint().check(PROGRAM);
     }
 
     @Test
-    void program_checkedExceptionsAreTold() {
-        Architecture.checkedExceptionsAreTold().check(PROGRAM);
+    void program_checkedExceptionsAreUserFacing() {
+        ArchitectureRules.checkedExceptionsAreUserFacing().check(PROGRAM);
     }
 
     @Test
-    void exceptionThatNobodyCanRead_isCaught() throws IOException {
-        assertCaught(Architecture.checkedExceptionsAreTold(), "checked exceptions are for users to read",
+    void internalCheckedException_isReported() throws IOException {
+        assertReported(ArchitectureRules.checkedExceptionsAreUserFacing(), "checked exceptions are for users to read",
                 "package lightning.format.mesh; class Bad extends Exception {}");
     }
 
     @Test
-    void program_opensNamedFilesInOnePlace() {
-        Architecture.namedFilesAreOpenedInOnePlace().check(PROGRAM);
+    void program_opensUserFilesInOneClass() {
+        ArchitectureRules.userFilesAreOpenedByOneClass().check(PROGRAM);
     }
 
     @Test
-    void fileOpenedWithoutACheck_isCaught() throws IOException {
-        assertCaught(Architecture.namedFilesAreOpenedInOnePlace(), "only OrdinaryFile opens files that users name",
+    void uncheckedFileOpen_isReported() throws IOException {
+        assertReported(ArchitectureRules.userFilesAreOpenedByOneClass(), "only RegularFile opens files that users name",
                 "package lightning.format.mesh; class Bad { Object in(java.nio.file.Path file) throws java.io.IOException {"
                         + " return java.nio.file.Files.newInputStream(file); } }");
-        assertCaught(Architecture.namedFilesAreOpenedInOnePlace(), "only OrdinaryFile opens files that users name",
+        assertReported(ArchitectureRules.userFilesAreOpenedByOneClass(), "only RegularFile opens files that users name",
                 "package lightning.format.mesh; class Bad { Object in(String file) throws java.io.IOException {"
                         + " return new java.io.FileInputStream(file); } }");
     }
 
     @Test
-    void program_referenceTracerKnowsNoFastCode() {
-        Architecture.referenceTracerKnowsNoFastCode().check(PROGRAM);
+    void program_referenceTracerIsIndependent() {
+        ArchitectureRules.referenceTracerIsIndependent().check(PROGRAM);
     }
 
     @Test
-    void program_menusHaveItemsOfCommandsOnly() {
-        Architecture.onlyCommandItemsMakeItems().check(PROGRAM);
+    void program_menusContainOnlyCommandItems() {
+        ArchitectureRules.onlyCommandItemsCreateMenuItems().check(PROGRAM);
     }
 
     @Test
-    void itemWithoutACommand_isCaught() throws IOException {
-        assertCaught(Architecture.onlyCommandItemsMakeItems(), "only CommandItems makes items of menus",
+    void menuItemWithoutCommand_isReported() throws IOException {
+        assertReported(ArchitectureRules.onlyCommandItemsCreateMenuItems(), "only CommandMenuItems makes items of menus",
                 "package javafx.scene.control; public class MenuItem {}",
                 "package javafx.scene.control; public class RadioMenuItem extends MenuItem {}",
                 "package lightning.editor.window.property; class Bad { Object item = new javafx.scene.control.RadioMenuItem(); }");
     }
 
     @Test
-    void secondClassOfAName_isCaught() throws IOException {
-        assertCaught(Architecture.classesHaveNamesOfTheirOwn(), "no two classes have one name",
-                "package lightning.base.math; public class Thing {}",
-                "package lightning.scene; class Thing { int count; }");
-    }
-
-    @Test
-    void lowerRowKnowingAHigherOne_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.base.math knows only rows above it",
+    void lowerLayerUsingHigher_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.base.math knows only rows above it",
                 "package lightning.scene; public class Thing {}",
                 "package lightning.base.math; class Bad { lightning.scene.Thing thing; }");
     }
 
     @Test
-    void narrowedRowKnowingARowAbove_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.render.image knows only rows above it",
+    void undeclaredDependency_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.image knows only rows above it",
                 "package lightning.scene; public class Thing {}",
                 "package lightning.render.image; class Bad { lightning.scene.Thing thing; }");
     }
 
     @Test
-    void commandKnowingTheEditor_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.cli knows only rows above it",
+    void commandUsingEditor_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli knows only rows above it",
                 "package lightning.editor.window; public class Window {}",
                 "package lightning.cli; class Bad { lightning.editor.window.Window window; }");
     }
 
     @Test
-    void planKnowingTheTiles_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.render.relight.plan knows only rows above it",
+    void planUsingTiles_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.render.relight.plan knows only rows above it",
                 "package lightning.render.relight.tile; public class Worker {}",
                 "package lightning.render.relight.plan; class Bad { lightning.render.relight.tile.Worker worker; }");
     }
 
     @Test
-    void paneKnowingAnotherPane_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.editor.window.traced knows only rows above it",
+    void paneUsingOtherPane_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.editor.window.traced knows only rows above it",
                 "package lightning.editor.window.preview; public class Pane {}",
                 "package lightning.editor.window.traced; class Bad { lightning.editor.window.preview.Pane pane; }");
     }
 
     @Test
-    void packageKnowingWhatStartsTheProgram_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lightning.cli knows only rows above it",
+    void packageUsingMain_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lightning.cli knows only rows above it",
                 "package lightning; public class Main {}",
                 "package lightning.cli; class Bad { lightning.Main main; }");
     }
 
     @Test
-    void packageWithoutARow_isCaught() throws IOException {
-        assertCaught(Architecture.rowsKnowOnlyRowsAbove(), "lives in a package that has a row",
+    void packageWithoutLayer_isReported() throws IOException {
+        assertReported(ArchitectureRules.layersDependOnlyOnLowerLayers(), "lives in a package that has a row",
                 "package lightning.util; class Bad {}");
     }
 
     @Test
-    void higherRowKnowingALowerOne_isAllowed() throws IOException {
-        JavaClasses classes = compiled("package lightning.base.math; public class Number {}",
+    void higherLayerUsingLower_isAllowed() throws IOException {
+        JavaClasses classes = compile("package lightning.base.math; public class Number {}",
                 "package lightning.render.trace; class Good { lightning.base.math.Number number; }");
-        assertThatCode(() -> Architecture.rowsKnowOnlyRowsAbove().check(classes)).doesNotThrowAnyException();
+        assertThatCode(() -> ArchitectureRules.layersDependOnlyOnLowerLayers().check(classes)).doesNotThrowAnyException();
     }
 
     @Test
-    void javaFxOutsideTheEditor_isCaught() throws IOException {
-        assertCaught(Architecture.onlyAppSeesJavaFx(), "only lightning.editor.window sees JavaFX",
+    void javaFxOutsideEditor_isReported() throws IOException {
+        assertReported(ArchitectureRules.onlyEditorUsesJavaFx(), "only lightning.editor.window sees JavaFX",
                 "package javafx.scene; public class Node {}",
                 "package lightning.editor.document; class Bad { javafx.scene.Node node; }");
     }
 
     @Test
-    void printingInTheEngine_isCaught() throws IOException {
-        assertCaught(Architecture.onlyCommandsPrint(), "print",
+    void printInEngine_isReported() throws IOException {
+        assertReported(ArchitectureRules.onlyCommandsPrint(), "print",
                 "package lightning.render.relight; class Bad { void say() { System.out.println(); } }");
     }
 
     @Test
-    void printingInACommand_isAllowed() throws IOException {
-        JavaClasses classes = compiled(
+    void printInCommand_isAllowed() throws IOException {
+        JavaClasses classes = compile(
                 "package lightning.cli; class Good { void say() { System.err.println(); } }");
-        assertThatCode(() -> Architecture.onlyCommandsPrint().check(classes)).doesNotThrowAnyException();
+        assertThatCode(() -> ArchitectureRules.onlyCommandsPrint().check(classes)).doesNotThrowAnyException();
     }
 
     @Test
-    void referenceTracerReachingFastCodeThroughAHelper_isCaught() throws IOException {
-        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
+    void referenceTracerUsingFastCodeIndirectly_isReported() throws IOException {
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer knows neither",
                 "package lightning.render.trace.solid; public class SphereLanes {}",
                 "package lightning.render.trace; public class Nearest { lightning.render.trace.solid.SphereLanes lanes; }",
                 "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.Nearest nearest; }");
     }
 
     @Test
-    void referenceTracerKnowingAnEngine_isCaught() throws IOException {
-        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
-                "package lightning.render.engine; public class Crew {}",
-                "package lightning.render.shading; class ReferenceTracer { lightning.render.engine.Crew crew; }");
+    void referenceTracerUsingEngine_isReported() throws IOException {
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer knows neither",
+                "package lightning.render.engine; public class EngineWorkers {}",
+                "package lightning.render.shading; class ReferenceTracer { lightning.render.engine.EngineWorkers workers; }");
     }
 
     @Test
-    void referenceTracerAskingATree_isCaught() throws IOException {
-        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "asks every shape, and no tree of boxes",
+    void referenceTracerUsingBvh_isReported() throws IOException {
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "asks every shape, and no tree of boxes",
                 "package lightning.render.trace.tree; public class Bvh {}",
                 "package lightning.render.shading; class ReferenceTracer { lightning.render.trace.tree.Bvh bvh; }");
     }
 
     @Test
-    void referenceTracerKnowingTheCache_isCaught() throws IOException {
-        assertCaught(Architecture.referenceTracerKnowsNoFastCode(), "the reference tracer knows neither",
+    void referenceTracerUsingCache_isReported() throws IOException {
+        assertReported(ArchitectureRules.referenceTracerIsIndependent(), "the reference tracer knows neither",
                 "package lightning.render.cache; public class Rows {}",
                 "package lightning.render.shading; class ReferenceTracer { void use() { new lightning.render.cache.Rows(); } }");
     }
 
-    private void assertCaught(ArchRule rule, String sentence, String... sources) throws IOException {
-        JavaClasses classes = compiled(sources);
+    private void assertReported(ArchRule rule, String sentence, String... sources) throws IOException {
+        JavaClasses classes = compile(sources);
         assertThatThrownBy(() -> rule.check(classes))
                 .isInstanceOf(AssertionError.class)
                 .hasMessageContaining(sentence);
     }
 
     /** Compiles classes, each given as its source on one line, in a folder of their own. */
-    private JavaClasses compiled(String... sources) throws IOException {
+    private JavaClasses compile(String... sources) throws IOException {
         var compiler = ToolProvider.getSystemJavaCompiler();
         List<Path> files = new ArrayList<>();
         for (String source : sources) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 /** The commands of README.md and the pages in docs are read as they are meant, and the {@code mvn …} lines are those that the project promises. */
 class DocsTest {
     private static final Path README = Path.of("README.md");
-    private static final Set<List<String>> PROMISED = Set.of(
+    private static final Set<List<String>> REQUIRED_COMMANDS = Set.of(
             List.of("mvn", "-q", "compile", "exec:exec"),
             List.of("mvn", "test"),
             List.of("mvn", "verify"),
@@ -24,13 +24,13 @@ class DocsTest {
             List.of("mvn", "-q", "-Prelease", "-DskipTests", "package"));
 
     @Test
-    void words_keepQuotedSpacesAndDropComments() {
+    void words_quotedAndCommented_areSplitLikeShell() {
         assertThat(DocCommands.words("lightning  render 'a b.jen' --set=\"c d\" # why"))
                 .containsExactly("lightning", "render", "a b.jen", "--set=c d");
     }
 
     @Test
-    void commands_areThoseOfShellBlocksOnly() {
+    void commands_comeFromShellBlocksOnly() {
         String page = """
                 lightning no
                 ```java
@@ -50,20 +50,20 @@ class DocsTest {
     }
 
     @Test
-    void readme_namesEveryPromisedCommand() throws IOException {
-        assertThat(DocCommands.of(Files.readString(README))).extracting(Command::words).containsAll(PROMISED);
+    void readme_listsEveryRequiredCommand() throws IOException {
+        assertThat(DocCommands.of(Files.readString(README))).extracting(Command::words).containsAll(REQUIRED_COMMANDS);
     }
 
     @Test
-    void ci_callsTheTestCommandOfTheReadme() throws IOException {
+    void ci_runsTheTestCommandOfTheReadme() throws IOException {
         assertThat(Files.readAllLines(Path.of(".ci/run"))).contains("exec mvn verify </dev/null");
     }
 
     @Test
-    void everyShownMavenCommand_isPromised() throws IOException {
+    void everyMavenCommand_isRequired() throws IOException {
         for (Path page : pages()) {
             assertThat(DocCommands.of(Files.readString(page))).filteredOn(command -> command.name().equals("mvn"))
-                    .allSatisfy(command -> assertThat(PROMISED).as(page.toString()).contains(command.words().stream()
+                    .allSatisfy(command -> assertThat(REQUIRED_COMMANDS).as(page.toString()).contains(command.words().stream()
                             .filter(word -> !word.startsWith("-Dlightning.") && !word.startsWith("-Djqwik.")).toList()));
         }
     }

@@ -24,8 +24,8 @@ final class ExampleProcess implements AutoCloseable {
     private static final Path HOME = Path.of("").toAbsolutePath();
 
     private final Process process;
-    private final BufferedWriter to;
-    private final BufferedReader from;
+    private final BufferedWriter input;
+    private final BufferedReader output;
 
     /**
      * How a command ended.
@@ -40,8 +40,8 @@ final class ExampleProcess implements AutoCloseable {
                 "jdk.incubator.vector", "--enable-native-access=ALL-UNNAMED", "-Xmx1g", "-XX:+UseSerialGC", "-Dlightning.home=" + HOME,
                 "-Dlightning.warmup=0", "-Dlightning.data=" + folder.resolve("data"), "-cp", classPath(), ExampleProcess.class.getName())
                 .directory(folder.toFile()).redirectError(folder.resolve("errors").toFile()).start();
-        to = process.outputWriter(StandardCharsets.UTF_8);
-        from = process.inputReader(StandardCharsets.UTF_8);
+        input = process.outputWriter(StandardCharsets.UTF_8);
+        output = process.inputReader(StandardCharsets.UTF_8);
     }
 
     private static String classPath() {
@@ -51,18 +51,19 @@ final class ExampleProcess implements AutoCloseable {
 
     /** Runs the program with arguments. */
     Result run(List<String> arguments) throws IOException {
-        to.write(arguments.stream().map(word -> URLEncoder.encode(word, StandardCharsets.UTF_8)).collect(Collectors.joining(" ")) + "\n");
-        to.flush();
-        String exit = from.readLine();
+        input.write(
+                arguments.stream().map(word -> URLEncoder.encode(word, StandardCharsets.UTF_8)).collect(Collectors.joining(" ")) + "\n");
+        input.flush();
+        String exit = output.readLine();
         if (exit == null) {
             throw new IOException("the process ended while it ran " + arguments);
         }
-        return new Result(Integer.parseInt(exit), URLDecoder.decode(from.readLine(), StandardCharsets.UTF_8));
+        return new Result(Integer.parseInt(exit), URLDecoder.decode(output.readLine(), StandardCharsets.UTF_8));
     }
 
     @Override
     public void close() throws IOException {
-        to.close();
+        input.close();
         process.destroyForcibly();
     }
 

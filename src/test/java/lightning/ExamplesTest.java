@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import lightning.ExampleProcess.Result;
 import lightning.cli.HelpPages;
-import lightning.format.gltf.Gltf;
+import lightning.format.gltf.GltfFixtures;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Assumptions;
@@ -32,7 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Slow
 class ExamplesTest {
     /** What is said where another program is not installed. */
-    private static final Pattern OTHER_PROGRAM = Pattern.compile("no program povray|program ffmpeg, which is not installed");
+    private static final Pattern MISSING_PROGRAM = Pattern.compile("no program povray|program ffmpeg, which is not installed");
     /** A user's files that examples read. */
     private static final List<String> PICTURES = List.of("before.png", "after.png", "before.pfm", "after.pfm");
 
@@ -44,12 +44,12 @@ class ExamplesTest {
     @BeforeAll
     static void start() throws IOException {
         elsewhere = new ExampleProcess(folder);
-        Files.write(folder.resolve("house.glb"), Gltf.binary(Gltf.LIT_JSON, Gltf.SQUARE));
-        done("import", "house.glb", "-o", "house.jen", "--light-units", "candela");
+        Files.write(folder.resolve("house.glb"), GltfFixtures.binary(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
+        runSuccessfully("import", "house.glb", "-o", "house.jen", "--light-units", "candela");
         for (String picture : PICTURES) {
-            done("render", "scenes/bird.jen", "-o", picture, "--size", "20x20");
+            runSuccessfully("render", "scenes/bird.jen", "-o", picture, "--size", "20x20");
         }
-        done("bench", "scenes/bird.jen", "-o", "old", "--quick", "--figure", "24", "--size", "60x40", "--repetitions", "1");
+        runSuccessfully("bench", "scenes/bird.jen", "-o", "old", "--quick", "--figure", "24", "--size", "60x40", "--repetitions", "1");
     }
 
     @AfterAll
@@ -57,46 +57,48 @@ class ExamplesTest {
         elsewhere.close();
     }
 
-    private static void done(String... arguments) throws IOException {
+    private static void runSuccessfully(String... arguments) throws IOException {
         Result result = elsewhere.run(List.of(arguments));
         assertThat(result.exit()).as(result.text()).isZero();
     }
 
     @Test
-    void everyHelpPage_showsExamplesOfItsCommand() {
-        List<Example> all = Example.ofHelp();
+    void everyHelpPage_hasExamplesOfItsCommand() {
+        List<DocExample> all = DocExample.fromHelp();
         assertThat(HelpPages.all()).hasSizeGreaterThan(15).allSatisfy(page -> assertThat(all)
-                .filteredOn(example -> example.where().equals(page.name())).isNotEmpty()
+                .filteredOn(example -> example.source().equals(page.name())).isNotEmpty()
                 .allSatisfy(example -> assertThat("lightning " + String.join(" ", example.arguments())).startsWith(page.name())));
     }
 
     @Test
-    void smallExample_differsInSizeAndRepetitionsOnly() {
-        assertThat(Example.small(List.of("shot", "relight", "a.jen", "--size", "900x600", "--cluster", "b", "--set", "c=1", "--no-savings",
-                "-o", "d"))).containsExactly("shot", "relight", "a.jen", "--set", "c=1", "-o", "d", "--size", "60x40", "--no-savings");
+    void smallExample_changesSizeAndRepetitionsOnly() {
+        assertThat(
+                DocExample.shrink(List.of("shot", "relight", "a.jen", "--size", "900x600", "--cluster", "b", "--set", "c=1", "--no-savings",
+                        "-o", "d")))
+                .containsExactly("shot", "relight", "a.jen", "--set", "c=1", "-o", "d", "--size", "60x40", "--no-savings");
     }
 
     @TestFactory
-    Stream<DynamicTest> everyExample_works() throws IOException {
-        List<Example> examples = new ArrayList<>(Example.ofHelp());
+    Stream<DynamicTest> everyExample_succeeds() throws IOException {
+        List<DocExample> examples = new ArrayList<>(DocExample.fromHelp());
         for (Path document : DocsTest.pages()) {
             String markdown = Files.readString(document);
-            examples.addAll(Example.inBlocksOf(document.toString(), markdown));
-            examples.addAll(Example.indentedIn(document.toString(), markdown));
+            examples.addAll(DocExample.inBlocks(document.toString(), markdown));
+            examples.addAll(DocExample.fromIndentedLines(document.toString(), markdown));
         }
         Set<List<String>> seen = new HashSet<>();
-        return examples.stream().filter(example -> seen.add(example.tested()))
-                .map(example -> dynamicTest(example.where() + ": " + String.join(" ", example.arguments()), () -> check(example)));
+        return examples.stream().filter(example -> seen.add(example.testArguments()))
+                .map(example -> dynamicTest(example.source() + ": " + String.join(" ", example.arguments()), () -> check(example)));
     }
 
-    private static void check(Example example) throws IOException {
+    private static void check(DocExample example) throws IOException {
         HelpPages.parse(example.arguments());
-        if (example.goesOn()) {
+        if (example.runsUntilStopped()) {
             return;
         }
-        Result result = elsewhere.run(example.tested());
-        Assumptions.assumeFalse(result.exit() == 2 && OTHER_PROGRAM.matcher(result.text()).find(), result.text());
-        if (!(result.exit() == 1 && example.mayFailItsCheck())) {
+        Result result = elsewhere.run(example.testArguments());
+        Assumptions.assumeFalse(result.exit() == 2 && MISSING_PROGRAM.matcher(result.text()).find(), result.text());
+        if (!(result.exit() == 1 && example.mayFailCheck())) {
             assertThat(result.exit()).as(result.text()).isEqualTo(example.exit());
         }
     }

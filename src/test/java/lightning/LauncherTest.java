@@ -12,7 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -31,7 +31,7 @@ class LauncherTest {
     private static final String WARNING = "WARNING: Using incubator modules: jdk.incubator.vector";
 
     /** Runs its arguments; cat waits for the filter, which may end after the program. */
-    private static final String WITH_ERRORS_TO_THE_LAST =
+    private static final String STDERR_OF_LAST_START =
             "{ \"$@\" 2>&1 >&3 | cat >\"$ERR\"; } 3>&1; exit ${PIPESTATUS[0]}";
 
     @TempDir
@@ -57,14 +57,14 @@ class LauncherTest {
     }
 
     @Test
-    void arguments_arePassedAsTheyAre() throws Exception {
+    void arguments_arePassedUnchanged() throws Exception {
         Path java = java("25.0.1", "printf '[%s]' \"$@\"");
         Result result = run(Map.of("JAVA_HOME", java), "", launcher, "render", "a b.jen", "*", "");
         assertThat(result.out()).endsWith("[lightning.Main][render][a b.jen][*][]");
     }
 
     @Test
-    void home_isFoundThroughLinks() throws Exception {
+    void home_throughSymbolicLinks_isFound() throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         Path elsewhere = Files.createDirectory(folder.resolve("elsewhere"));
         Files.createSymbolicLink(elsewhere.resolve("first"), Path.of("../installed here/bin/lightning"));
@@ -74,7 +74,7 @@ class LauncherTest {
     }
 
     @Test
-    void home_isFoundWhereCdpathHasAFolderOfTheSameName() throws Exception {
+    void home_withConflictingCdpath_isFound() throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         Files.createDirectories(folder.resolve("elsewhere/installed here/bin"));
         Result result = run(Map.of("JAVA_HOME", java, "CDPATH", folder.resolve("elsewhere")), "", Path.of("installed here/bin/lightning"));
@@ -82,7 +82,7 @@ class LauncherTest {
     }
 
     @Test
-    void colonInThePath_isRefusedInOneSentenceWithExitCode2() throws Exception {
+    void pathWithColon_isRejectedWithExitCode2() throws Exception {
         Path java = java("25", "echo started");
         Path there = Files.move(launcher.getParent().getParent(), folder.resolve("a:b"));
         Result result = run(Map.of("JAVA_HOME", java), "", there.resolve("bin/lightning"));
@@ -92,7 +92,7 @@ class LauncherTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS"})
-    void collectorOfTheUsersOwn_takesThePlaceOfOurs(String variable) throws Exception {
+    void userCollector_replacesDefault(String variable) throws Exception {
         Path options = Path.of("-XX:+UseSerialGC");
         Result result = run(Map.of("JAVA_HOME", realJava(), variable, options), "", launcher, "--version");
         // There is no program beside the launcher: Java itself got as far as to look for it.
@@ -101,21 +101,21 @@ class LauncherTest {
 
     @ParameterizedTest
     @CsvSource({"render, -XX:+UseSerialGC", "bench, -XX:+UseG1GC"})
-    void collectorOfARender_isTheSerialOne(String command, String collector) throws Exception {
+    void render_usesSerialCollector(String command, String collector) throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         String out = run(Map.of("JAVA_HOME", java), "", launcher, command).out();
         assertThat(out).contains("[" + collector + "]").containsOnlyOnce("GC]");
     }
 
     @Test
-    void collectorOfTheUsersOwn_isThatOfARenderToo() throws Exception {
+    void userCollector_appliesToRender() throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         String out = run(Map.of("JAVA_HOME", java, "JAVA_TOOL_OPTIONS", Path.of("-XX:+UseParallelGC")), "", launcher, "render").out();
         assertThat(out).doesNotContain("[-XX:+UseSerialGC]");
     }
 
     @Test
-    void optionsOfTheUsersThatJavaCannotStartWith_areRefusedWithExitCode2() throws Exception {
+    void invalidUserOptions_exitWithCode2() throws Exception {
         Result result = run(Map.of("JAVA_HOME", realJava(), "JAVA_TOOL_OPTIONS", Path.of("-XX:+NoSuchThing")), "", launcher);
         assertThat(result.code()).isEqualTo(2);
         assertThat(result.out()).isEmpty();
@@ -124,7 +124,7 @@ class LauncherTest {
     }
 
     @Test
-    void optionsOfTheProgram_areTakenByJava() throws Exception {
+    void programOptions_areAcceptedByJava() throws Exception {
         Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/java.options", "-version")
                 .redirectErrorStream(true).start();
         assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).doesNotContain("Unrecognized", "warning");
@@ -133,7 +133,7 @@ class LauncherTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"render.options", "picture.options"})
-    void optionsOfARender_areTakenByJava(String options) throws Exception {
+    void renderOptions_areAcceptedByJava(String options) throws Exception {
         Process java = new ProcessBuilder(realJava().resolve("bin/java").toString(), "@src/main/launcher/" + options, "-version")
                 .redirectErrorStream(true).start();
         assertThat(new String(java.getInputStream().readAllBytes(), StandardCharsets.UTF_8)).doesNotContain("Unrecognized", "warning");
@@ -142,7 +142,7 @@ class LauncherTest {
 
     @ParameterizedTest
     @CsvSource({"node, true", "shot --cluster host:7800, true", "shot --cluster=host:7800, true", "render, false", "a-node.jen, false"})
-    void objectsOfOthers_areRefusedFromTheStartByWhatGoesToOtherMachines_whoseLibrariesLieBehindAllOthers(String words, boolean given)
+    void clusterCommands_rejectSerializedObjects_andLoadClusterLibrariesLast(String words, boolean given)
             throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         String home = folder.toRealPath() + "/installed here";
@@ -153,14 +153,14 @@ class LauncherTest {
 
     @ParameterizedTest
     @CsvSource({"render, true", "relight, false", "scene.jen, false"})
-    void optionsOfARender_areGivenToARenderAlone(String command, boolean given) throws Exception {
+    void renderOptions_applyToRenderOnly(String command, boolean given) throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher, command).out().contains("[-XX:Tier4BackEdgeThreshold=800000]"))
                 .isEqualTo(given);
     }
 
     @Test
-    void withoutOptionsOfTheUsersOwn_javaIsStartedOnce() throws Exception {
+    void noUserOptions_startJavaOnce() throws Exception {
         Path java = java("25", "echo started");
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out()).isEqualTo("started\n");
     }
@@ -168,26 +168,26 @@ class LauncherTest {
     @ParameterizedTest
     @CsvSource({"java.base jdk.incubator.vector, true", "jdk.incubator.vector java.base, true", "java.base java.desktop, false",
         "java.base jdk.incubator.vectors, false"})
-    void vectorModule_isAskedForWhereThisJavaHasIt(String modules, boolean asked) throws Exception {
+    void vectorModule_isAddedIfAvailable(String modules, boolean asked) throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         Files.writeString(java.resolve("release"), "MODULES=\"" + modules + "\"\n", StandardOpenOption.APPEND);
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out().contains("[--add-modules=jdk.incubator.vector]")).isEqualTo(asked);
     }
 
     @Test
-    void javaThatDoesNotTellItsModules_isAskedForTheVectorModule() throws Exception {
+    void javaWithoutModuleList_getsVectorModule() throws Exception {
         Path java = java("25", "printf '[%s]' \"$@\"");
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).out()).contains("[--add-modules=jdk.incubator.vector]");
     }
 
     @Test
-    void localeWithoutLetters_becomesOneOfUtf8() throws Exception {
+    void asciiLocale_becomesUtf8() throws Exception {
         Path java = java("25", "printf '%s' \"$LC_ALL\"");
         assertThat(run(Map.of("JAVA_HOME", java, "LC_ALL", Path.of("C")), "", launcher).out()).isEqualTo("C.UTF-8");
     }
 
     @Test
-    void localeWithLetters_isKept() throws Exception {
+    void utf8Locale_isUnchanged() throws Exception {
         Path java = java("25", "printf '%s' \"$LC_ALL\"");
         assertThat(run(Map.of("JAVA_HOME", java, "LC_ALL", Path.of("de_DE.UTF-8")), "", launcher).out()).isEqualTo("de_DE.UTF-8");
     }
@@ -212,7 +212,7 @@ class LauncherTest {
     /** The archive that a first start has made beside it. */
     private Path archiveOf(Map<String, Path> variables) throws Exception {
         assertThat(run(variables, "", launcher).out()).doesNotContain("SharedArchive");
-        Wait.until("an archive is made", () -> archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making")));
+        Await.until("an archive is made", () -> archives().size() == 1 && !Files.exists(Path.of(archives().getFirst() + ".making")));
         return archives().getFirst();
     }
 
@@ -228,16 +228,16 @@ class LauncherTest {
 
     /** What makes an archive goes on beside the test; its folder goes only when that has ended. */
     @AfterEach
-    void letWhatGoesOnBesideEnd() throws Exception {
-        Wait.until("no process works in the folder", () -> ProcessHandle.allProcesses().noneMatch(this::isOfThisFolder));
+    void awaitBackgroundProcesses() throws Exception {
+        Await.until("no process works in the folder", () -> ProcessHandle.allProcesses().noneMatch(this::runsInThisFolder));
     }
 
-    private boolean isOfThisFolder(ProcessHandle process) {
+    private boolean runsInThisFolder(ProcessHandle process) {
         return process.info().commandLine().orElse("").contains(folder.toString());
     }
 
     @Test
-    void archiveThatAFirstStartHadMade_isGivenToTheNext() throws Exception {
+    void archiveOfFirstStart_isUsedByNext() throws Exception {
         Map<String, Path> variables = archiving();
         Path archive = archiveOf(variables);
         assertThat(run(variables, "", launcher, "check").out())
@@ -247,7 +247,7 @@ class LauncherTest {
     }
 
     @Test
-    void render_beginsInAJavaThatIsQuickToStart() throws Exception {
+    void render_startsInFastStartingJava() throws Exception {
         Map<String, Path> variables = archiving();
         String archive = archiveOf(variables).toString().replace(".jsa", ".aot");
         assertThat(run(variables, "", launcher, "render", "a.jen").out()).contains("[-XX:AOTCache=" + archive + "]",
@@ -256,7 +256,7 @@ class LauncherTest {
     }
 
     @Test
-    void longRender_isDoneByTheJavaOfOtherCommands() throws Exception {
+    void longRender_usesFullJava() throws Exception {
         var variables = new HashMap<>(archiving());
         archiveOf(variables);
         variables.put("LIGHTNING_LONG", Path.of("1"));
@@ -266,7 +266,7 @@ class LauncherTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"relight", "bench", "edit"})
-    void otherCommands_haveAllOfJava(String command) throws Exception {
+    void otherCommands_useFullJava(String command) throws Exception {
         Map<String, Path> variables = archiving();
         archiveOf(variables);
         assertThat(run(variables, "", launcher, command).out()).contains("jdk.incubator.vector", "SharedArchiveFile")
@@ -274,7 +274,7 @@ class LauncherTest {
     }
 
     @Test
-    void renderWithOptionsOfTheUsersOwn_isByTheJavaOfOtherCommands() throws Exception {
+    void renderWithUserOptions_usesFullJava() throws Exception {
         var variables = new HashMap<>(archiving());
         archiveOf(variables);
         variables.put("JAVA_TOOL_OPTIONS", Path.of("-Dtheirs"));
@@ -282,7 +282,7 @@ class LauncherTest {
     }
 
     @Test
-    void archiveOfOtherJars_isNotUsed() throws Exception {
+    void archiveOfDifferentJars_isIgnored() throws Exception {
         Map<String, Path> variables = archiving();
         archiveOf(variables);
         Files.writeString(launcher.resolve("../../lib/lightning.jar").normalize(), "classEs");
@@ -290,7 +290,7 @@ class LauncherTest {
     }
 
     @Test
-    void archiveOfAnotherJava_isNotUsed() throws Exception {
+    void archiveOfDifferentJava_isIgnored() throws Exception {
         Map<String, Path> variables = archiving();
         archiveOf(variables);
         var others = new HashMap<>(withoutMaker(variables));
@@ -299,7 +299,7 @@ class LauncherTest {
     }
 
     @Test
-    void optionsOfTheUsersOwn_goWithoutAnArchive() throws Exception {
+    void userOptions_disableArchive() throws Exception {
         var variables = new HashMap<>(archiving());
         archiveOf(variables);
         variables.put("JAVA_TOOL_OPTIONS", Path.of("-Dtheirs"));
@@ -307,7 +307,7 @@ class LauncherTest {
     }
 
     @Test
-    void javaThatMakesNoArchive_isNotAskedAgain() throws Exception {
+    void failedArchive_isNotRetried() throws Exception {
         var variables = new HashMap<>(archiving());
         variables.put("JAVA_HOME", java("25", ARCHIVING_JAVA.replace("printf archive", "exit 1; printf archive")));
         assertThat(archiveOf(variables)).isEmptyFile();
@@ -316,7 +316,7 @@ class LauncherTest {
     }
 
     @Test
-    void cacheFolderThatCannotBe_isNoObstacle() throws Exception {
+    void unusableCacheFolder_isIgnored() throws Exception {
         var variables = new HashMap<>(archiving());
         variables.put("XDG_CACHE_HOME", Files.writeString(folder.resolve("a file"), ""));
         Result result = run(variables, "", launcher, "check");
@@ -325,7 +325,7 @@ class LauncherTest {
     }
 
     @Test
-    void archiveInTheMaking_isNotMadeTwice() throws Exception {
+    void archiveInProgress_isNotRebuilt() throws Exception {
         Map<String, Path> variables = archiving();
         Path archive = archiveOf(variables);
         Files.delete(archive);
@@ -348,10 +348,10 @@ class LauncherTest {
     private Path toolsOfArchives() throws IOException {
         Path tools = toolsWithoutJava();
         for (String tool : List.of("stat", "cksum", "renice", "mkdir", "find", "rm", "mv", "ls", "tail")) {
-            pass(tools, tool);
+            link(tools, tool);
         }
         Files.createSymbolicLink(tools.resolve("sleep"), Path.of("true"));
-        pass(tools, "true");
+        link(tools, "true");
         return tools;
     }
 
@@ -360,14 +360,14 @@ class LauncherTest {
     }
 
     @Test
-    void exitCodeAndStandardInput_areThePrograms() throws Exception {
+    void exitCodeAndStandardInput_arePassedThrough() throws Exception {
         Path java = java("26-ea", "cat; exit 3");
         assertThat(run(Map.of("JAVA_HOME", java), "two\nlines", launcher))
                 .isEqualTo(new Result(3, "two\nlines", ""));
     }
 
     @Test
-    void incubatorWarning_isTheOnlyLineKeptFromATerminal() throws Exception {
+    void incubatorWarning_isHiddenOnTerminal() throws Exception {
         Path java = java("25", "printf '%s\\n' 'Picked up options' '" + WARNING + "' '" + WARNING + ", more' >&2;"
                 + "printf 'last' >&2");
         pretendTerminal();
@@ -376,20 +376,20 @@ class LauncherTest {
     }
 
     @Test
-    void errorsWithoutTheWarning_reachATerminal() throws Exception {
+    void otherErrors_reachTerminal() throws Exception {
         Path java = java("25", "printf 'one\\ntwo\\n' >&2");
         pretendTerminal();
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).err()).isEqualTo("one\ntwo\n");
     }
 
     @Test
-    void errorsIntoAFile_areUntouched() throws Exception {
+    void errorsToFile_areUnchanged() throws Exception {
         Path java = java("25", "printf '%s' '" + WARNING + "' >&2");
         assertThat(run(Map.of("JAVA_HOME", java), "", launcher).err()).isEqualTo(WARNING);
     }
 
     @Test
-    void oldJavaHome_givesWayToAnInstalledJava() throws Exception {
+    void oldJavaHome_fallsBackToInstalledJava() throws Exception {
         Path old = java("17.0.15", "echo old");
         Path installed = java("25.0.3", "echo new");
         Files.createDirectories(folder.resolve("jvm"));
@@ -398,7 +398,7 @@ class LauncherTest {
     }
 
     @Test
-    void oldJavaOnThePath_isNotStartedToAskItsVersion() throws Exception {
+    void oldJavaOnPath_isNotStarted() throws Exception {
         Path old = java("17.0.15", "echo old >>\"$HOME/started\"");
         Path installed = java("25.0.3", "echo new");
         Path tools = toolsWithoutJava();
@@ -408,7 +408,7 @@ class LauncherTest {
     }
 
     @Test
-    void noSuitableJava_isSaidInOneSentenceWithExitCode2() throws Exception {
+    void noSuitableJava_exitsWithCode2() throws Exception {
         Path old = java("24.0.2", "echo old");
         Result result = run(Map.of("JAVA_HOME", old), "", launcher);
         assertThat(result.code()).isEqualTo(2);
@@ -427,12 +427,12 @@ class LauncherTest {
     private Path toolsWithoutJava() throws IOException {
         Path tools = Files.createDirectory(folder.resolve("tools"));
         for (String tool : List.of("bash", "env", "cat", "grep", "dirname", "readlink")) {
-            pass(tools, tool);
+            link(tools, tool);
         }
         return tools;
     }
 
-    private static void pass(Path tools, String tool) throws IOException {
+    private static void link(Path tools, String tool) throws IOException {
         Path found = Stream.of("/bin", "/usr/bin").map(place -> Path.of(place, tool))
                 .filter(Files::isExecutable).findFirst().orElseThrow();
         Path call = Files.writeString(tools.resolve(tool), "#!/bin/sh\nexec " + found + " \"$@\"\n");
@@ -452,7 +452,7 @@ class LauncherTest {
     /** Runs a command where the only Java is the one that the variables name. */
     private Result run(Map<String, Path> variables, String input, Path command, String... arguments)
             throws IOException, InterruptedException {
-        List<String> line = new ArrayList<>(List.of("bash", "-c", WITH_ERRORS_TO_THE_LAST, "bash", command.toString()));
+        List<String> line = new ArrayList<>(List.of("bash", "-c", STDERR_OF_LAST_START, "bash", command.toString()));
         line.addAll(List.of(arguments));
         Path in = Files.writeString(folder.resolve("in"), input);
         Path out = folder.resolve("out");

@@ -6,29 +6,29 @@ import org.junit.jupiter.api.Test;
 
 class MainTest {
     @Test
-    void noArgumentsOrALoneScene_nameTheEditor() {
-        assertThat(Main.namesTheEditor()).isTrue();
-        assertThat(Main.namesTheEditor("scenes/bird.jen")).isTrue();
+    void noArgumentsOrSingleScene_openEditor() {
+        assertThat(Main.opensEditor()).isTrue();
+        assertThat(Main.opensEditor("scenes/bird.jen")).isTrue();
     }
 
     @Test
-    void fileThatTheEditorMakesASceneOf_namesIt_withOrWithoutTheWord() {
+    void importableFile_opensEditor() {
         for (String file : new String[] {"a.gltf", "a.glb", "a.obj", "a.ply", "a.nff", "A.GLB", "a.jen"}) {
-            assertThat(Main.namesTheEditor(file)).as(file).isTrue();
-            assertThat(Main.namesTheEditor("edit", file)).as(file).isTrue();
+            assertThat(Main.opensEditor(file)).as(file).isTrue();
+            assertThat(Main.opensEditor("edit", file)).as(file).isTrue();
         }
-        assertThat(Main.namesTheEditor("edit")).isTrue();
-        assertThat(Main.namesTheEditor("edit", "--help")).isFalse();
-        assertThat(Main.namesTheEditor("edit", "a.png")).isFalse();
-        assertThat(Main.namesTheEditor("edit", "a.jen", "b.jen")).isFalse();
+        assertThat(Main.opensEditor("edit")).isTrue();
+        assertThat(Main.opensEditor("edit", "--help")).isFalse();
+        assertThat(Main.opensEditor("edit", "a.png")).isFalse();
+        assertThat(Main.opensEditor("edit", "a.jen", "b.jen")).isFalse();
     }
 
     @Test
-    void everythingElse_namesACommand() {
-        assertThat(Main.namesTheEditor("render", "scenes/bird.jen")).isFalse();
-        assertThat(Main.namesTheEditor("--help")).isFalse();
-        assertThat(Main.namesTheEditor("a.jen", "b.jen")).isFalse();
-        assertThat(Main.namesTheEditor("bird")).isFalse();
-        assertThat(Main.namesTheEditor("--x=a.jen")).isFalse();
+    void otherArguments_runCommand() {
+        assertThat(Main.opensEditor("render", "scenes/bird.jen")).isFalse();
+        assertThat(Main.opensEditor("--help")).isFalse();
+        assertThat(Main.opensEditor("a.jen", "b.jen")).isFalse();
+        assertThat(Main.opensEditor("bird")).isFalse();
+        assertThat(Main.opensEditor("--x=a.jen")).isFalse();
     }
 }

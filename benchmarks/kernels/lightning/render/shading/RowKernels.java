@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
-import lightning.base.math.Power;
+import lightning.base.math.PowerFunction;
 import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.engine.lanes.PowerLanes;
@@ -43,57 +43,57 @@ public class RowKernels {
     @Param({"bird", "balls"})
     public String scene;
 
-    private final Terms terms = Engines.LANES.terms();
+    private final TermKernel terms = Engines.LANES.terms();
     private final float[] falloff = new float[ROWS];
     private final double[] bases = new double[ROWS];
     private final double[] powers = new double[ROWS];
-    private Scene read;
+    private Scene loadedScene;
     private HitRows rows;
-    private Composer composer;
+    private LevelComposer composer;
     private final float[][] colors = new float[3][ROWS];
     private LightKernel light;
     private RatioKernel ratio;
-    private Luminaire[] lights;
+    private WeightedLight[] lights;
     private LightLayer[] layers;
     private float[][] mirrored;
-    private Luminaire spot;
-    private Luminaire brighter;
+    private WeightedLight spot;
+    private WeightedLight brighter;
     private RatioRows contributions;
 
     /** Finds a tile, and refuses kernels that do not agree with the readable code. */
     @Setup
     public void prepare() throws Exception {
-        read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
-        Geometry geometry = new Geometry(read);
+        loadedScene = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
+        Geometry geometry = new Geometry(loadedScene);
         Tracer tracer = Engines.LANES.tracer(geometry);
-        composer = new Composer(geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
+        composer = new LevelComposer(geometry.materials(), Engines.LANES.sums(), ViewEffects.ALL);
         light = new LightKernel(geometry, tracer, Engines.LANES.terms(), ViewEffects.ALL);
         ratio = new RatioKernel(light);
-        lights = Luminaire.all(read);
-        Light first = read.lights().stream().filter(l -> l.type() == LightType.SPOT).findFirst().orElseThrow();
-        spot = Luminaire.of(first, read);
-        brighter = Luminaire.of(first.withIntensity(1.25 * first.intensity()), read);
-        findTile(new TileVisibility(geometry, read, tracer));
+        lights = WeightedLight.ofScene(loadedScene);
+        Light first = loadedScene.lights().stream().filter(l -> l.type() == LightType.SPOT).findFirst().orElseThrow();
+        spot = WeightedLight.of(first, loadedScene);
+        brighter = WeightedLight.of(first.withIntensity(1.25 * first.intensity()), loadedScene);
+        findTile(new TileVisibility(geometry, loadedScene, tracer));
         layers = new LightLayer[lights.length];
         for (int i = 0; i < lights.length; i++) {
-            layers[i] = light.full(rows, lights[i].lamp(), Columns.FRESH);
+            layers[i] = light.recompute(rows, lights[i].source(), ColumnAllocator.NEW_ARRAYS);
         }
-        mirrored = new float[3][HitRows.padded(rows.count)];
+        mirrored = new float[3][HitRows.paddedLength(rows.count)];
         for (int i = 0; i < ROWS; i++) {
             bases[i] = (i + 0.5) / ROWS;
             mirrored[i % 3][i] = i / 1024f;
         }
-        new ReadableRows(rows, geometry).require(this);
+        new KernelReferenceRows(rows, geometry).require(this);
     }
 
     /** The first tile of 1024 rows, some of them, but not all, lit by the spot light. */
     private void findTile(TileVisibility visibility) {
-        for (int y = 0; y + 32 <= read.picture().height(); y += 32) {
-            for (int x = 0; x + 32 <= read.picture().width(); x += 32) {
-                rows = visibility.eye(x, y, 32, (count, textured, clear) -> new HitRows(count, textured, clear, false, false));
+        for (int y = 0; y + 32 <= loadedScene.picture().height(); y += 32) {
+            for (int x = 0; x + 32 <= loadedScene.picture().width(); x += 32) {
+                rows = visibility.traceEyeRays(x, y, 32, (count, textured, clear) -> new HitRows(count, textured, clear, false, false));
                 if (rows.count == ROWS) {
-                    contributions = ratio.full(rows, spot);
-                    if (contributions.lit() > ROWS / 4 && contributions.lit() < ROWS) {
+                    contributions = ratio.recompute(rows, spot);
+                    if (contributions.litCount() > ROWS / 4 && contributions.litCount() < ROWS) {
                         return;
                     }
                 }
@@ -102,11 +102,11 @@ public class RowKernels {
         throw new IllegalStateException(scene + " has no full tile that its spot light lights in part");
     }
 
-    Luminaire spot() {
+    WeightedLight spot() {
         return spot;
     }
 
-    Luminaire[] lights() {
+    WeightedLight[] lights() {
         return lights;
     }
 
@@ -119,7 +119,7 @@ public class RowKernels {
     }
 
     float ambience() {
-        return (float) read.world().ambience();
+        return (float) loadedScene.world().ambience();
     }
 
     RatioRows contributions() {
@@ -131,14 +131,14 @@ public class RowKernels {
     }
 
     double power(int i) {
-        return Power.of(bases[i], EXPONENT);
+        return PowerFunction.pow(bases[i], EXPONENT);
     }
 
     /** All lights into linear colours. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
-        composer.compose(rows, lights, layers, null, read.world(), new Images(mirrored, null), colors);
+        composer.compose(rows, lights, layers, null, loadedScene.world(), new BounceImages(mirrored, null), colors);
         return colors;
     }
 
@@ -151,9 +151,9 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public float[] attenuation() {
-        terms.aim(rows, spot.lamp());
-        terms.aimCone(rows, spot.lamp());
-        terms.falloffs(rows, spot.lamp(), falloff);
+        terms.aim(rows, spot.source());
+        terms.computeConeCosines(rows, spot.source());
+        terms.falloffs(rows, spot.source(), falloff);
         return falloff;
     }
 
@@ -161,7 +161,7 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public LightRows reshade() {
-        return light.full(rows, spot.lamp(), Columns.FRESH);
+        return light.recompute(rows, spot.source(), ColumnAllocator.NEW_ARRAYS);
     }
 
     /** x to the power 37.25. */
@@ -177,6 +177,6 @@ public class RowKernels {
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public RatioRows ratioScaling() {
-        return ratio.partial(rows, spot, brighter, contributions, ConeChange.NONE, false);
+        return ratio.update(rows, spot, brighter, contributions, ConeChange.NONE, false);
     }
 }

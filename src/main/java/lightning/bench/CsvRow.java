@@ -4,7 +4,7 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 import lightning.bench.accuracy.PictureError;
 
 /**
@@ -25,14 +25,14 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         long valuesThatDiffer, long maxUlp, double maxAbsolute, double meanAbsolute, double rmse, double linearPsnrDb,
         double displayPsnrDb, double ssim, double flip, double bound) {
 
-    private static final String COMPUTED = "=+-@\t\r\n'\uFF1D\uFF0B\uFF0D\uFF20";
+    private static final String FORMULA_STARTS = "=+-@\t\r\n'\uFF1D\uFF0B\uFF0D\uFF20";
     private static final double NONE = Double.NaN;
-    private static final Work NO_WORK = new Work("", 0, 0, 0, 0, 0, NONE, NONE, NONE, NONE);
+    private static final UpdateWork NO_WORK = new UpdateWork("", 0, 0, 0, 0, 0, NONE, NONE, NONE, NONE);
     private static final PictureError NO_ERROR = new PictureError(0, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE);
-    private static final Samples NO_SAMPLES = new Samples(NONE, NONE, NONE, List.of());
+    private static final TimeSamples NO_SAMPLES = new TimeSamples(NONE, NONE, NONE, List.of());
 
     /** The rows of results, in their order. */
-    static List<CsvRow> of(Results results) {
+    static List<CsvRow> of(BenchResults results) {
         List<CsvRow> rows = new ArrayList<>();
         for (SceneResult scene : results.scenes()) {
             if (scene.firstPass() != null) {
@@ -47,7 +47,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
             }
             scene.effects().forEach(effect -> rows.add(effect(scene, effect)));
             for (EditResult edit : scene.edits()) {
-                edit.values().forEach(value -> value.rungs().forEach(rung -> rows.add(edit(scene, edit, value, rung))));
+                edit.values().forEach(value -> value.rungs().forEach(point -> rows.add(edit(scene, edit, value, point))));
             }
         }
         results.growth().forEach(growth -> growth.points().forEach(point -> {
@@ -60,40 +60,41 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         return rows;
     }
 
-    private static void cold(List<CsvRow> rows, SceneResult scene, Cold cold) {
+    private static void cold(List<CsvRow> rows, SceneResult scene, ColdStart cold) {
         process(rows, scene, "cold", "", cold.process(), cold.processor());
         if (cold.rival() != null) {
             process(rows, scene, "cold-peer", cold.rival().program(), cold.rival().process(), cold.rival().processor());
         }
     }
 
-    private static void process(List<CsvRow> rows, SceneResult scene, String kind, String program, Samples wall, Samples processor) {
+    private static void process(List<CsvRow> rows, SceneResult scene, String kind, String program, TimeSamples wall,
+            TimeSamples processor) {
         rows.add(trace(kind, scene, program, wall));
         if (processor != null) {
             rows.add(trace(kind + "-processor", scene, program, processor));
         }
     }
 
-    private static CsvRow trace(String kind, SceneResult scene, String value, Samples time) {
+    private static CsvRow trace(String kind, SceneResult scene, String value, TimeSamples time) {
         return row(kind, scene.scene(), scene.width(), scene.height(), "", value, "", time, NONE, NONE, NO_WORK, NO_ERROR);
     }
 
     private static CsvRow effect(SceneResult scene, EffectResult effect) {
         return row("effect", scene.scene(), scene.width(), scene.height(), effect.effect(), effect.inUse() ? "in use" : "absent", "",
-                new Samples(effect.firstMs(), NONE, NONE, List.of()), NONE, NONE, NO_WORK, NO_ERROR);
+                new TimeSamples(effect.firstMs(), NONE, NONE, List.of()), NONE, NONE, NO_WORK, NO_ERROR);
     }
 
-    private static CsvRow edit(SceneResult scene, EditResult edit, ValueResult value, RungResult rung) {
-        return row("edit", scene.scene(), scene.width(), scene.height(), edit.edit(), value.value(), rung.grade().label(), rung.time(),
-                rung.saving(), edit.paperSaving(), rung.work() == null ? NO_WORK : rung.work(), rung.error());
+    private static CsvRow edit(SceneResult scene, EditResult edit, ValueResult value, SweepPointResult point) {
+        return row("edit", scene.scene(), scene.width(), scene.height(), edit.edit(), value.value(), point.grade().label(), point.time(),
+                point.saving(), edit.paperSaving(), point.work() == null ? NO_WORK : point.work(), point.error());
     }
 
-    private static CsvRow growth(Growth growth, GrowthPoint point, String edit, Samples time) {
+    private static CsvRow growth(GrowthCurve growth, GrowthPoint point, String edit, TimeSamples time) {
         return row("growth", growth.scene(), 0, 0, growth.along() + ": " + edit, Long.toString(point.at()), "", time, NONE, NONE,
                 NO_WORK, NO_ERROR);
     }
 
-    private static void editing(List<CsvRow> rows, Editing e) {
+    private static void editing(List<CsvRow> rows, EditingCost e) {
         rows.add(editing(e, "load", e.load()));
         rows.add(editing(e, "tree", e.tree()));
         rows.add(editing(e, "new scene", e.newScene()));
@@ -101,8 +102,8 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         rows.add(editing(e, "first hover", e.hover()));
     }
 
-    private static CsvRow editing(Editing e, String what, Samples time) {
-        return row("editing", e.shapes() + " shapes, " + e.lights() + " lights", 0, 0, what, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
+    private static CsvRow editing(EditingCost e, String name, TimeSamples time) {
+        return row("editing", e.shapes() + " shapes, " + e.lights() + " lights", 0, 0, name, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
     }
 
     private static void mesh(List<CsvRow> rows, MeshPoint m) {
@@ -110,7 +111,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         if (m.rival() != null) {
             rows.add(mesh("mesh-peer", m, "tree", m.rival().tree()));
         }
-        for (RayPace pace : m.rays()) {
+        for (RayThroughput pace : m.rays()) {
             rows.add(mesh("mesh", m, pace.rays(), pace.time()));
             if (pace.rival() != null) {
                 rows.add(mesh("mesh-peer", m, pace.rays(), pace.rival()));
@@ -118,19 +119,19 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
         }
     }
 
-    private static CsvRow mesh(String kind, MeshPoint m, String what, Samples time) {
-        return row(kind, m.triangles() + " triangles", 0, 0, what, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
+    private static CsvRow mesh(String kind, MeshPoint m, String name, TimeSamples time) {
+        return row(kind, m.triangles() + " triangles", 0, 0, name, "", "", time, NONE, NONE, NO_WORK, NO_ERROR);
     }
 
-    private static CsvRow drift(Drift drift, DriftPoint point) {
-        Work bound = new Work("", 0, 0, 0, 0, 0, NONE, NONE, NONE, point.bound());
+    private static CsvRow drift(DriftCurve drift, DriftPoint point) {
+        UpdateWork bound = new UpdateWork("", 0, 0, 0, 0, 0, NONE, NONE, NONE, point.bound());
         return row("drift", drift.scene(), drift.width(), drift.height(), "", Integer.toString(point.edits()),
                 point.accuracy().name().toLowerCase(Locale.ROOT), NO_SAMPLES, NONE, NONE, bound, point.error());
     }
 
-    private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String grade, Samples time,
-            double saving, double paper, Work work, PictureError e) {
-        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(grade), time.samples().size(),
+    private static CsvRow row(String kind, String scene, int width, int height, String edit, String value, String setting, TimeSamples time,
+            double saving, double paper, UpdateWork work, PictureError e) {
+        return new CsvRow(cell(kind), cell(scene), width, height, cell(edit), cell(value), cell(setting), time.samples().size(),
                 time.median(), time.lowerQuartile(),
                 time.upperQuartile(), saving, work.cap(), paper, cell(work.plan()), work.rowsTouched(), work.shadowRays(),
                 work.shadowRaysAvoided(), work.bytesMoved(), work.floorMs(), work.timesFloor(), e.values(), e.maxUlp(), e.maxAbsolute(),
@@ -143,7 +144,7 @@ record CsvRow(String kind, String scene, int width, int height, String edit, Str
      * first one has the text again. A number stays one.
      */
     static String cell(String text) {
-        boolean computed = !text.isEmpty() && COMPUTED.indexOf(text.charAt(0)) >= 0 && Decimal.read(text).isEmpty();
-        return computed ? "'" + text : text;
+        boolean isFormula = !text.isEmpty() && FORMULA_STARTS.indexOf(text.charAt(0)) >= 0 && DecimalNumber.parse(text).isEmpty();
+        return isFormula ? "'" + text : text;
     }
 }

@@ -4,21 +4,21 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
-import lightning.bench.accuracy.OrdinaryEdits;
+import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.PictureError;
+import lightning.bench.accuracy.RandomEdits;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Measures what becomes of a picture after 1, 10, 100, … edits, at each accuracy. */
 final class DriftBench {
-    private static final Options CURRENT = Options.DEFAULT.withReflections(Reflections.CURRENT);
+    private static final RenderOptions CURRENT = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
 
     private final NamedScene named;
     private final Scene scene;
@@ -32,28 +32,29 @@ final class DriftBench {
         this.seed = seed;
     }
 
-    /** @param most the number of edits at the end */
-    Drift measure(int most, Progress progress) {
-        OrdinaryEdits edits = new OrdinaryEdits(seed);
+    /** @param editCount the number of edits at the end */
+    DriftCurve measure(int editCount, Progress progress) {
+        RandomEdits edits = new RandomEdits(seed);
         List<DriftPoint> points = new ArrayList<>();
-        Scene wanted = scene;
+        Scene target = scene;
         List<Renderer> renderers = Arrays.stream(Accuracy.values())
                 .map(accuracy -> new Renderer(CURRENT.withAccuracy(accuracy).withThreads(threads))).toList();
         int[] refreshes = new int[renderers.size()];
-        try (Workers workers = new Workers(threads)) {
+        try (WorkerPool workers = new WorkerPool(threads)) {
             for (Renderer renderer : renderers) {
-                renderer.render(wanted, progress.silent());
+                renderer.render(target, progress.cancellationOnly());
             }
             int next = 1;
-            for (int n = 1; n <= most; n++) {
-                wanted = edits.next(wanted);
-                Update[] updates = new Update[refreshes.length];
+            for (int n = 1; n <= editCount; n++) {
+                target = edits.next(target);
+                UpdateResult[] updates = new UpdateResult[refreshes.length];
                 for (int i = 0; i < updates.length; i++) {
-                    updates[i] = renderers.get(i).render(wanted, progress.silent());
-                    refreshes[i] += updates[i].refreshed() ? 1 : 0;
+                    updates[i] = renderers.get(i).render(target, progress.cancellationOnly());
+                    refreshes[i] += updates[i].wasRefreshed() ? 1 : 0;
                 }
                 if (n == next) {
-                    Film full = new TraditionalTracer(wanted, renderers.getFirst().cache().geometry()).trace(workers, progress.silent())
+                    Film full = new TraditionalTracer(target, renderers.getFirst().cache().geometry())
+                            .trace(workers, progress.cancellationOnly())
                             .film();
                     for (int i = 0; i < updates.length; i++) {
                         Renderer renderer = renderers.get(i);
@@ -62,11 +63,11 @@ final class DriftBench {
                     }
                     next *= 10;
                 }
-                progress.tiles(n, most);
+                progress.report(n, editCount);
             }
         } finally {
             renderers.forEach(Renderer::close);
         }
-        return new Drift(named.name(), scene.picture().width(), scene.picture().height(), seed, points);
+        return new DriftCurve(named.name(), scene.picture().width(), scene.picture().height(), seed, points);
     }
 }

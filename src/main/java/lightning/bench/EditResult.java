@@ -3,7 +3,7 @@ package lightning.bench;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.PaperCase;
 
 /**
@@ -23,21 +23,22 @@ public record EditResult(String edit, String figure, double paperSaving, double 
     }
 
     static EditResult of(PaperCase edit, List<ValueResult> values) {
-        return new EditResult(edit.name(), edit.figure(), edit.paperSaving(), average(values, Grade.DEFAULT, RungResult::saving),
-                average(values, Grade.DEFAULT, rung -> rung.work().cap()), values);
+        return new EditResult(edit.name(), edit.figure(), edit.paperSaving(),
+                average(values, AccuracySetting.DEFAULT, SweepPointResult::saving),
+                average(values, AccuracySetting.DEFAULT, point -> point.work().cap()), values);
     }
 
     /** What a grade saves, the average of all values; NaN where it was not measured or any value's is not certain. */
-    public double saving(Grade grade) {
-        return average(values, grade, RungResult::saving);
+    public double saving(AccuracySetting setting) {
+        return average(values, setting, SweepPointResult::saving);
     }
 
-    private static double average(List<ValueResult> values, Grade grade, ToDoubleFunction<RungResult> what) {
-        return values.stream().flatMap(value -> value.find(grade).stream()).mapToDouble(what).average().orElse(Double.NaN);
+    private static double average(List<ValueResult> values, AccuracySetting setting, ToDoubleFunction<SweepPointResult> measure) {
+        return values.stream().flatMap(value -> value.find(setting).stream()).mapToDouble(measure).average().orElse(Double.NaN);
     }
 
     /** A grade of the first value; empty where it was not measured. */
-    public Optional<RungResult> first(Grade grade) {
-        return values.stream().findFirst().flatMap(value -> value.find(grade));
+    public Optional<SweepPointResult> first(AccuracySetting setting) {
+        return values.stream().findFirst().flatMap(value -> value.find(setting));
     }
 }

@@ -13,7 +13,7 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.trace.Geometry;
 import lightning.scene.Light;
@@ -27,100 +27,100 @@ final class EditingBench {
     private static final PictureSize SIZE = new PictureSize(64, 48);
     private static final int DEPTH = 2;
     /** What takes less than milliseconds has so many samples for each repetition, and as many more before them. */
-    private static final int SHORT = 8;
+    private static final int SHORT_SAMPLES = 8;
     /** The heap is measured from here on: fewer shapes take less than all else in it. */
-    private static final int MANY = 10_000;
+    private static final int MIN_HEAP_SHAPES = 10_000;
     /** More shapes are read and put into a tree once. */
-    private static final int ONCE = 100_000;
+    private static final int MAX_REPEATED_SHAPES = 100_000;
     /** Milliseconds for each shape, as often as it is read, and for each light. */
     private static final double SHAPE_MS = 0.02;
     private static final double LIGHT_MS = 4;
 
-    private final Settings settings;
-    private final Ledger ledger;
+    private final BenchSettings settings;
+    private final ResultCollector ledger;
 
     private record Point(int shapes, int lights) {}
 
-    EditingBench(Settings settings, Ledger ledger) {
+    EditingBench(BenchSettings settings, ResultCollector ledger) {
         this.settings = settings;
         this.ledger = ledger;
     }
 
     /** What is to be measured: a part for each scene. */
-    List<Part> parts() {
+    List<BenchPart> parts() {
         List<Point> points = settings.quick() ? List.of(new Point(10, 10), new Point(1000, 100))
                 : List.of(new Point(10, 10), new Point(10, 1000), new Point(100_000, 10), new Point(100_000, 1000),
                         new Point(1_000_000, 10), new Point(1_000_000, 1000));
         return points.stream().map(this::part).toList();
     }
 
-    private Part part(Point point) {
-        String where = "editing " + point.shapes() + " shapes under " + point.lights() + " lights";
-        double predictedMs = SHAPE_MS * point.shapes() * (1 + longSamples(point.shapes())) + LIGHT_MS * point.lights() + 500;
-        return new Part(where, predictedMs, progress -> ledger.editing(measure(point, progress)));
+    private BenchPart part(Point point) {
+        String title = "editing " + point.shapes() + " shapes under " + point.lights() + " lights";
+        double predictedMs = SHAPE_MS * point.shapes() * (1 + longSampleCount(point.shapes())) + LIGHT_MS * point.lights() + 500;
+        return new BenchPart(title, predictedMs, progress -> ledger.addEditing(measure(point, progress)));
     }
 
-    private int longSamples(int shapes) {
-        return shapes > ONCE ? 1 : settings.repetitions();
+    private int longSampleCount(int shapes) {
+        return shapes > MAX_REPEATED_SHAPES ? 1 : settings.repetitions();
     }
 
-    private Editing measure(Point point, Progress progress) {
+    private EditingCost measure(Point point, Progress progress) {
         String text = JenWriter.write(GeneratedScenes.of(settings.seed(), SIZE, point.shapes(), point.lights(), DEPTH));
-        int times = longSamples(point.shapes());
-        Samples load = samples(times, progress, _ -> timed(() -> read(text)));
-        boolean many = point.shapes() >= MANY;
-        long before = many ? used() : 0;
+        int times = longSampleCount(point.shapes());
+        TimeSamples load = samples(times, progress, _ -> timeMs(() -> read(text)));
+        boolean measuresHeap = point.shapes() >= MIN_HEAP_SHAPES;
+        long emptyBytes = measuresHeap ? usedHeapBytes() : 0;
         Scene scene = read(text).scene();
-        long read = many ? used() : 0;
-        Samples tree = samples(times, progress, _ -> timed(() -> new Geometry(scene)));
-        long rest = many ? used() : 0;
+        long documentBytes = measuresHeap ? usedHeapBytes() : 0;
+        TimeSamples tree = samples(times, progress, _ -> timeMs(() -> new Geometry(scene)));
+        long beforeTreeBytes = measuresHeap ? usedHeapBytes() : 0;
         Geometry geometry = new Geometry(scene);
-        long built = many ? used() : 0;
+        long treeBytes = measuresHeap ? usedHeapBytes() : 0;
         Light first = scene.lights().getFirst();
-        Samples newScene = shortSamples(progress, i -> timed(() -> scene.withLight(first.withIntensity(2 + i))));
+        TimeSamples newScene = shortSamples(progress, i -> timeMs(() -> scene.withLight(first.withIntensity(2 + i))));
         var explainer = new PixelExplainer(scene, geometry);
-        explainer.pixel(SIZE.width() / 2, SIZE.height() / 2);
-        Samples hover = shortSamples(progress, i -> {
+        explainer.explainPixel(SIZE.width() / 2, SIZE.height() / 2);
+        TimeSamples hover = shortSamples(progress, i -> {
             Scene moved = scene.withLight(first.withPosition(first.position().plus(new Vec3(0.01 * (i + 1), 0, 0))));
-            return timed(() -> explainer.forScene(moved, geometry).pixel(SIZE.width() / 2, SIZE.height() / 2));
+            return timeMs(() -> explainer.forScene(moved, geometry).explainPixel(SIZE.width() / 2, SIZE.height() / 2));
         });
-        return new Editing(point.shapes(), point.lights(), load, tree, newScene, plan(scene, geometry, progress), hover,
-                many ? (double) (read - before) / point.shapes() : Double.NaN,
-                many ? (double) (built - rest) / point.shapes() : Double.NaN);
+        return new EditingCost(point.shapes(), point.lights(), load, tree, newScene, plan(scene, geometry, progress), hover,
+                measuresHeap ? (double) (documentBytes - emptyBytes) / point.shapes() : Double.NaN,
+                measuresHeap ? (double) (treeBytes - beforeTreeBytes) / point.shapes() : Double.NaN);
     }
 
-    private Samples plan(Scene scene, Geometry geometry, Progress progress) {
-        try (var renderer = new Renderer(Options.DEFAULT.withThreads(settings.threads()))) {
-            renderer.share(geometry);
-            renderer.render(scene, progress.silent());
+    private TimeSamples plan(Scene scene, Geometry geometry, Progress progress) {
+        try (var renderer = new Renderer(RenderOptions.DEFAULT.withThreads(settings.threads()))) {
+            renderer.setSharedGeometry(geometry);
+            renderer.render(scene, progress.cancellationOnly());
             Light first = scene.lights().getFirst();
             return shortSamples(progress, i -> {
                 Scene edited = scene.withLight(first.withIntensity(2 + i));
-                return timed(() -> renderer.plan(edited));
+                return timeMs(() -> renderer.plan(edited));
             });
         }
     }
 
-    private Samples shortSamples(Progress progress, IntFunction<Double> sample) {
-        int times = SHORT * settings.repetitions();
+    private TimeSamples shortSamples(Progress progress, IntFunction<Double> sample) {
+        int times = SHORT_SAMPLES * settings.repetitions();
         if (settings.isWarm()) {
             samples(times, progress, i -> sample.apply(times + i));
         }
         return samples(times, progress, sample);
     }
 
-    private static Samples samples(int times, Progress progress, IntFunction<Double> sample) {
+    private static TimeSamples samples(int times, Progress progress, IntFunction<Double> sample) {
         List<Double> ms = new ArrayList<>();
         for (int i = 0; i < times; i++) {
-            if (progress.isCancelled()) {
+            if (progress.isCanceled()) {
                 throw new CancellationException("cancelled after " + i + " of " + times + " samples");
             }
             ms.add(sample.apply(i));
         }
-        return Samples.of(new Timing(ms));
+        return TimeSamples.of(new Timing(ms));
     }
 
-    private static double timed(Runnable work) {
+    private static double timeMs(Runnable work) {
         long start = System.nanoTime();
         work.run();
         return (System.nanoTime() - start) / 1e6;
@@ -135,7 +135,7 @@ final class EditingBench {
     }
 
     /** Bytes of heap in use once what is not is gone. */
-    private static long used() {
+    private static long usedHeapBytes() {
         // The second takes what the first has found to be finalizable or referenced softly.
         System.gc();
         System.gc();

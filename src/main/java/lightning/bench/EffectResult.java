@@ -36,6 +36,6 @@ public record EffectResult(String effect, boolean inUse, List<String> callers, d
     static EffectResult of(EffectCost cost) {
         return new EffectResult(cost.effect().title(), cost.inUse(), cost.callers(), cost.firstMs(), cost.updateMs(), cost.firstNoise(),
                 cost.updateNoise(),
-                cost.bytes(), cost.rays().all());
+                cost.bytes(), cost.rays().total());
     }
 }

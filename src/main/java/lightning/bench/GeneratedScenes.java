@@ -10,10 +10,10 @@ import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
@@ -37,7 +37,7 @@ final class GeneratedScenes {
      */
     static Scene of(long seed, PictureSize size, int shapes, int lights, int depth) {
         Random random = new Random(seed);
-        List<Node> nodes = new ArrayList<>();
+        List<SceneNode> nodes = new ArrayList<>();
         nodes.add(new Shape(Solid.PLANE, "floor", "matt", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(20, 1, 20))));
         // So many balls of this radius take a tenth of the block, whatever their number.
         double radius = Math.cbrt(0.1 * WIDTH * WIDTH * HEIGHT / (Math.max(shapes - 1, 1) * 4 / 3.0 * Math.PI));
@@ -47,12 +47,12 @@ final class GeneratedScenes {
             nodes.add(new Shape(Solid.SPHERE, "ball" + i, i % 2 == 0 ? "mirror" : "matt",
                     new Placement(at, Vec3.ZERO, Vec3.ONE.times(radius))));
         }
-        List<Light> shining = new ArrayList<>();
+        List<Light> lightList = new ArrayList<>();
         for (int i = 0; i < lights; i++) {
-            shining.add(light(i, lights, random));
+            lightList.add(light(i, lights, random));
         }
-        return new Scene(new Picture(size.width(), size.height(), depth), CAMERA, World.DEFAULT,
-                List.of(material("matt", Rgb.BLACK), material("mirror", Rgb.grey(0.5))), nodes, shining);
+        return new Scene(new PictureSettings(size.width(), size.height(), depth), CAMERA, World.DEFAULT,
+                List.of(material("matt", Rgb.BLACK), material("mirror", Rgb.gray(0.5))), nodes, lightList);
     }
 
     private static Light light(int i, int lights, Random random) {
@@ -63,7 +63,7 @@ final class GeneratedScenes {
     }
 
     private static Material material(String name, Rgb reflective) {
-        return Material.of(name).withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.grey(0.7)).withSpecular(Rgb.grey(0.2))
+        return Material.of(name).withAmbient(Rgb.gray(0.1)).withDiffuse(Rgb.gray(0.7)).withSpecular(Rgb.gray(0.2))
                 .withReflective(reflective);
     }
 }

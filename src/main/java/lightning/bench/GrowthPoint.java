@@ -9,11 +9,11 @@ import java.util.List;
  * @param fullTrace the traditional trace
  * @param edits     each kind of edit at grade exact, mirrors stale
  */
-public record GrowthPoint(long at, Samples fullTrace, List<EditTime> edits) {
+public record GrowthPoint(long at, TimeSamples fullTrace, List<EditTime> edits) {
     public GrowthPoint {
         edits = List.copyOf(edits);
     }
 
     /** The time of one kind of edit. */
-    public record EditTime(String edit, Samples time) {}
+    public record EditTime(String edit, TimeSamples time) {}
 }

@@ -10,20 +10,20 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
-import lightning.bench.accuracy.Bandwidth;
-import lightning.bench.accuracy.BrokenPromise;
-import lightning.bench.accuracy.LadderMeter;
+import lightning.base.work.WorkerPool;
+import lightning.bench.accuracy.AccuracySweepMeter;
+import lightning.bench.accuracy.GuaranteeViolation;
+import lightning.bench.accuracy.MemoryBandwidth;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
-import lightning.render.relight.MemoryNeed;
-import lightning.render.relight.PictureTooLarge;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.PictureTooLargeException;
+import lightning.render.relight.tile.RenderOptions;
 
 /**
  * A run: measures scenes, part by part.
  *
- * <p>What cannot be measured becomes a {@link Failure} and costs that part alone. After each part the results until then
+ * <p>What cannot be measured becomes a {@link MeasurementFailure} and costs that part alone. After each part the results until then
  * are handed on, so that a run that is cancelled leaves what it has.
  */
 public final class Harness {
@@ -31,29 +31,29 @@ public final class Harness {
     private static final int QUICK_DRIFT_EDITS = 100;
     private static final PictureSize DRIFT_SIZE = new PictureSize(96, 96);
     /** For how long the first scene is traced at least before anything is measured. */
-    private static final double COLD_MS = 2000;
-    private static final double PACE_MS = 250;
+    private static final double JIT_WARM_UP_MS = 2000;
+    private static final double THROUGHPUT_MS = 250;
     private static final double WARM_UP_MS = 3000;
     private static final double QUICK_WARM_UP_MS = 1500;
 
     /** Hears of a run while it goes on. */
     public interface Listener {
         /** What was measured until now; the last part is the last in it. */
-        void measured(String part, Results results) throws IOException;
+        void partMeasured(String part, BenchResults results) throws IOException;
     }
 
-    private final Settings settings;
+    private final BenchSettings settings;
     private final List<NamedScene> scenes;
-    private final Ledger ledger = new Ledger();
-    private final List<Group> groups = new ArrayList<>();
+    private final ResultCollector ledger = new ResultCollector();
+    private final List<PartGroup> groups = new ArrayList<>();
     private final List<Double> triad;
     private final double predictedMs;
-    private final long begin = System.nanoTime();
-    private final LoadMeter load = new LoadMeter();
-    private final Run run;
+    private final long startNs = System.nanoTime();
+    private final SystemLoadMeter loadMeter = new SystemLoadMeter();
+    private final BenchRun run;
 
     /** Parts that share something, which is closed after the last. */
-    private record Group(List<Part> parts, AutoCloseable shared) {}
+    private record PartGroup(List<BenchPart> parts, AutoCloseable shared) {}
 
     /**
      * Prepares a run: lets the compiler see the first scene's edits, measures the bandwidth of memory, traces each scene for a
@@ -63,40 +63,42 @@ public final class Harness {
      * @param problems  of scenes that could not be read
      * @param folder    where pictures go
      * @param arguments the command's, to be written down
-     * @throws PictureTooLarge       if no scene fits into memory at any size; where some do, the others become problems. Asked
+     * @throws PictureTooLargeException       if no scene fits into memory at any size; where some do, the others become problems. Asked
      *                               before anything is measured
      * @throws CancellationException if {@code progress} asked to stop
      */
-    public Harness(Settings settings, List<NamedScene> scenes, List<Failure> problems, Path folder, List<String> arguments,
+    public Harness(BenchSettings settings, List<NamedScene> scenes, List<MeasurementFailure> problems, Path folder, List<String> arguments,
             Progress progress) {
         this.settings = settings;
         this.scenes = List.copyOf(scenes);
-        problems.forEach(ledger::problem);
-        Set<Measurable> fitting = fitting();
-        List<Pace> paces = new ArrayList<>();
-        try (Workers workers = new Workers(settings.threads())) {
-            triad = Bandwidth.triad(workers, settings.isWarm() ? Bandwidth.REPETITIONS : 1);
-            warmUp(workers, progress.silent());
-            double leastMs = settings.isWarm() ? PACE_MS : 0;
-            scenes.forEach(scene -> paces.add(Pace.of(scene.scene(), workers, leastMs, progress.silent())));
+        problems.forEach(ledger::addProblem);
+        Set<Measurable> measurable = measurableScenes();
+        List<TraceThroughput> throughputs = new ArrayList<>();
+        try (WorkerPool workers = new WorkerPool(settings.threads())) {
+            triad = MemoryBandwidth.triad(workers, settings.isWarm() ? MemoryBandwidth.REPETITIONS : 1);
+            warmUp(workers, progress.cancellationOnly());
+            double minMs = settings.isWarm() ? THROUGHPUT_MS : 0;
+            scenes.forEach(scene -> throughputs.add(TraceThroughput.measure(scene.scene(), workers, minMs, progress.cancellationOnly())));
         }
-        double best = triad.stream().mapToDouble(d -> d).max().orElseThrow();
+        double bestBytesPerMs = triad.stream().mapToDouble(d -> d).max().orElseThrow();
         for (int i = 0; i < scenes.size(); i++) {
-            add(scenes.get(i), paces.get(i), fitting, best, new Pictures(folder));
+            add(scenes.get(i), throughputs.get(i), measurable, bestBytesPerMs, new PictureWriter(folder));
         }
         if (settings.curves() && !scenes.isEmpty()) {
-            groups.add(new Group(new GrowthBench(settings, ledger, best).parts(paces.getFirst()), () -> {}));
-            groups.add(new Group(List.of(drift(paces.getFirst())), () -> {}));
+            groups.add(new PartGroup(new GrowthBench(settings, ledger, bestBytesPerMs).parts(throughputs.getFirst()), () -> {}));
+            groups.add(new PartGroup(List.of(drift(throughputs.getFirst())), () -> {}));
         }
         if (settings.editing()) {
-            groups.add(new Group(new EditingBench(settings, ledger).parts(), () -> {}));
+            groups.add(new PartGroup(new EditingBench(settings, ledger).parts(), () -> {}));
         }
         if (settings.meshes()) {
-            groups.add(new Group(new MeshBench(settings, ledger).parts(), () -> {}));
+            groups.add(new PartGroup(new MeshBench(settings, ledger).parts(), () -> {}));
         }
-        predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(Part::predictedMs).sum();
-        run = new Run(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), Here.commit(), arguments, Here.machine(), load.load(),
-                settings.seed(), settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false, best / 1e6,
+        predictedMs = groups.stream().flatMap(g -> g.parts().stream()).mapToDouble(BenchPart::predictedMs).sum();
+        run = new BenchRun(Instant.now().truncatedTo(ChronoUnit.SECONDS).toString(), MachineInfo.commit(), arguments, MachineInfo.machine(),
+                loadMeter.current(),
+                settings.seed(), settings.threads(), settings.repetitions(), settings.quick(), predictedMs / 1e3, 0, false,
+                bestBytesPerMs / 1e6,
                 triad.stream().map(d -> d / 1e6).toList());
     }
 
@@ -104,50 +106,51 @@ public final class Harness {
     private record Measurable(NamedScene scene, PictureSize size) {}
 
     /** What fits into memory; the rest becomes problems, and if that is all there is, nothing begins. */
-    private Set<Measurable> fitting() {
-        Set<Measurable> fitting = new HashSet<>();
-        PictureTooLarge refusal = null;
+    private Set<Measurable> measurableScenes() {
+        Set<Measurable> measurable = new HashSet<>();
+        PictureTooLargeException tooLarge = null;
         for (NamedScene scene : scenes) {
             for (PictureSize size : settings.sizes()) {
                 try {
-                    MemoryNeed.check(size.of(scene.scene()), Options.DEFAULT.withThreads(settings.threads()));
-                    fitting.add(new Measurable(scene, size));
-                } catch (PictureTooLarge e) {
-                    refusal = e;
-                    ledger.problem(new Failure(Failure.Kind.UNMEASURED, scene.name() + " at " + size, e.getMessage()));
+                    MemoryEstimate.check(size.of(scene.scene()), RenderOptions.DEFAULT.withThreads(settings.threads()));
+                    measurable.add(new Measurable(scene, size));
+                } catch (PictureTooLargeException e) {
+                    tooLarge = e;
+                    ledger.addProblem(
+                            new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, scene.name() + " at " + size, e.getMessage()));
                 }
             }
         }
-        if (refusal != null && fitting.isEmpty()) {
-            throw refusal;
+        if (tooLarge != null && measurable.isEmpty()) {
+            throw tooLarge;
         }
-        return fitting;
+        return measurable;
     }
 
-    private void add(NamedScene scene, Pace pace, Set<Measurable> fitting, double bytesPerMs, Pictures pictures) {
+    private void add(NamedScene scene, TraceThroughput throughput, Set<Measurable> measurable, double bytesPerMs, PictureWriter pictures) {
         for (PictureSize size : settings.sizes()) {
-            if (!fitting.contains(new Measurable(scene, size))) {
+            if (!measurable.contains(new Measurable(scene, size))) {
                 continue;
             }
-            Ledger.Page page = ledger.page(scene, size);
-            SceneBench bench = new SceneBench(settings, ledger, page, scene, size, bytesPerMs,
+            ResultCollector.SceneCollector collector = ledger.addScene(scene, size);
+            SceneBench bench = new SceneBench(settings, ledger, collector, scene, size, bytesPerMs,
                     size.equals(settings.sizes().getFirst()) ? pictures : null);
-            List<Part> parts = new ArrayList<>(bench.parts(pace, size));
+            List<BenchPart> parts = new ArrayList<>(bench.parts(throughput, size));
             if (settings.peers()) {
-                PovPeer.find().ifPresent(peer -> parts.add(peer.part(settings, ledger, page, scene, size, pace)));
+                PovRayBench.find().ifPresent(peer -> parts.add(peer.part(settings, ledger, collector, scene, size, throughput)));
             }
             if (settings.processes() > 0 && scene.file() != null) {
-                parts.add(new ColdBench(settings, ledger).part(page, scene, size, pace));
+                parts.add(new ColdStartBench(settings, ledger).part(collector, scene, size, throughput));
             }
-            groups.add(new Group(parts, bench));
+            groups.add(new PartGroup(parts, bench));
         }
     }
 
-    private Part drift(Pace pace) {
+    private BenchPart drift(TraceThroughput throughput) {
         int edits = settings.quick() ? QUICK_DRIFT_EDITS : DRIFT_EDITS;
         DriftBench drift = new DriftBench(scenes.getFirst(), DRIFT_SIZE, settings.threads(), settings.seed());
-        return new Part("drift over " + edits + " edits", edits * (pace.fullMs(DRIFT_SIZE) + 1),
-                progress -> ledger.drift(drift.measure(edits, progress)));
+        return new BenchPart("drift over " + edits + " edits", edits * (throughput.fullMs(DRIFT_SIZE) + 1),
+                progress -> ledger.addDrift(drift.measure(edits, progress)));
     }
 
     /** How long the run will take, seconds, good to about a factor of two. */
@@ -156,8 +159,8 @@ public final class Harness {
     }
 
     /** What was measured until now. */
-    public Results results(boolean complete) {
-        return ledger.results(run.after((System.nanoTime() - begin) / 1e9, complete, load.load()));
+    public BenchResults results(boolean complete) {
+        return ledger.results(run.withOutcome((System.nanoTime() - startNs) / 1e9, complete, loadMeter.current()));
     }
 
     /**
@@ -169,14 +172,14 @@ public final class Harness {
      * @throws InterruptedException     if this thread was interrupted while another program ran
      * @throws CancellationException    if {@code progress} asked to stop; {@link #results} still has what was measured
      */
-    public Results run(Listener listener, Progress progress) throws IOException, InterruptedException {
-        double done = 0;
-        for (Group group : groups) {
+    public BenchResults run(Listener listener, Progress progress) throws IOException, InterruptedException {
+        double doneMs = 0;
+        for (PartGroup group : groups) {
             try (AutoCloseable _ = group.shared()) {
-                for (Part part : group.parts()) {
-                    measure(part, new Share(progress, done / predictedMs, part.predictedMs() / predictedMs));
-                    done += part.predictedMs();
-                    listener.measured(part.where(), results(false));
+                for (BenchPart part : group.parts()) {
+                    measure(part, new PartProgress(progress, doneMs / predictedMs, part.predictedMs() / predictedMs));
+                    doneMs += part.predictedMs();
+                    listener.partMeasured(part.where(), results(false));
                 }
             } catch (IOException | InterruptedException | RuntimeException e) {
                 throw e;
@@ -187,35 +190,36 @@ public final class Harness {
         return results(true);
     }
 
-    private void measure(Part part, Progress progress) throws IOException, InterruptedException {
-        progress.tiles(0, 1);
+    private void measure(BenchPart part, Progress progress) throws IOException, InterruptedException {
+        progress.report(0, 1);
         try {
             part.work().measure(progress);
-        } catch (BrokenPromise e) {
-            ledger.problem(new Failure(Failure.Kind.BROKEN, part.where(), e.getMessage()));
-        } catch (PictureTooLarge e) {
-            ledger.problem(new Failure(Failure.Kind.UNMEASURED, part.where(), e.getMessage()));
+        } catch (GuaranteeViolation e) {
+            ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.BROKEN, part.where(), e.getMessage()));
+        } catch (PictureTooLargeException e) {
+            ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), e.getMessage()));
         } catch (OutOfMemoryError e) {
-            ledger.problem(new Failure(Failure.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
+            ledger.addProblem(
+                    new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED, part.where(), "there is not enough memory for it"));
         }
     }
 
     /** Lets the compiler see the first scene's edits. */
-    private void warmUp(Workers workers, Progress progress) {
+    private void warmUp(WorkerPool workers, Progress progress) {
         if (scenes.isEmpty() || !settings.isWarm()) {
             return;
         }
-        Pace.of(scenes.getFirst().scene(), workers, COLD_MS, progress);
-        double patienceMs = settings.quick() ? QUICK_WARM_UP_MS : WARM_UP_MS;
+        TraceThroughput.measure(scenes.getFirst().scene(), workers, JIT_WARM_UP_MS, progress);
+        double maxMs = settings.quick() ? QUICK_WARM_UP_MS : WARM_UP_MS;
         var scene = new PictureSize(160, 120).of(scenes.getFirst().scene());
         long start = System.nanoTime();
-        try (LadderMeter meter = new LadderMeter(settings.threads(), 1, 0)) {
+        try (AccuracySweepMeter meter = new AccuracySweepMeter(settings.threads(), 1, 0)) {
             for (PaperCase edit : PaperCases.of(scene)) {
-                if ((System.nanoTime() - start) / 1e6 < patienceMs) {
+                if ((System.nanoTime() - start) / 1e6 < maxMs) {
                     meter.measure(scene, edit.after(), progress);
                 }
             }
-        } catch (BrokenPromise e) {
+        } catch (GuaranteeViolation e) {
             // The part that measures it will say so.
         }
     }

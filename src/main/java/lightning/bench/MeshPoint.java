@@ -12,7 +12,7 @@ import java.util.List;
  * @param rays      one for each kind of rays
  * @param rival     another program; null where none is installed
  */
-public record MeshPoint(int triangles, double meshBytes, double treeBytes, Samples tree, List<RayPace> rays, Rival rival) {
+public record MeshPoint(int triangles, double meshBytes, double treeBytes, TimeSamples tree, List<RayThroughput> rays, Rival rival) {
     public MeshPoint {
         rays = List.copyOf(rays);
     }
@@ -24,5 +24,5 @@ public record MeshPoint(int triangles, double meshBytes, double treeBytes, Sampl
      * @param treeBytes as ours
      * @param tree      as ours, measured in turns with it
      */
-    public record Rival(String program, double treeBytes, Samples tree) {}
+    public record Rival(String program, double treeBytes, TimeSamples tree) {}
 }

@@ -16,30 +16,31 @@ import java.util.stream.IntStream;
  */
 record ProcessorTime(long own, long children, long busy, long all) {
     static final double TICK_MS = 10;
-    private static final Path PROCESS = Path.of("/proc/self/stat");
-    private static final Path MACHINE = Path.of("/proc/stat");
-    /** Places in {@link #PROCESS} after the program's name: user and kernel time, then the children's. */
+    private static final Path PROCESS_STAT = Path.of("/proc/self/stat");
+    private static final Path SYSTEM_STAT = Path.of("/proc/stat");
+    /** Places in {@link #PROCESS_STAT} after the program's name: user and kernel time, then the children's. */
     private static final int USER = 11;
-    /** Places in the first line of {@link #MACHINE}: user, nice, system, idle, waiting for disks, two of interrupts, stolen. */
+    /** Places in the first line of {@link #SYSTEM_STAT}: user, nice, system, idle, waiting for disks, two of interrupts, stolen. */
     private static final int IDLE = 3;
-    private static final int WAITING = 4;
-    private static final int COUNTED = 8;
+    private static final int IO_WAIT = 4;
+    private static final int FIELD_COUNT = 8;
 
     /** The time until now; empty where the system does not report it. */
     static Optional<ProcessorTime> now() {
         try {
-            return Optional.of(of(Files.readString(PROCESS), Files.readString(MACHINE)));
+            return Optional.of(parse(Files.readString(PROCESS_STAT), Files.readString(SYSTEM_STAT)));
         } catch (IOException | RuntimeException e) {
             return Optional.empty();
         }
     }
 
     /** Reads it from the text of both files. */
-    static ProcessorTime of(String process, String machine) {
-        long[] mine = numbers(process.substring(process.lastIndexOf(')') + 2), USER, USER + 4);
-        long[] machines = numbers(machine.lines().findFirst().orElseThrow().replaceFirst("cpu +", ""), 0, COUNTED);
-        long all = IntStream.range(0, COUNTED).mapToLong(i -> machines[i]).sum();
-        return new ProcessorTime(mine[0] + mine[1], mine[2] + mine[3], all - machines[IDLE] - machines[WAITING], all);
+    static ProcessorTime parse(String process, String machine) {
+        long[] processTicks = numbers(process.substring(process.lastIndexOf(')') + 2), USER, USER + 4);
+        long[] systemTicks = numbers(machine.lines().findFirst().orElseThrow().replaceFirst("cpu +", ""), 0, FIELD_COUNT);
+        long total = IntStream.range(0, FIELD_COUNT).mapToLong(i -> systemTicks[i]).sum();
+        return new ProcessorTime(processTicks[0] + processTicks[1], processTicks[2] + processTicks[3],
+                total - systemTicks[IDLE] - systemTicks[IO_WAIT], total);
     }
 
     private static long[] numbers(String text, int from, int to) {
@@ -48,9 +49,9 @@ record ProcessorTime(long own, long children, long busy, long all) {
     }
 
     /** The share of the machine's processor time since {@code start} that neither this process nor its children had, 0…1. */
-    double othersSince(ProcessorTime start) {
-        long mine = own + children - start.own - start.children;
-        long passed = all - start.all;
-        return passed <= 0 ? 0 : Math.clamp((double) (busy - start.busy - mine) / passed, 0, 1);
+    double otherShareSince(ProcessorTime start) {
+        long ownTicks = own + children - start.own - start.children;
+        long elapsedTicks = all - start.all;
+        return elapsedTicks <= 0 ? 0 : Math.clamp((double) (busy - start.busy - ownTicks) / elapsedTicks, 0, 1);
     }
 }

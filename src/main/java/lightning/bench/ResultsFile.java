@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.util.DefaultIndenter;
@@ -22,13 +22,13 @@ import tools.jackson.dataformat.csv.CsvMapper;
  */
 public final class ResultsFile {
     /** A line for each property, so that two results can be compared by eye; spaces before it would double the file. */
-    private static final DefaultIndenter LINES = new DefaultIndenter("", "\n");
+    private static final DefaultIndenter LINE_INDENTER = new DefaultIndenter("", "\n");
     /** Results of a full run have some MB. */
-    private static final long MOST_BYTES = 200_000_000;
+    private static final long MAX_BYTES = 200_000_000;
     private static final JsonMapper JSON = JsonMapper.builder()
             .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
             .enable(SerializationFeature.INDENT_OUTPUT)
-            .defaultPrettyPrinter(new DefaultPrettyPrinter().withObjectIndenter(LINES))
+            .defaultPrettyPrinter(new DefaultPrettyPrinter().withObjectIndenter(LINE_INDENTER))
             .enable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
             .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
             .build();
@@ -41,9 +41,9 @@ public final class ResultsFile {
      *
      * @throws IOException if the file cannot be written
      */
-    public static void writeJson(Path file, Results results) throws IOException {
+    public static void writeJson(Path file, BenchResults results) throws IOException {
         byte[] text = JSON.writeValueAsBytes(results);
-        SafeFile.write(file, out -> out.write(text));
+        AtomicFile.write(file, out -> out.write(text));
     }
 
     /**
@@ -51,16 +51,16 @@ public final class ResultsFile {
      *
      * @throws IOException if the file cannot be read, or holds no results; the message says where and why
      */
-    public static Results readJson(Path file) throws IOException {
+    public static BenchResults readJson(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new IOException(file + ": is no file, expected results of 'lightning bench'");
         }
-        if (Files.exists(file) && Files.size(file) > MOST_BYTES) {
+        if (Files.exists(file) && Files.size(file) > MAX_BYTES) {
             throw new IOException(
-                    file + ": no results of 'lightning bench': they have at most " + MOST_BYTES + " bytes, it has " + Files.size(file));
+                    file + ": no results of 'lightning bench': they have at most " + MAX_BYTES + " bytes, it has " + Files.size(file));
         }
         try {
-            return JSON.readValue(Files.readAllBytes(file), Results.class);
+            return JSON.readValue(Files.readAllBytes(file), BenchResults.class);
         } catch (JacksonException e) {
             var at = e.getLocation();
             throw new IOException(Quote.path(file) + (at == null ? "" : ":" + at.getLineNr() + ":" + at.getColumnNr())
@@ -73,9 +73,9 @@ public final class ResultsFile {
      *
      * @throws IOException if the file cannot be written
      */
-    public static void writeCsv(Path file, Results results) throws IOException {
+    public static void writeCsv(Path file, BenchResults results) throws IOException {
         List<CsvRow> rows = CsvRow.of(results);
         byte[] text = CSV.writer(CSV.schemaFor(CsvRow.class).withHeader()).writeValueAsBytes(rows);
-        SafeFile.write(file, out -> out.write(text));
+        AtomicFile.write(file, out -> out.write(text));
     }
 }

@@ -7,17 +7,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import lightning.base.work.Progress;
+import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.accuracy.AccuracySweep;
+import lightning.bench.accuracy.AccuracySweepMeter;
 import lightning.bench.accuracy.EffectCost;
 import lightning.bench.accuracy.EffectCosts;
-import lightning.bench.accuracy.Grade;
-import lightning.bench.accuracy.Ladder;
-import lightning.bench.accuracy.LadderMeter;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
-import lightning.bench.accuracy.Rung;
-import lightning.bench.accuracy.SavingMeter;
+import lightning.bench.accuracy.SweepPoint;
+import lightning.bench.accuracy.UpdateSavingMeter;
 import lightning.render.image.Film;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Measures one scene at one size: its first pass, and the ladder of each edit with each value. */
@@ -25,52 +25,55 @@ final class SceneBench implements AutoCloseable {
     /** First passes for each repetition of an edit. */
     private static final int FIRST_PASSES = 3;
     /** Of each effect, with it and without. */
-    private static final int EFFECTS = 2;
+    private static final int EFFECT_PASSES = 2;
 
-    private final Settings settings;
-    private final Ledger ledger;
-    private final Ledger.Page page;
+    private final BenchSettings settings;
+    private final ResultCollector ledger;
+    private final ResultCollector.SceneCollector collector;
     private final String name;
     private final Scene scene;
     private final double bytesPerMs;
     /** Null where no pictures are written. */
-    private final Pictures pictures;
-    private LadderMeter meter;
+    private final PictureWriter pictures;
+    private AccuracySweepMeter meter;
 
-    SceneBench(Settings settings, Ledger ledger, Ledger.Page page, NamedScene named, PictureSize size, double bytesPerMs,
-            Pictures pictures) {
+    SceneBench(BenchSettings settings, ResultCollector ledger, ResultCollector.SceneCollector collector, NamedScene namedScene,
+            PictureSize size, double bytesPerMs,
+            PictureWriter pictures) {
         this.settings = settings;
         this.ledger = ledger;
-        this.page = page;
+        this.collector = collector;
         this.bytesPerMs = bytesPerMs;
         this.pictures = pictures;
-        name = named.name();
-        scene = size.of(named.scene());
+        name = namedScene.name();
+        scene = size.of(namedScene.scene());
     }
 
     /** What is to be measured. */
-    List<Part> parts(Pace pace, PictureSize size) {
-        String where = name + " at " + size;
-        List<Part> parts = new ArrayList<>();
-        parts.add(new Part(where + ", first pass", pace.firstPassMs(size, FIRST_PASSES * settings.repetitions()), this::firstPass));
-        cases().forEach((edit, values) -> parts.add(new Part(where + ", " + edit,
-                pace.ladderMs(size, settings.repetitions()) * values.size(), progress -> edit(values, progress))));
+    List<BenchPart> parts(TraceThroughput throughput, PictureSize size) {
+        String title = name + " at " + size;
+        List<BenchPart> parts = new ArrayList<>();
+        parts.add(new BenchPart(title + ", first pass", throughput.firstPassMs(size, FIRST_PASSES * settings.repetitions()),
+                this::measureFirstPass));
+        cases().forEach((edit, values) -> parts.add(new BenchPart(title + ", " + edit,
+                throughput.sweepMs(size, settings.repetitions()) * values.size(), progress -> measureEdit(values, progress))));
         if (settings.effects() && size.equals(settings.sizes().getLast())) {
-            parts.add(new Part(where + ", effects",
-                    pace.effectsMs(size, EFFECTS * settings.repetitions(), EffectCosts.measurable(scene)), this::effects));
+            parts.add(new BenchPart(title + ", effects",
+                    throughput.effectsMs(size, EFFECT_PASSES * settings.repetitions(), EffectCosts.measurableCount(scene)),
+                    this::measureEffects));
         }
         return parts;
     }
 
     /** What each effect takes, in the first pass and in the update after a light was moved. */
-    private void effects(Progress progress) {
-        Scene after = PaperCases.moved(scene).map(PaperCase::after).orElse(scene);
+    private void measureEffects(Progress progress) {
+        Scene after = PaperCases.moveCase(scene).map(PaperCase::after).orElse(scene);
         // The ladder's pictures need not lie in memory beside all the samples.
         close();
-        EffectCosts costs = EffectCosts.of(scene, after, Options.DEFAULT.withThreads(settings.threads()),
-                settings.isWarm() ? EFFECTS * settings.repetitions() : 1, progress);
-        page.effects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
-        costs.tooLarge().forEach(effect -> ledger.problem(new Failure(Failure.Kind.UNMEASURED,
+        EffectCosts costs = EffectCosts.of(scene, after, RenderOptions.DEFAULT.withThreads(settings.threads()),
+                settings.isWarm() ? EFFECT_PASSES * settings.repetitions() : 1, progress);
+        collector.setEffects(costs.effects().stream().filter(EffectCost::measured).map(EffectResult::of).toList());
+        costs.effectsOverMemory().forEach(effect -> ledger.addProblem(new MeasurementFailure(MeasurementFailure.Kind.UNMEASURED,
                 name + " at " + scene.picture().width() + "x" + scene.picture().height() + ", effects",
                 "there is not enough memory for " + effect.title())));
     }
@@ -87,64 +90,66 @@ final class SceneBench implements AutoCloseable {
         }
         // A value that says the same again is the same edit: a scene of depth 0 or 10 has fewer depths to change to.
         cases.values().forEach(values -> {
-            List<String> seen = new ArrayList<>();
-            values.removeIf(edit -> seen.contains(edit.value()) || !seen.add(edit.value()));
+            List<String> seenValues = new ArrayList<>();
+            values.removeIf(edit -> seenValues.contains(edit.value()) || !seenValues.add(edit.value()));
         });
         return cases;
     }
 
-    private void firstPass(Progress progress) throws IOException {
+    private void measureFirstPass(Progress progress) throws IOException {
         // The collector makes some of them slow; the median of a few would tell of it by chance.
-        int times = FIRST_PASSES * settings.repetitions();
-        try (SavingMeter first = new SavingMeter(Options.DEFAULT.withThreads(settings.threads()), times,
+        int passes = FIRST_PASSES * settings.repetitions();
+        try (UpdateSavingMeter meter = new UpdateSavingMeter(RenderOptions.DEFAULT.withThreads(settings.threads()), passes,
                 settings.patienceMs(),
                 bytesPerMs)) {
-            page.firstPass(first.firstPass(scene, progress.silent()));
+            collector.setFirstPass(meter.firstPass(scene, progress.cancellationOnly()));
             if (pictures != null) {
-                page.before(pictures.picture(name + "-before", first.renderer().film()));
+                collector.setPictureBefore(pictures.writePicture(name + "-before", meter.renderer().film()));
             }
         }
     }
 
-    private void edit(List<PaperCase> values, Progress progress) throws IOException {
+    private void measureEdit(List<PaperCase> values, Progress progress) throws IOException {
         if (meter == null) {
-            meter = new LadderMeter(settings.threads(), settings.repetitions(), settings.patienceMs());
+            meter = new AccuracySweepMeter(settings.threads(), settings.repetitions(), settings.patienceMs());
         }
         List<ValueResult> results = new ArrayList<>();
         for (PaperCase edit : values) {
             List<Scene> scenes = edit.scenes();
-            Ladder ladder = meter.measure(scenes.get(scenes.size() - 2), scenes.getLast(), progress.silent());
-            results.add(new ValueResult(edit.value(), rungs(ladder, results.isEmpty() ? name + "-" + edit.name() : null)));
-            progress.tiles(results.size(), values.size());
+            AccuracySweep sweep = meter.measure(scenes.get(scenes.size() - 2), scenes.getLast(), progress.cancellationOnly());
+            results.add(new ValueResult(edit.value(), results(sweep, results.isEmpty() ? name + "-" + edit.name() : null)));
+            progress.report(results.size(), values.size());
         }
-        page.edit(EditResult.of(values.getFirst(), results));
+        collector.addEdit(EditResult.of(values.getFirst(), results));
     }
 
-    /** @param picture how the names of its pictures begin, or null where none are written */
-    private List<RungResult> rungs(Ladder ladder, String picture) throws IOException {
-        Rung full = ladder.rung(Grade.FULL_TRACE);
+    /** @param namePrefix how the names of its pictures begin, or null where none are written */
+    private List<SweepPointResult> results(AccuracySweep sweep, String namePrefix) throws IOException {
+        SweepPoint full = sweep.point(AccuracySetting.FULL_TRACE);
         double fullMs = full.time().median();
-        String reference = picture == null || pictures == null ? null : pictures.picture(picture + "-full", full.film());
-        List<RungResult> results = new ArrayList<>();
-        for (Rung rung : ladder.rungs()) {
-            Work work = rung.update() == null ? null
-                    : Work.of(rung.update(), rung.time().median(), fullMs, ladder.fullRays(), bytesPerMs);
-            String grade = picture + "-" + rung.grade().name().toLowerCase(Locale.ROOT).replace('_', '-');
-            results.add(new RungResult(rung.grade(), Samples.of(rung.time()), saving(rung, full), rung.error(), work,
-                    reference == null ? null : shown(grade, rung.film(), full.film(), reference),
-                    reference == null ? null : pictures.difference(grade + "-difference", rung.film(), full.film())));
+        String reference = namePrefix == null || pictures == null ? null : pictures.writePicture(namePrefix + "-full", full.film());
+        List<SweepPointResult> results = new ArrayList<>();
+        for (SweepPoint point : sweep.points()) {
+            UpdateWork work = point.update() == null ? null
+                    : UpdateWork.of(point.update(), point.time().median(), fullMs, sweep.fullRays(), bytesPerMs);
+            String pictureName = namePrefix + "-" + point.setting().name().toLowerCase(Locale.ROOT).replace('_', '-');
+            results.add(new SweepPointResult(point.setting(), TimeSamples.of(point.time()), saving(point, full), point.error(), work,
+                    reference == null ? null : pictureFile(pictureName, point.film(), full.film(), reference),
+                    reference == null ? null : pictures.writeDifference(pictureName + "-difference", point.film(), full.film())));
         }
         return results;
     }
 
-    private static double saving(Rung rung, Rung full) {
-        return rung == full ? 0 : Samples.of(rung.time()).isApart(Samples.of(full.time())) ? rung.time().savingOf(full.time().median())
+    private static double saving(SweepPoint point, SweepPoint full) {
+        return point == full ? 0
+                : TimeSamples.of(point.time()).isDistinctFrom(TimeSamples.of(full.time()))
+                        ? point.time().percentSavedOf(full.time().median())
                 : Double.NaN;
     }
 
     /** A picture equal to the reference needs no file of its own. */
-    private String shown(String grade, Film film, Film full, String reference) throws IOException {
-        return film.sameBits(full) ? reference : pictures.picture(grade, film);
+    private String pictureFile(String pictureName, Film film, Film full, String reference) throws IOException {
+        return film.hasSameBits(full) ? reference : pictures.writePicture(pictureName, film);
     }
 
     @Override

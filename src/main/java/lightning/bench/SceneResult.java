@@ -17,7 +17,7 @@ import java.util.List;
  * @param cold      the picture by processes that have just begun; null where it was not measured
  */
 public record SceneResult(String scene, int width, int height, int depth, int shapes, int lights, String before,
-        FirstPass firstPass, List<EditResult> edits, List<EffectResult> effects, Peer peer, Cold cold) {
+        FirstPassResult firstPass, List<EditResult> edits, List<EffectResult> effects, PeerResult peer, ColdStart cold) {
     public SceneResult {
         edits = List.copyOf(edits);
         effects = List.copyOf(effects);

@@ -2,7 +2,7 @@ package lightning.bench;
 
 import java.util.List;
 import java.util.Optional;
-import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.AccuracySetting;
 
 /**
  * One edit with one value.
@@ -10,18 +10,18 @@ import lightning.bench.accuracy.Grade;
  * @param value what was changed to what, as in {@code sun: color 1 1 1 → 1 0 0}
  * @param rungs one for each grade of accuracy that the scene has, from the roughest to the full trace
  */
-public record ValueResult(String value, List<RungResult> rungs) {
+public record ValueResult(String value, List<SweepPointResult> rungs) {
     public ValueResult {
         rungs = List.copyOf(rungs);
     }
 
     /** That of a grade that the scene has. */
-    public RungResult rung(Grade grade) {
-        return find(grade).orElseThrow();
+    public SweepPointResult point(AccuracySetting setting) {
+        return find(setting).orElseThrow();
     }
 
     /** That of a grade; empty where the scene does not have it. */
-    public Optional<RungResult> find(Grade grade) {
-        return rungs.stream().filter(rung -> rung.grade() == grade).findFirst();
+    public Optional<SweepPointResult> find(AccuracySetting setting) {
+        return rungs.stream().filter(point -> point.grade() == setting).findFirst();
     }
 }

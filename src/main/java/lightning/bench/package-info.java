@@ -2,7 +2,7 @@
  * The harness: what re-rendering saves and what accuracy costs, measured on any scenes and left behind as results.
  *
  * <pre>{@code
- * Results results = ResultsFile.readJson(Path.of("results.json"));
+ * BenchResults results = ResultsFile.readJson(Path.of("results.json"));
  * for (SceneResult scene : results.scenes()) {
  *     for (EditResult edit : scene.edits()) {
  *         System.out.println(scene.scene() + ", " + edit.edit() + ": saves " + edit.saving() + " %");

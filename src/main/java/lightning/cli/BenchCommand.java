@@ -8,17 +8,17 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import lightning.base.text.Quote;
-import lightning.bench.Baseline;
-import lightning.bench.Failure;
-import lightning.bench.Figures;
+import lightning.bench.BaselineComparison;
+import lightning.bench.BenchResults;
+import lightning.bench.BenchSettings;
 import lightning.bench.Harness;
+import lightning.bench.MeasurementFailure;
+import lightning.bench.PaperFigures;
 import lightning.bench.PictureSize;
-import lightning.bench.Reporter;
-import lightning.bench.Results;
 import lightning.bench.ResultsFile;
-import lightning.bench.Settings;
+import lightning.bench.ResultsReporter;
 import lightning.bench.accuracy.PaperCases;
-import lightning.bench.report.Report;
+import lightning.bench.report.HtmlReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -51,11 +51,11 @@ final class BenchCommand implements Callable<Integer> {
     private static final double MINUTE = 60;
     /** Of the paper, with few shapes and with many, and with mirrors in mirrors. */
     private static final List<String> QUICK_SCENES = List.of("bird", "balls", "house");
-    private static final int MOST_PROCESSES = 1000;
+    private static final int MAX_PROCESSES = 1000;
 
     private final Console console;
     /** What makes a page of the results. */
-    private final Reporter reporter = Report::write;
+    private final ResultsReporter reporter = HtmlReport::write;
 
     @Spec
     private CommandSpec command;
@@ -66,9 +66,9 @@ final class BenchCommand implements Callable<Integer> {
     private Path folder;
     @Option(names = "--report", paramLabel = "RESULTS.json",
             description = "Makes the page of results that were kept, and measures nothing.")
-    private Path kept;
+    private Path storedResults;
     @Option(names = "--edits", description = "Edits and curves alone: no effects, no processes that begin cold, no large scenes.")
-    private boolean edits;
+    private boolean editsOnly;
     @Option(names = "--quick",
             description = "A small selection: three of the scenes where none is named, at 640x480, each edit with one value.")
     private boolean quick;
@@ -76,7 +76,7 @@ final class BenchCommand implements Callable<Integer> {
     private boolean effects;
     @Option(names = "--cold", description = {"Whole processes that begin cold, in turns with POV-Ray's where it is installed, and nothing",
         "else but the first pass."})
-    private boolean cold;
+    private boolean coldStart;
     @Option(names = "--editing",
             description = {"What editing costs with up to a million shapes and a thousand lights, below the editor's window,",
                 "and nothing else."})
@@ -85,9 +85,9 @@ final class BenchCommand implements Callable<Integer> {
             description = {"How fast rays are traced against meshes of up to ten million triangles, in turns with Embree where it is",
                 "installed, and nothing else."})
     private boolean meshes;
-    @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class,
+    @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Pixels, more than once for several sizes; 300x300 and 1920x1080 without it.")
-    private List<Size> sizes = List.of();
+    private List<PictureDimensions> sizes = List.of();
     @Option(names = "--baseline", paramLabel = "OLD.json",
             description = {"Prints what became slower (quartiles apart, and by more than 10 %%, also as a share of the full trace)",
                 "or less accurate than these results."})
@@ -96,7 +96,7 @@ final class BenchCommand implements Callable<Integer> {
     private long seed;
     @Mixin
     private ThreadsOption threads;
-    private Figures.Subject figure;
+    private PaperFigures.Subject figure;
     private Integer values;
     private Integer repetitions;
     private Integer processes;
@@ -104,8 +104,8 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--processes", paramLabel = "N",
             description = "How many processes that begin cold render each picture; 10 without it, 0 with --quick.")
     private void setProcesses(int value) {
-        if (value < 0 || value > MOST_PROCESSES) {
-            throw new ParameterException(command.commandLine(), "--processes must be from 0 to " + MOST_PROCESSES + ", was " + value);
+        if (value < 0 || value > MAX_PROCESSES) {
+            throw new ParameterException(command.commandLine(), "--processes must be from 0 to " + MAX_PROCESSES + ", was " + value);
         }
         processes = value;
     }
@@ -114,8 +114,8 @@ final class BenchCommand implements Callable<Integer> {
             description = {"The edits of one of the paper's figures alone, on its scene where none is named; B1 to B4 are the examples",
                 "of its Appendix B (balls, spaceship, desk, house), B is all four."})
     private void setFigure(String value) {
-        figure = Figures.read(value).orElseThrow(() -> new ParameterException(command.commandLine(),
-                "--figure must be one that shows measured edits (" + Figures.measured() + "), was " + Quote.of(value)));
+        figure = PaperFigures.parse(value).orElseThrow(() -> new ParameterException(command.commandLine(),
+                "--figure must be one that shows measured edits (" + PaperFigures.measuredRange() + "), was " + Quote.of(value)));
     }
 
     @Option(names = "--values", paramLabel = "N", description = "How many values each edit has; 3 without it, 1 with --quick.")
@@ -130,7 +130,7 @@ final class BenchCommand implements Callable<Integer> {
     @Option(names = "--repetitions", paramLabel = "N",
             description = "How many samples each work has; 5 without it, 3 with --quick. 1 is for a look: nothing is warmed up.")
     private void setRepetitions(int value) {
-        repetitions = RepetitionsOption.checked(command, value);
+        repetitions = RepetitionsOption.requireValid(command, value);
     }
 
     BenchCommand(Console console) {
@@ -139,60 +139,60 @@ final class BenchCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        if (kept != null) {
+        if (storedResults != null) {
             return report();
         }
         if (folder == null) {
             throw new ParameterException(command.commandLine(), "Missing required option: '--output=DIR'");
         }
-        Results old = baseline == null ? null : ResultsFile.readJson(baseline);
-        BenchScenes read = BenchScenes.read(scenes, figure != null ? figure.scenes() : quick ? QUICK_SCENES : List.of());
-        read.problems().forEach(problem -> console.remark("%s", problem.what()));
-        if (read.scenes().isEmpty()) {
-            throw new BadInput("there is no scene to measure");
+        BenchResults baselineResults = baseline == null ? null : ResultsFile.readJson(baseline);
+        BenchScenes benchScenes = BenchScenes.read(scenes, figure != null ? figure.scenes() : quick ? QUICK_SCENES : List.of());
+        benchScenes.problems().forEach(problem -> console.warn("%s", problem.what()));
+        if (benchScenes.scenes().isEmpty()) {
+            throw new BadInputException("there is no scene to measure");
         }
         Files.createDirectories(folder);
-        Results results = measure(read);
-        console.line("%s: report.html, results.json, results.csv and pictures", folder);
-        return exit(results, old, !read.problems().isEmpty());
+        BenchResults results = measure(benchScenes);
+        console.print("%s: report.html, results.json, results.csv and pictures", folder);
+        return exitCode(results, baselineResults, !benchScenes.problems().isEmpty());
     }
 
     /** Makes the page of kept results again. */
     private int report() throws IOException {
         if (!scenes.isEmpty()) {
-            throw new ParameterException(command.commandLine(), "--report makes the page of " + kept + ", and measures no scene");
+            throw new ParameterException(command.commandLine(), "--report makes the page of " + storedResults + ", and measures no scene");
         }
-        Results results = ResultsFile.readJson(kept);
-        Path beside = kept.toAbsolutePath().getParent();
-        Path to = folder == null ? beside : folder;
-        Files.createDirectories(to);
-        Report.write(results, beside, to);
-        console.line("%s", to.resolve(Report.FILE));
-        return ExitCode.DONE;
+        BenchResults results = ResultsFile.readJson(storedResults);
+        Path resultsFolder = storedResults.toAbsolutePath().getParent();
+        Path targetFolder = folder == null ? resultsFolder : folder;
+        Files.createDirectories(targetFolder);
+        HtmlReport.write(results, resultsFolder, targetFolder);
+        console.print("%s", targetFolder.resolve(HtmlReport.FILE));
+        return ExitCode.OK;
     }
 
-    private Settings settings() {
-        Settings settings = quick ? Settings.quick(threads.count(), seed) : Settings.full(threads.count(), seed);
+    private BenchSettings settings() {
+        BenchSettings settings = quick ? BenchSettings.quick(threads.count(), seed) : BenchSettings.full(threads.count(), seed);
         if (!sizes.isEmpty()) {
             settings = settings.withSizes(sizes.stream().map(size -> new PictureSize(size.width(), size.height())).distinct().toList());
         }
         if (figure != null) {
             settings = settings.withFigure(figure.figure());
         }
-        if (edits) {
+        if (editsOnly) {
             settings = settings.editsAndCurves();
         }
         if (effects) {
-            settings = settings.effectsAlone();
+            settings = settings.effectsOnly();
         }
-        if (cold) {
-            settings = settings.coldAlone();
+        if (coldStart) {
+            settings = settings.coldStartOnly();
         }
         if (editing) {
-            settings = settings.editingAlone();
+            settings = settings.editingOnly();
         }
         if (meshes) {
-            settings = settings.meshesAlone();
+            settings = settings.meshesOnly();
         }
         if (values != null && settings.values() > 0) {
             settings = settings.withValues(values);
@@ -203,27 +203,27 @@ final class BenchCommand implements Callable<Integer> {
         return repetitions == null ? settings : settings.withRepetitions(repetitions);
     }
 
-    private Results measure(BenchScenes read) throws IOException, InterruptedException {
+    private BenchResults measure(BenchScenes benchScenes) throws IOException, InterruptedException {
         BenchTable table = new BenchTable(console);
-        BenchFolder files = new BenchFolder(folder, reporter);
+        BenchOutput files = new BenchOutput(folder, reporter);
         try (ProgressBar bar = new ProgressBar(console, "bench")) {
             List<String> arguments = new ArrayList<>(command.commandLine().getParseResult().originalArgs());
-            Harness harness = new Harness(settings(), read.scenes(), read.problems(), folder, arguments, bar);
-            int count = read.scenes().size();
-            console.line("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
+            Harness harness = new Harness(settings(), benchScenes.scenes(), benchScenes.problems(), folder, arguments, bar);
+            int count = benchScenes.scenes().size();
+            console.print("%d scene%s; this will take about %s", count, count == 1 ? "" : "s", duration(harness.predictedSeconds()));
             try {
-                Results results = harness.run((_, until) -> {
+                BenchResults results = harness.run((_, until) -> {
                     bar.erase();
-                    table.print(until);
-                    files.writeNowAndThen(until);
+                    table.printNew(until);
+                    files.writePeriodically(until);
                 }, bar);
                 files.write(results);
                 bar.erase();
-                table.foot(results);
+                table.printSummary(results);
                 return results;
             } catch (CancellationException | InterruptedException | IOException e) {
                 bar.erase();
-                files.keep(harness.results(false), () -> console.remark("%s: holds what was measured until now", folder));
+                files.writeUninterruptibly(harness.results(false), () -> console.warn("%s: holds what was measured until now", folder));
                 throw e;
             }
         }
@@ -233,17 +233,17 @@ final class BenchCommand implements Callable<Integer> {
         return seconds < 2 * MINUTE ? Console.text("%.0f s", Math.ceil(seconds)) : Console.text("%.0f min", Math.ceil(seconds / MINUTE));
     }
 
-    private int exit(Results results, Results old, boolean unread) throws BadInput {
-        long broken = results.problems().stream().filter(problem -> problem.kind() == Failure.Kind.BROKEN).count();
-        if (old != null) {
-            Baseline compared = Baseline.compare(old, results);
+    private int exitCode(BenchResults results, BenchResults baselineResults, boolean hasUnreadable) throws BadInputException {
+        long failures = results.problems().stream().filter(problem -> problem.kind() == MeasurementFailure.Kind.BROKEN).count();
+        if (baselineResults != null) {
+            BaselineComparison compared = BaselineComparison.compare(baselineResults, results);
             if (compared.compared() == 0) {
-                throw new BadInput(baseline + ": holds none of the edits that were measured now");
+                throw new BadInputException(baseline + ": holds none of the edits that were measured now");
             }
-            compared.worse().forEach(line -> console.line("%s", line));
-            console.line("baseline: %s compared, %d worse", Console.count(compared.compared(), "measurement"), compared.worse().size());
-            broken += compared.worse().size();
+            compared.worse().forEach(line -> console.print("%s", line));
+            console.print("baseline: %s compared, %d worse", Console.count(compared.compared(), "measurement"), compared.worse().size());
+            failures += compared.worse().size();
         }
-        return broken > 0 ? ExitCode.CHECK_FAILED : unread ? ExitCode.BAD_INPUT : ExitCode.DONE;
+        return failures > 0 ? ExitCode.CHECK_FAILED : hasUnreadable ? ExitCode.BAD_INPUT : ExitCode.OK;
     }
 }

@@ -7,79 +7,80 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import lightning.bench.BenchResults;
 import lightning.bench.DriftPoint;
 import lightning.bench.EditResult;
-import lightning.bench.Editing;
-import lightning.bench.FirstPass;
-import lightning.bench.Load;
+import lightning.bench.EditingCost;
+import lightning.bench.FirstPassResult;
 import lightning.bench.MeshPoint;
-import lightning.bench.RayPace;
-import lightning.bench.Results;
-import lightning.bench.RungResult;
+import lightning.bench.RayThroughput;
 import lightning.bench.SceneResult;
-import lightning.bench.accuracy.Grade;
+import lightning.bench.SweepPointResult;
+import lightning.bench.SystemLoad;
+import lightning.bench.accuracy.AccuracySetting;
 
 /** The table of a benchmark, printed as it grows. */
 final class BenchTable {
     private static final String COLUMNS = "%-15s %8s %7s %6s %6s | %8s %8s %8s %8s %8s %8s | %6s %6s";
 
     /** The grades that have a column of milliseconds after that of the full trace. */
-    private static final Set<Grade> TIMED =
-            EnumSet.complementOf(EnumSet.of(Grade.FULL_TRACE, Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING));
+    private static final Set<AccuracySetting> TIMED_SETTINGS =
+            EnumSet.complementOf(EnumSet.of(AccuracySetting.FULL_TRACE, AccuracySetting.FEW_SAMPLES, AccuracySetting.NO_ANTIALIASING));
 
     private final Console console;
     /** How many edits of each scene and size were printed. */
-    private final Map<String, Integer> printed = new HashMap<>();
+    private final Map<String, Integer> printedEdits = new HashMap<>();
 
     BenchTable(Console console) {
         this.console = console;
     }
 
     /** Prints what was not printed yet. */
-    void print(Results results) {
+    void printNew(BenchResults results) {
         for (SceneResult scene : results.scenes()) {
             String name = Console.text("%s at %d x %d", scene.scene(), scene.width(), scene.height());
-            int known = printed.getOrDefault(name, 0);
-            if (known == 0 && !scene.edits().isEmpty()) {
-                head(name, scene);
+            int printedCount = printedEdits.getOrDefault(name, 0);
+            if (printedCount == 0 && !scene.edits().isEmpty()) {
+                printHeader(name, scene);
             }
-            scene.edits().stream().skip(known).forEach(this::row);
-            printed.put(name, scene.edits().size());
+            scene.edits().stream().skip(printedCount).forEach(this::printRow);
+            printedEdits.put(name, scene.edits().size());
         }
     }
 
-    private void head(String name, SceneResult scene) {
-        console.line("");
-        console.line("%s, depth %d, %s, %s%s", name, scene.depth(), Console.count(scene.shapes(), "shape"),
+    private void printHeader(String name, SceneResult scene) {
+        console.print("");
+        console.print("%s, depth %d, %s, %s%s", name, scene.depth(), Console.count(scene.shapes(), "shape"),
                 Console.count(scene.lights(), "light"),
                 firstPass(scene.firstPass()));
-        console.line(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current",
+        console.print(COLUMNS, "edit", "full ms", "saves %", "paper", "cap", "half", "fast", "ratio", "exact", "updated", "current",
                 "half", "fast");
     }
 
-    private static String firstPass(FirstPass first) {
+    private static String firstPass(FirstPassResult first) {
         return first == null ? "" : Console.text(": first pass %.1f ms, %+.1f %%; %.1f bytes a pixel", first.time().median(),
                 first.percentSlower(), first.bytesPerPixel());
     }
 
-    private void row(EditResult edit) {
-        Stream<String> first = Stream.of(edit.edit(), ms(edit, Grade.FULL_TRACE), number(edit.saving(), 1),
+    private void printRow(EditResult edit) {
+        Stream<String> first = Stream.of(edit.edit(), ms(edit, AccuracySetting.FULL_TRACE), number(edit.saving(), 1),
                 number(edit.paperSaving(), 0), number(edit.cap(), 1));
-        Stream<String> errors = Stream.of(flip(edit, Grade.HALF_RESOLUTION), flip(edit, Grade.FAST_SHADING));
-        console.line(COLUMNS, Stream.of(first, TIMED.stream().map(grade -> ms(edit, grade)), errors).flatMap(cells -> cells).toArray());
+        Stream<String> errors = Stream.of(flip(edit, AccuracySetting.HALF_RESOLUTION), flip(edit, AccuracySetting.FAST_SHADING));
+        console.print(COLUMNS,
+                Stream.of(first, TIMED_SETTINGS.stream().map(grade -> ms(edit, grade)), errors).flatMap(cells -> cells).toArray());
     }
 
-    private static String flip(EditResult edit, Grade grade) {
+    private static String flip(EditResult edit, AccuracySetting grade) {
         return number(average(edit, rung -> rung.error().flip(), grade), 3);
     }
 
     /** The average over all values of the medians. */
-    private static String ms(EditResult edit, Grade grade) {
+    private static String ms(EditResult edit, AccuracySetting grade) {
         return number(average(edit, rung -> rung.time().median(), grade), 2);
     }
 
-    private static double average(EditResult edit, ToDoubleFunction<RungResult> what, Grade grade) {
-        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.rung(grade))).average()
+    private static double average(EditResult edit, ToDoubleFunction<SweepPointResult> what, AccuracySetting grade) {
+        return edit.values().stream().mapToDouble(value -> what.applyAsDouble(value.point(grade))).average()
                 .orElse(Double.NaN);
     }
 
@@ -88,42 +89,42 @@ final class BenchTable {
     }
 
     /** Says what all of it means, and what is not in the table. */
-    void foot(Results results) {
-        console.line("");
-        console.line("saves: grade " + Grade.DEFAULT.label()
+    void printSummary(BenchResults results) {
+        console.print("");
+        console.print("saves: grade " + AccuracySetting.DEFAULT.label()
                 + " (the default), of a full trace's time; paper: on its own scene and machine of 1998;");
-        console.line("cap: what ray counts and memory allow; then milliseconds of each grade, and the mean FLIP error (0 to 1) of the"
+        console.print("cap: what ray counts and memory allow; then milliseconds of each grade, and the mean FLIP error (0 to 1) of the"
                 + " two roughest");
         for (SceneResult scene : results.scenes()) {
             if (scene.peer() != null) {
-                console.line("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(),
+                console.print("%s at %d x %d: %.1f times as fast as %s; %.2f %% of the pixels show the same shape", scene.scene(),
                         scene.width(),
                         scene.height(), scene.peer().ratio(), scene.peer().program(), 100 * scene.peer().agreement());
             }
         }
         for (SceneResult scene : results.scenes()) {
             if (scene.cold() != null) {
-                console.line("%s at %d x %d, from cold: %.2f s%s", scene.scene(), scene.width(), scene.height(),
+                console.print("%s at %d x %d, from cold: %.2f s%s", scene.scene(), scene.width(), scene.height(),
                         scene.cold().process().median() / 1e3, scene.cold().rival() == null ? ""
                                 : Console.text(", %s %.2f s", scene.cold().rival().program(),
                                         scene.cold().rival().process().median() / 1e3));
             }
         }
-        results.editing().forEach(e -> console.line("%s", editing(e)));
-        results.meshes().forEach(m -> m.rays().forEach(pace -> console.line("%s", mesh(m, pace))));
+        results.editing().forEach(e -> console.print("%s", editing(e)));
+        results.meshes().forEach(m -> m.rays().forEach(pace -> console.print("%s", mesh(m, pace))));
         results.drift().forEach(drift -> drift.points().stream().reduce((_, last) -> last).ifPresent(last -> drift.points().stream()
-                .filter(point -> point.edits() == last.edits()).forEach(point -> console.line("%s", drift(point)))));
-        results.problems().forEach(problem -> console.line("PROBLEM %s: %s", problem.where(), problem.what()));
-        Load load = results.run().load();
+                .filter(point -> point.edits() == last.edits()).forEach(point -> console.print("%s", drift(point)))));
+        results.problems().forEach(problem -> console.print("PROBLEM %s: %s", problem.where(), problem.what()));
+        SystemLoad load = results.run().load();
         if (load.isBusy(results.run().machine().processors())) {
-            console.line("THIS MACHINE WAS BUSY: load average %.2f before, %.2f now; other work had %.0f %% of the processors' time",
+            console.print("THIS MACHINE WAS BUSY: load average %.2f before, %.2f now; other work had %.0f %% of the processors' time",
                     load.atStart(), load.atEnd(), 100 * load.others());
         }
-        console.line("memory: %.0f GB/s; took %.0f s, predicted were %.0f", results.run().triadGBs(), results.run().actualSeconds(),
+        console.print("memory: %.0f GB/s; took %.0f s, predicted were %.0f", results.run().triadGBs(), results.run().actualSeconds(),
                 results.run().predictedSeconds());
     }
 
-    private static String editing(Editing e) {
+    private static String editing(EditingCost e) {
         return Console.text("%s, %s: load %.0f ms, tree %.0f ms, new scene %.3f ms, plan %.3f ms, first hover %.2f ms%s",
                 Console.count(e.shapes(), "shape"), Console.count(e.lights(), "light"), e.load().median(), e.tree().median(),
                 e.newScene().median(), e.plan().median(),
@@ -131,11 +132,11 @@ final class BenchTable {
                         : Console.text("; %.0f + %.0f bytes a shape", e.documentBytes(), e.treeBytes()));
     }
 
-    private static String mesh(MeshPoint m, RayPace pace) {
+    private static String mesh(MeshPoint m, RayThroughput rays) {
         return Console.text("%s, %s rays: %.2f million a second%s; tree %.0f ms%s, %.1f bytes a triangle",
                 Console.count(m.triangles(), "triangle"),
-                pace.rays(),
-                pace.millions(), pace.rival() == null ? "" : Console.text(", %.0f %% of Embree", pace.share()), m.tree().median(),
+                rays.rays(),
+                rays.millionsPerSecond(), rays.rival() == null ? "" : Console.text(", %.0f %% of Embree", rays.share()), m.tree().median(),
                 m.rival() == null ? "" : Console.text(", Embree %.0f ms", m.rival().tree().median()), m.treeBytes());
     }
 

@@ -35,8 +35,8 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Scene scene = input.read().scene();
         List<String> parts = new ArrayList<>();
-        parts.add(counted("shape", scene.placedShapes().stream().map(s -> s.shape().solid().noun())));
-        parts.add(counted("light", scene.lights().stream().map(CheckCommand::kind)));
+        parts.add(describeCounts("shape", scene.placedShapes().stream().map(s -> s.shape().solid().typeName())));
+        parts.add(describeCounts("light", scene.lights().stream().map(CheckCommand::typeName)));
         parts.add(Console.count(scene.materials().size(), "material"));
         parts.add(Console.count(scene.materials().stream().flatMap(m -> m.texture().stream()).map(t -> t.file()).distinct().count(),
                 "texture"));
@@ -44,20 +44,20 @@ final class CheckCommand implements Callable<Integer> {
         if (gobos > 0) {
             parts.add(Console.count(gobos, "gobo"));
         }
-        console.line("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
+        console.print("%s: no problems; %s; %d x %d pixels, depth %d", input.path(), String.join(", ", parts),
                 scene.picture().width(), scene.picture().height(), scene.picture().depth());
-        return ExitCode.DONE;
+        return ExitCode.OK;
     }
 
     /** As in "3 lights (1 point, 2 spot)". */
-    private static String counted(String noun, Stream<String> kinds) {
+    private static String describeCounts(String noun, Stream<String> kinds) {
         Map<String, Long> counts = kinds.collect(Collectors.groupingBy(k -> k, TreeMap::new, Collectors.counting()));
-        long all = counts.values().stream().mapToLong(n -> n).sum();
+        long total = counts.values().stream().mapToLong(n -> n).sum();
         String detail = counts.entrySet().stream().map(e -> e.getValue() + " " + e.getKey()).collect(Collectors.joining(", "));
-        return Console.count(all, noun) + (all == 0 ? "" : " (" + detail + ")");
+        return Console.count(total, noun) + (total == 0 ? "" : " (" + detail + ")");
     }
 
-    private static String kind(Light light) {
+    private static String typeName(Light light) {
         return switch (light.type()) {
             case DIRECTIONAL -> "directional";
             case POINT -> "point";

@@ -13,24 +13,25 @@ import lightning.render.trace.HitRows;
 /**
  * The bytes of a cache by kind of column, the film and array headers left out.
  *
- * @param rows      hit rows of all levels
- * @param layerRows rows of all layers: a row counts once for each light
- * @param hits      the columns of hit rows, by what they come and go with
- * @param layers    the columns of the lights' layers by their titles, in their order: what is kept in several counts once
- * @param mirrored  colours of mirror images, and the shapes that mirrored rays hit
- * @param all       everything, as the cache itself counts
+ * @param rowCount      hit rows of all levels
+ * @param layerRowCount rows of all layers: a row counts once for each light
+ * @param hitColumns      the columns of hit rows, by what they come and go with
+ * @param layerColumns    the columns of the lights' layers by their titles, in their order: what is kept in several counts once
+ * @param mirrorBytes  colours of mirror images, and the shapes that mirrored rays hit
+ * @param total       everything, as the cache itself counts
  */
-record ColumnBytes(long rows, long layerRows, Map<HitRows.Part, Long> hits, Map<String, Long> layers, long mirrored, long all) {
+record ColumnBytes(long rowCount, long layerRowCount, Map<HitRows.ColumnGroup, Long> hitColumns, Map<String, Long> layerColumns,
+        long mirrorBytes, long total) {
     static ColumnBytes of(PixelCache cache) {
         long layerRows = 0;
         long levels = 0;
-        Map<HitRows.Part, Long> hits = new EnumMap<>(HitRows.Part.class);
+        Map<HitRows.ColumnGroup, Long> hits = new EnumMap<>(HitRows.ColumnGroup.class);
         Map<String, Long> layers = new LinkedHashMap<>();
-        for (CachedTile tile : cache.all()) {
+        for (CachedTile tile : cache.allTiles()) {
             for (TileLevel level : tile.levels) {
                 HitRows rows = level.rows();
                 levels += level.bytes();
-                for (HitRows.Part part : HitRows.Part.values()) {
+                for (HitRows.ColumnGroup part : HitRows.ColumnGroup.values()) {
                     hits.merge(part, rows.bytes(part), Long::sum);
                 }
                 for (LightLayer layer : level.layers()) {

@@ -3,14 +3,14 @@ package lightning.cli;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import lightning.format.hdr.HdrReader;
-import lightning.format.picture.PictureFile;
-import lightning.format.picture.PictureFormat;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
 import lightning.render.image.Difference;
-import lightning.render.image.DifferencePicture;
+import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.Flip;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Sky;
+import lightning.scene.EnvironmentMap;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -45,29 +45,29 @@ final class CompareCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         if (output != null) {
             // Refuses another ending before the pictures are read.
-            PictureFormat.of(output);
+            ImageFormat.of(output);
             PictureOutput.checkFile(output);
         }
         Film a = read(first);
         Film b = read(second);
         if (a.width() != b.width() || a.height() != b.height()) {
-            throw new BadInput(Console.text("pictures to compare must have the same size, %s has %d x %d pixels, %s has %d x %d",
+            throw new BadInputException(Console.text("pictures to compare must have the same size, %s has %d x %d pixels, %s has %d x %d",
                     first, a.width(), a.height(), second, b.width(), b.height()));
         }
         Difference difference = Difference.of(a, b);
         if (output != null) {
-            PictureFile.write(output, DifferencePicture.of(a, b), ViewTransform.DEFAULT);
+            ImageFile.write(output, DifferenceImage.of(a, b), ViewTransform.DEFAULT);
         }
         print(difference, 3L * a.width() * a.height(), Flip.mean(a, b),
-                PictureFormat.of(first).holdsFloats(first) && PictureFormat.of(second).holdsFloats(second));
-        return difference.isNone() ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+                ImageFormat.of(first).hasFullFloats(first) && ImageFormat.of(second).hasFullFloats(second));
+        return difference.isNone() ? ExitCode.OK : ExitCode.CHECK_FAILED;
     }
 
     private static Film read(Path file) throws Exception {
-        if (PictureFormat.of(file) != PictureFormat.HDR) {
-            return PictureFile.read(file);
+        if (ImageFormat.of(file) != ImageFormat.HDR) {
+            return ImageFile.read(file);
         }
-        Sky picture = HdrReader.read(file);
+        EnvironmentMap picture = HdrReader.read(file);
         float[] rgb = new float[3 * picture.width() * picture.height()];
         for (int i = 0; i < rgb.length; i++) {
             rgb[i] = picture.channel(i / 3 % picture.width(), i / 3 / picture.width(), i % 3);
@@ -78,15 +78,15 @@ final class CompareCommand implements Callable<Integer> {
     /** @param floats whether units in the last place mean something: the numbers between two 8-bit levels are none that a file could hold */
     private void print(Difference d, long values, double flip, boolean floats) {
         if (d.isNone()) {
-            console.line("equal: all %s agree in every bit", Console.count(values, "value"));
+            console.print("equal: all %s agree in every bit", Console.count(values, "value"));
             return;
         }
-        console.line("different: %d of %d pixels, %d of %d values", d.pixels(), values / 3, d.values(), values);
-        console.line("largest difference  %.6g linear at pixel %d,%d; %s at most anywhere", d.maxAbsolute(), d.x(), d.y(),
+        console.print("different: %d of %d pixels, %d of %d values", d.pixels(), values / 3, d.values(), values);
+        console.print("largest difference  %.6g linear at pixel %d,%d; %s at most anywhere", d.maxAbsolute(), d.x(), d.y(),
                 floats ? d.maxUlp() + " ulp" : d.maxLevels() + " of 255 levels");
-        console.line("mean difference     %.6g linear", d.meanAbsolute());
-        console.line("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());
-        console.line(Double.isInfinite(d.displayPsnr()) ? "as displayed        equal"
+        console.print("mean difference     %.6g linear", d.meanAbsolute());
+        console.print("rmse                %.6g linear, PSNR %.2f dB", d.rmse(), d.linearPsnr());
+        console.print(Double.isInfinite(d.displayPsnr()) ? "as displayed        equal"
                 : "as displayed        PSNR %.2f dB, SSIM %.6f, FLIP %.6f", d.displayPsnr(), d.ssim(), flip);
     }
 }

@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import lightning.base.text.PrintableText;
 import lightning.base.text.Quote;
-import lightning.base.text.Visible;
 
 /**
  * Where a command writes to.
@@ -25,29 +25,29 @@ record Console(PrintStream out, PrintStream err, boolean terminal) {
     }
 
     /** Prints one line of results, numbers as in every locale. */
-    void line(String format, Object... values) {
-        out.println(shown(text(format, values)));
+    void print(String format, Object... values) {
+        out.println(escapeLines(text(format, values)));
     }
 
     /** Prints one line of remarks. */
-    void remark(String format, Object... values) {
-        err.println(shown(text(format, values)));
+    void warn(String format, Object... values) {
+        err.println(escapeLines(text(format, values)));
     }
 
     /** Prints what is not the same in a file and how often, a line for each kind in the order of their names. */
-    void notes(Path file, String what, Map<String, Integer> counts) {
+    void printNotes(Path file, String title, Map<String, Integer> counts) {
         counts.entrySet().stream().sorted(Map.Entry.comparingByKey())
-                .forEach(note -> remark("%s: %s: %s (%d)", file, what, note.getKey(), note.getValue()));
+                .forEach(note -> warn("%s: %s: %s (%d)", file, title, note.getKey(), note.getValue()));
     }
 
     /** Prints a complaint, one line whatever is quoted in it. */
-    void complain(String sentence) {
-        err.println(Visible.escaped(sentence));
+    void error(String message) {
+        err.println(PrintableText.escape(message));
     }
 
     /** The lines of a text without a character that would steer the terminal. */
-    private static String shown(String text) {
-        return text.lines().map(Visible::escaped).collect(Collectors.joining("\n"));
+    private static String escapeLines(String text) {
+        return text.lines().map(PrintableText::escape).collect(Collectors.joining("\n"));
     }
 
     /** As in "3 lights"; of nouns that take an s. */

@@ -24,10 +24,10 @@ final class EditCommand implements Callable<Integer> {
     private Path file;
 
     @Override
-    public Integer call() throws BadInput {
-        if (file != null && !JenFile.isNamedSo(file.toString())) {
-            throw new BadInput(Quote.path(file) + ": the editor opens files whose names end with " + JenFile.ENDING + ", "
-                    + String.join(", ", MeshFormat.allEndings()));
+    public Integer call() throws BadInputException {
+        if (file != null && !JenFile.isJenFileName(file.toString())) {
+            throw new BadInputException(Quote.path(file) + ": the editor opens files whose names end with " + JenFile.EXTENSION + ", "
+                    + String.join(", ", MeshFormat.allExtensions()));
         }
         return command.parent().commandLine().execute(file == null ? new String[0] : new String[] {file.toString()});
     }

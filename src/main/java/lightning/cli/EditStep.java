@@ -28,13 +28,13 @@ final class EditStep {
 
     @Option(names = "--case", required = true, paramLabel = "NAME",
             description = "Makes one of the paper's edits by its name in the tour, as color or angle-larger.")
-    private String named;
+    private String paperCase;
 
     @Option(names = "--then", required = true, description = "Renders; what follows is the next edit.")
     private boolean then;
 
     /** Splits steps at each {@code --then} into the groups of one edit each, at least one; a group may be empty. */
-    static List<List<EditStep>> groups(List<EditStep> steps) {
+    static List<List<EditStep>> splitGroups(List<EditStep> steps) {
         List<List<EditStep>> groups = new ArrayList<>();
         groups.add(new ArrayList<>());
         for (EditStep step : steps) {
@@ -51,10 +51,10 @@ final class EditStep {
      * The scenes that this step leads to, one after the other; all but the last are rendered by themselves.
      *
      * @param folder where textures are looked for
-     * @throws BadInput if the scene has no such thing, or not such a value
+     * @throws BadInputException if the scene has no such thing, or not such a value
      */
-    List<Scene> apply(Scene scene, Path folder) throws BadInput {
-        if (named != null) {
+    List<Scene> apply(Scene scene, Path folder) throws BadInputException {
+        if (paperCase != null) {
             return paperCase(scene);
         }
         try {
@@ -63,7 +63,7 @@ final class EditStep {
                     : PropertyEdit.delete(scene, delete));
         } catch (IllegalArgumentException e) {
             String step = set != null ? "--set " + set : add != null ? "--add " + add : "--delete " + delete;
-            throw new BadInput(Quote.shortened(step) + ": " + e.getMessage());
+            throw new BadInputException(Quote.shorten(step) + ": " + e.getMessage());
         }
     }
 
@@ -73,19 +73,19 @@ final class EditStep {
      * @param group the steps of the edit
      * @param after the scene after the edit
      */
-    static void remarkUnused(List<EditStep> group, Scene after, Console console) {
-        group.stream().filter(step -> step.set != null).flatMap(step -> PropertyEdit.unused(after, step.set).stream())
-                .distinct().forEach(why -> console.remark("%s", why));
+    static void warnUnused(List<EditStep> group, Scene after, Console console) {
+        group.stream().filter(step -> step.set != null).flatMap(step -> PropertyEdit.ineffectiveReason(after, step.set).stream())
+                .distinct().forEach(why -> console.warn("%s", why));
     }
 
-    private List<Scene> paperCase(Scene scene) throws BadInput {
+    private List<Scene> paperCase(Scene scene) throws BadInputException {
         List<PaperCase> cases = PaperCases.of(scene);
         for (PaperCase edit : cases) {
-            if (edit.name().equals(named)) {
+            if (edit.name().equals(paperCase)) {
                 return edit.scenes().subList(1, edit.scenes().size());
             }
         }
-        throw new BadInput("--case " + Quote.shortened(named) + ": expected one of "
+        throw new BadInputException("--case " + Quote.shorten(paperCase) + ": expected one of "
                 + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
     }
 }

@@ -8,12 +8,12 @@ import lightning.bench.accuracy.EffectCosts;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
 import lightning.render.cache.PixelCache;
-import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.HitRows;
 import lightning.scene.Scene;
-import lightning.scene.effects.Effects;
+import lightning.scene.effects.SceneEffects;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -42,7 +42,7 @@ final class EffectsCommand implements Callable<Integer> {
     @Mixin
     private ThreadsOption threads;
     @Option(names = "--case", paramLabel = "NAME", description = "The edit, by its name in the tour.")
-    private String edit;
+    private String caseName;
     @Mixin
     private RepetitionsOption repetitions;
 
@@ -54,76 +54,78 @@ final class EffectsCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Scene scene = picture.apply(input.read().scene());
         Scene after = edited(scene);
-        Options options = Options.DEFAULT.withThreads(threads.count());
-        MemoryNeed.check(scene, options);
+        RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count());
+        MemoryEstimate.check(scene, options);
         try (Renderer renderer = new Renderer(options); ProgressBar bar = new ProgressBar(console, "effects")) {
             EffectCosts costs = EffectCosts.of(scene, after, options, repetitions.count(), bar);
-            renderer.render(scene, bar.silent());
+            renderer.render(scene, bar.cancellationOnly());
             bar.erase();
-            print(Effects.of(scene), costs, renderer.cache());
+            print(SceneEffects.of(scene), costs, renderer.cache());
         }
-        return ExitCode.DONE;
+        return ExitCode.OK;
     }
 
     /** The scene after the edit; the scene itself where none is named and it has no light to move. */
-    private Scene edited(Scene scene) throws BadInput {
-        if (edit == null) {
-            return PaperCases.moved(scene).map(PaperCase::after).orElse(scene);
+    private Scene edited(Scene scene) throws BadInputException {
+        if (caseName == null) {
+            return PaperCases.moveCase(scene).map(PaperCase::after).orElse(scene);
         }
         List<PaperCase> cases = PaperCases.of(scene);
-        for (PaperCase one : cases) {
-            if (one.name().equals(edit)) {
-                return one.after();
+        for (PaperCase candidate : cases) {
+            if (candidate.name().equals(caseName)) {
+                return candidate.after();
             }
         }
-        throw new BadInput("--case " + edit + ": expected one of "
+        throw new BadInputException("--case " + caseName + ": expected one of "
                 + String.join(", ", cases.stream().map(PaperCase::name).toList()) + ", which this scene allows");
     }
 
-    private void print(Effects effects, EffectCosts costs, PixelCache cache) {
-        console.line("first pass %.1f ms, %s; update %.2f ms: %s", costs.first().median(), Console.count(costs.bytes(), "byte"),
+    private void print(SceneEffects effects, EffectCosts costs, PixelCache cache) {
+        console.print("first pass %.1f ms, %s; update %.2f ms: %s", costs.first().median(), Console.count(costs.bytes(), "byte"),
                 costs.update().median(), costs.plan());
-        console.line("");
-        console.line("%-20s %10s %10s %12s %12s  %s", "in use", "first ms", "update ms", "bytes", "rays", "called for by");
-        costs.effects().stream().filter(EffectCost::inUse).forEach(c -> line(c, effects.why(c.effect())));
-        console.line("");
-        console.line("%-20s %10s %10s %12s %12s", "absent, saves", "first ms", "update ms", "bytes", "rays");
-        costs.effects().stream().filter(c -> !c.inUse()).forEach(c -> line(c, ""));
-        console.line("");
-        columns(ColumnBytes.of(cache), cache);
+        console.print("");
+        console.print("%-20s %10s %10s %12s %12s  %s", "in use", "first ms", "update ms", "bytes", "rays", "called for by");
+        costs.effects().stream().filter(EffectCost::inUse).forEach(c -> printCost(c, effects.reason(c.effect())));
+        console.print("");
+        console.print("%-20s %10s %10s %12s %12s", "absent, saves", "first ms", "update ms", "bytes", "rays");
+        costs.effects().stream().filter(c -> !c.inUse()).forEach(c -> printCost(c, ""));
+        console.print("");
+        printColumns(ColumnBytes.of(cache), cache);
     }
 
-    private void line(EffectCost cost, String callers) {
+    private void printCost(EffectCost cost, String callers) {
         if (!cost.measured()) {
-            console.line("%-20s %10s %10s %12s %12s", cost.effect().title(), "-", "-", "-", "-");
+            console.print("%-20s %10s %10s %12s %12s", cost.effect().title(), "-", "-", "-", "-");
             return;
         }
-        String near = Math.abs(cost.firstMs()) <= cost.firstNoise() ? "~" : "";
-        console.line("%-20s %10s %10.2f %12d %12d  %s", cost.effect().title(),
-                near + String.format(Locale.ROOT, "%.1f", cost.firstMs()), cost.updateMs(), cost.bytes(), cost.rays().all(), callers);
+        String noiseMark = Math.abs(cost.firstMs()) <= cost.firstNoise() ? "~" : "";
+        console.print("%-20s %10s %10.2f %12d %12d  %s", cost.effect().title(),
+                noiseMark + String.format(Locale.ROOT, "%.1f", cost.firstMs()), cost.updateMs(), cost.bytes(), cost.rays().total(),
+                callers);
     }
 
-    private void columns(ColumnBytes bytes, PixelCache cache) {
-        int depth = cache.all().stream().mapToInt(tile -> tile.levels.length - 1).max().orElse(0);
-        console.line("%s; the deepest mirrored ray that any pixel needs is in mirror %d of %d", Console.count(bytes.rows(), "row"), depth,
+    private void printColumns(ColumnBytes bytes, PixelCache cache) {
+        int depth = cache.allTiles().stream().mapToInt(tile -> tile.levels.length - 1).max().orElse(0);
+        console.print("%s; the deepest mirrored ray that any pixel needs is in mirror %d of %d", Console.count(bytes.rowCount(), "row"),
+                depth,
                 cache.scene().picture().depth());
-        bytes.hits().forEach((part, n) -> column(title(part), n, bytes));
-        column("mirror images", bytes.mirrored(), bytes);
-        bytes.layers().forEach((title, n) -> column(title, n, bytes));
-        column("in all", bytes.all(), bytes);
+        bytes.hitColumns().forEach((part, n) -> printColumn(title(part), n, bytes));
+        printColumn("mirror images", bytes.mirrorBytes(), bytes);
+        bytes.layerColumns().forEach((title, n) -> printColumn(title, n, bytes));
+        printColumn("in all", bytes.total(), bytes);
     }
 
-    private static String title(HitRows.Part part) {
+    private static String title(HitRows.ColumnGroup part) {
         return switch (part) {
             case HIT -> "point, normal, view, place";
             case TEXEL -> "texture colours";
             case CODE -> "what edges are told by";
             case OWNER -> "whose rows they are";
-            case CLEAR -> "what is behind clear surfaces";
+            case TRANSPARENT -> "what is behind clear surfaces";
         };
     }
 
-    private void column(String title, long bytes, ColumnBytes all) {
-        console.line("  %-28s %12d bytes %8.2f a row", title, bytes, (double) bytes / Math.max(all.rows(), 1));
+    private void printColumn(String title, long bytes, ColumnBytes columns) {
+        console.print("  %-28s %12d bytes %8.2f a row", title, bytes, (double) bytes / Math.max(columns.rowCount(), 1));
     }
 }

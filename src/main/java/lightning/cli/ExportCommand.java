@@ -36,14 +36,14 @@ final class ExportCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         String name = output.getFileName() == null ? "" : output.getFileName().toString();
         if (!name.toLowerCase(Locale.ROOT).endsWith(".pov")) {
-            throw new BadInput(output + ": an exported scene's name must end in .pov");
+            throw new BadInputException(output + ": an exported scene's name must end in .pov");
         }
         PictureOutput.checkFile(output);
         PovScene pov = PovScene.of(picture.apply(input.read().scene()), name.substring(0, name.length() - ".pov".length()));
         pov.write(output);
-        pov.losses().forEach(loss -> console.remark("%s", loss));
-        console.line("%s: written; %s", output, pov.losses().isEmpty() ? "everything maps exactly"
+        pov.losses().forEach(loss -> console.warn("%s", loss));
+        console.print("%s: written; %s", output, pov.losses().isEmpty() ? "everything maps exactly"
                 : Console.text("not exactly the same: %d (see the remarks)", pov.losses().size()));
-        return ExitCode.DONE;
+        return ExitCode.OK;
     }
 }

@@ -4,10 +4,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 import lightning.base.work.Progress;
+import lightning.format.exchange.LightExport;
 import lightning.format.exchange.LightUnits;
-import lightning.format.exchange.LightsBack;
 import lightning.format.jen.JenDocument;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
@@ -29,7 +29,7 @@ final class ExportLightsCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Option(names = "--into", paramLabel = "FILE", description = "The .gltf or .glb file to copy, which is not changed.")
-    private Path into;
+    private Path template;
     @Option(names = {"-o", "--output"}, paramLabel = "FILE", required = true, description = "The file to write.")
     private Path output;
     @Option(names = "--light-units", paramLabel = "UNITS",
@@ -43,22 +43,22 @@ final class ExportLightsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        String ending = into == null ? ".json" : into.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
+        String ending = template == null ? ".json" : template.toString().toLowerCase(Locale.ROOT).endsWith(".glb") ? ".glb" : ".gltf";
         if (!output.toString().toLowerCase(Locale.ROOT).endsWith(ending)) {
-            throw new BadInput(Console.text("%s: the file's name must end in %s", output, ending));
+            throw new BadInputException(Console.text("%s: the file's name must end in %s", output, ending));
         }
-        if (into != null && Files.exists(output) && Files.isSameFile(into, output)) {
-            throw new BadInput(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
+        if (template != null && Files.exists(output) && Files.isSameFile(template, output)) {
+            throw new BadInputException(Console.text("%s: is the file to copy, which stays as it is; choose another name", output));
         }
         PictureOutput.checkFile(output);
         JenDocument document = input.read();
         Scene scene = document.scene();
-        LightUnits chosen = units != null ? units : LightUnits.chosenIn(document.text()).orElse(LightUnits.CANDELA);
-        LightsBack lights = into == null ? LightsBack.json(scene) : LightsBack.into(into, scene, chosen, Progress.NONE);
-        SafeFile.write(output, out -> out.write(lights.bytes()));
-        console.notes(output, "not the same there", lights.notes());
-        console.line("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),
-                into == null ? "" : ", in " + chosen.words());
-        return ExitCode.DONE;
+        LightUnits chosen = units != null ? units : LightUnits.findIn(document.text()).orElse(LightUnits.CANDELA);
+        LightExport lights = template == null ? LightExport.toJson(scene) : LightExport.toGltf(template, scene, chosen, Progress.NONE);
+        AtomicFile.write(output, out -> out.write(lights.bytes()));
+        console.printNotes(output, "not the same there", lights.notes());
+        console.print("%s: written; %s%s", output, Console.count(scene.lights().size(), "light"),
+                template == null ? "" : ", in " + chosen.description());
+        return ExitCode.OK;
     }
 }

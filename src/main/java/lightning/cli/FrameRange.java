@@ -9,7 +9,7 @@ import picocli.CommandLine.TypeConversionException;
 
 /** Some frames, one behind the other: {@code 1-240} or {@code 17}. */
 record FrameRange(int first, int last) {
-    static final int MOST = 100_000;
+    static final int MAX_FRAMES = 100_000;
 
     int count() {
         return last - first + 1;
@@ -27,8 +27,8 @@ record FrameRange(int first, int last) {
             }
             long first = Long.parseLong(range.group(1));
             long last = range.group(2) == null ? first : Long.parseLong(range.group(2));
-            if (last > Shot.MAX_FRAME || last < first || last - first >= MOST) {
-                throw new TypeConversionException("expected at most " + MOST + " frames from 0 to " + Shot.MAX_FRAME
+            if (last > Shot.MAX_FRAME || last < first || last - first >= MAX_FRAMES) {
+                throw new TypeConversionException("expected at most " + MAX_FRAMES + " frames from 0 to " + Shot.MAX_FRAME
                         + ", the first not behind the last, found " + Quote.of(text));
             }
             return new FrameRange((int) first, (int) last);

@@ -11,7 +11,7 @@ final class FramesOption {
     private FrameRange frames;
 
     /** The frames of a document. */
-    ShotFrames of(JenDocument document, Path file) throws BadInput {
+    ShotFrames of(JenDocument document, Path file) throws BadInputException {
         return ShotFrames.of(document, file, frames);
     }
 }

@@ -9,7 +9,7 @@ final class HostPortConverter implements ITypeConverter<HostPort> {
     @Override
     public HostPort convert(String text) {
         try {
-            return HostPort.of(text);
+            return HostPort.parse(text);
         } catch (IllegalArgumentException e) {
             throw new TypeConversionException(e.getMessage());
         }

@@ -4,14 +4,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import lightning.base.work.Workers;
-import lightning.format.exchange.Import;
-import lightning.format.exchange.Importer;
+import lightning.base.work.WorkerPool;
+import lightning.format.exchange.ImportedScene;
+import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
-import lightning.format.exchange.UnitPictures;
+import lightning.format.exchange.SceneImporter;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
-import lightning.format.picture.PictureFile;
-import lightning.format.picture.PictureFormat;
 import lightning.render.image.ViewTransform;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -43,7 +43,7 @@ final class ImportCommand implements Callable<Integer> {
     @Option(names = "--light-pictures",
             description = "Also write a small picture of each choice beside the scene: scene.candela.png, scene.unitless.png, "
                     + "scene.watts.png.")
-    private boolean pictures;
+    private boolean writesUnitPictures;
 
     ImportCommand(Console console) {
         this.console = console;
@@ -52,35 +52,37 @@ final class ImportCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         String name = output.getFileName() == null ? "" : output.getFileName().toString();
-        if (!JenFile.isNamedSo(name.toLowerCase(Locale.ROOT))) {
-            throw new BadInput(output + ": a scene's name must end in " + JenFile.ENDING);
+        if (!JenFile.isJenFileName(name.toLowerCase(Locale.ROOT))) {
+            throw new BadInputException(output + ": a scene's name must end in " + JenFile.EXTENSION);
         }
         PictureOutput.checkFile(output);
-        Import read;
+        ImportedScene imported;
         try (var bar = new ProgressBar(console, "reading")) {
-            read = Importer.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
+            imported = SceneImporter.read(file, output, units == null ? LightUnits.CANDELA : units, bar);
         }
-        read.write();
-        if (pictures) {
-            writePictures(read, name.substring(0, name.length() - JenFile.ENDING.length()));
+        imported.write();
+        if (writesUnitPictures) {
+            writePictures(imported, name.substring(0, name.length() - JenFile.EXTENSION.length()));
         }
         if (units == null) {
-            read.units()
-                    .ifPresent(taken -> console.remark("%s: the numbers of its lights were taken as %s; --light-pictures shows each choice",
-                            file, taken.words()));
+            imported.units()
+                    .ifPresent(
+                            usedUnits -> console.warn("%s: the numbers of its lights were taken as %s; --light-pictures shows each choice",
+                                    file, usedUnits.description()));
         }
-        console.notes(file, "left out or not the same", read.notes());
-        console.line("%s: written; %s, %s, %s", output, Console.count(read.scene().stage().shapeCount(), "shape"),
-                Console.count(read.scene().materials().size(), "material"), Console.count(read.scene().lights().size(), "light"));
-        return ExitCode.DONE;
+        console.printNotes(file, "left out or not the same", imported.notes());
+        console.print("%s: written; %s, %s, %s", output, Console.count(imported.scene().stage().shapeCount(), "shape"),
+                Console.count(imported.scene().materials().size(), "material"), Console.count(imported.scene().lights().size(), "light"));
+        return ExitCode.OK;
     }
 
-    private void writePictures(Import read, String stem) throws IOException {
-        try (var bar = new ProgressBar(console, "tracing"); var workers = new Workers(Workers.available())) {
-            for (var picture : UnitPictures.of(read, PICTURE_SIZE, workers, bar).entrySet()) {
-                Path to = output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + PictureFormat.PNG.ending());
-                PictureFile.write(to, picture.getValue(), ViewTransform.DEFAULT);
-                console.line("%s: written; numbers taken as %s", to, picture.getKey().words());
+    private void writePictures(ImportedScene imported, String stem) throws IOException {
+        try (var bar = new ProgressBar(console, "tracing"); var workers = new WorkerPool(WorkerPool.processorCount())) {
+            for (var picture : LightUnitPreviews.render(imported, PICTURE_SIZE, workers, bar).entrySet()) {
+                Path file =
+                        output.resolveSibling(stem + "." + picture.getKey().name().toLowerCase(Locale.ROOT) + ImageFormat.PNG.extension());
+                ImageFile.write(file, picture.getValue(), ViewTransform.DEFAULT);
+                console.print("%s: written; numbers taken as %s", file, picture.getKey().description());
             }
         }
     }

@@ -28,7 +28,7 @@ public final class Lightning {
         COMMANDS.put("edit", _ -> new EditCommand());
         COMMANDS.put("render", RenderCommand::new);
         COMMANDS.put("relight", RelightCommand::new);
-        COMMANDS.put("shot", Lightning::shot);
+        COMMANDS.put("shot", Lightning::createShotCommand);
         COMMANDS.put("node", NodeCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);
         COMMANDS.put("import", ImportCommand::new);
@@ -54,50 +54,50 @@ public final class Lightning {
     public static int run(PrintStream out, PrintStream err, String... args) {
         Console console = Console.of(out, err);
         try {
-            CommandLine commands = commands(console, args);
+            CommandLine commands = createCommands(console, args);
             int exit = isUnknown(commands, args) ? unknownCommand(console, commands, args[0]) : commands.execute(args);
             err.flush();
             // PrintStream keeps its errors to itself; checkError flushes too.
             if (out.checkError()) {
                 console.err().println("lightning: the results could not be written to the standard output; is its device full or closed?");
-                return exit == ExitCode.DONE ? ExitCode.BAD_INPUT : exit;
+                return exit == ExitCode.OK ? ExitCode.BAD_INPUT : exit;
             }
             return exit;
         } catch (Throwable e) {
             // Whatever it is, a user gets a sentence.
-            return Complaint.report(console, e);
+            return ErrorReporter.report(console, e);
         }
     }
 
     /** The command that the first word names: to make all of them takes longer than a small picture. All, where it names none. */
-    static CommandLine commands(Console console, String... args) {
-        return commands(console, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
+    static CommandLine createCommands(Console console, String... args) {
+        return createCommands(console, args.length > 0 && COMMANDS.containsKey(args[0]) ? Set.of(args[0]) : COMMANDS.keySet());
     }
 
-    private static CommandLine shot(Console console) {
+    private static CommandLine createShotCommand(Console console) {
         return new CommandLine(new ShotCommand()).addSubcommand(new ShotRenderCommand(console))
                 .addSubcommand(new ShotRelightCommand(console));
     }
 
-    private static CommandLine commands(Console console, Set<String> names) {
+    private static CommandLine createCommands(Console console, Set<String> names) {
         CommandLine commands = new CommandLine(new RootCommand(console));
         for (String name : names) {
             commands.addSubcommand(COMMANDS.get(name).apply(console));
         }
-        NumberOptions.register(commands);
+        NumberConverters.register(commands);
         return commands
-                .registerConverter(Path.class, Lightning::path)
+                .registerConverter(Path.class, Lightning::parsePath)
                 .setOut(writer(console.out()))
                 .setErr(writer(console.err()))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(console.terminal() ? Ansi.AUTO : Ansi.OFF))
                 .setUsageHelpWidth(HELP_WIDTH)
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setExecutionExceptionHandler(
-                        (e, command, _) -> Complaint.report(console, e, option -> command.getCommandSpec().findOption(option) != null))
+                        (e, command, _) -> ErrorReporter.report(console, e, option -> command.getCommandSpec().findOption(option) != null))
                 .setParameterExceptionHandler((e, args) -> badUsage(console, e, args));
     }
 
-    private static Path path(String text) {
+    private static Path parsePath(String text) {
         try {
             return Path.of(text);
         } catch (InvalidPathException e) {
@@ -108,14 +108,14 @@ public final class Lightning {
 
     /** A word that is neither a command nor a scene; picocli would complain about what follows it. */
     private static boolean isUnknown(CommandLine commands, String... args) {
-        return args.length > 0 && !args[0].startsWith("-") && !JenFile.isNamedSo(args[0])
+        return args.length > 0 && !args[0].startsWith("-") && !JenFile.isJenFileName(args[0])
                 && !commands.getSubcommands().containsKey(args[0]);
     }
 
     private static int unknownCommand(Console console, CommandLine commands, String word) {
-        console.complain("lightning: there is no command " + Quote.of(word) + "; expected a scene.jen or one of "
+        console.error("lightning: there is no command " + Quote.of(word) + "; expected a scene.jen or one of "
                 + String.join(", ", commands.getSubcommands().keySet()) + ".");
-        console.complain("Try 'lightning --help'.");
+        console.error("Try 'lightning --help'.");
         return ExitCode.BAD_INPUT;
     }
 
@@ -123,9 +123,9 @@ public final class Lightning {
         String name = e.getCommandLine().getCommandSpec().qualifiedName();
         // Picocli quotes words whole, those behind an equals sign by themselves too.
         List<String> words = Stream.of(args).flatMap(arg -> Stream.of(arg, arg.substring(arg.indexOf('=') + 1))).toList();
-        console.complain(name + ": " + Quote.shortenedIn(e.getMessage(), words));
+        console.error(name + ": " + Quote.shortenWords(e.getMessage(), words));
         UnmatchedArgumentException.printSuggestions(e, writer(console.err()));
-        console.complain("Try '" + name + " --help'.");
+        console.error("Try '" + name + " --help'.");
         return ExitCode.BAD_INPUT;
     }
 

@@ -1,10 +1,10 @@
 package lightning.cli;
 
-import lightning.scene.Antialias;
-import lightning.scene.Limits;
-import lightning.scene.Picture;
-import lightning.scene.Sampling;
+import lightning.scene.AntialiasMode;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -15,17 +15,17 @@ final class PictureOptions {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class,
+    @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class,
             description = "Pixels; the scene's own size without it.")
-    private Size size;
+    private PictureDimensions size;
 
     private Integer depth;
 
     @Option(names = "--depth", paramLabel = "N",
-            description = "How many mirror bounces are followed, 0 to " + Limits.MAX_DEPTH + "; the scene's own depth without it.")
+            description = "How many mirror bounces are followed, 0 to " + SceneLimits.MAX_DEPTH + "; the scene's own depth without it.")
     private void setDepth(int value) {
-        if (value < 0 || value > Limits.MAX_DEPTH) {
-            throw new ParameterException(command.commandLine(), "--depth must be from 0 to " + Limits.MAX_DEPTH + ", was " + value);
+        if (value < 0 || value > SceneLimits.MAX_DEPTH) {
+            throw new ParameterException(command.commandLine(), "--depth must be from 0 to " + SceneLimits.MAX_DEPTH + ", was " + value);
         }
         depth = value;
     }
@@ -33,29 +33,30 @@ final class PictureOptions {
     @Option(names = "--antialias", paramLabel = "WHICH", description = {
         "Which pixels are the mean of several samples: ${COMPLETION-CANDIDATES};",
         "the scene's own choice without it."})
-    private Antialias antialias;
+    private AntialiasMode antialias;
 
     private Integer samples;
 
     @Option(names = "--samples", paramLabel = "N",
-            description = "Samples along each side of such a pixel, " + Limits.MIN_SAMPLES + " to " + Limits.MAX_SAMPLES
+            description = "Samples along each side of such a pixel, " + SceneLimits.MIN_SAMPLES + " to " + SceneLimits.MAX_SAMPLES
                     + "; the scene's own number without it.")
     private void setSamples(int value) {
-        if (value < Limits.MIN_SAMPLES || value > Limits.MAX_SAMPLES) {
-            throw new ParameterException(command.commandLine(), "--samples must be from " + Limits.MIN_SAMPLES + " to "
-                    + Limits.MAX_SAMPLES + ", was " + value);
+        if (value < SceneLimits.MIN_SAMPLES || value > SceneLimits.MAX_SAMPLES) {
+            throw new ParameterException(command.commandLine(), "--samples must be from " + SceneLimits.MIN_SAMPLES + " to "
+                    + SceneLimits.MAX_SAMPLES + ", was " + value);
         }
         samples = value;
     }
 
     /** The scene with the picture asked for. */
     Scene apply(Scene scene) {
-        Picture picture = scene.picture();
+        PictureSettings picture = scene.picture();
         if (size != null) {
             picture = picture.withSize(size.width(), size.height());
         }
-        Sampling own = picture.sampling();
-        Sampling sampling = new Sampling(antialias == null ? own.antialias() : antialias, samples == null ? own.grid() : samples);
+        SamplingSettings sceneSampling = picture.sampling();
+        SamplingSettings sampling = new SamplingSettings(antialias == null ? sceneSampling.antialias() : antialias,
+                samples == null ? sceneSampling.grid() : samples);
         return scene.withPicture((depth == null ? picture : picture.withDepth(depth)).withSampling(sampling));
     }
 }

@@ -5,13 +5,13 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 import lightning.base.text.Quote;
-import lightning.base.work.Memory;
-import lightning.base.work.Workers;
-import lightning.format.picture.CubeReader;
-import lightning.format.picture.PictureFile;
-import lightning.format.picture.PictureFormat;
+import lightning.base.work.HeapBudget;
+import lightning.base.work.WorkerPool;
+import lightning.format.image.CubeLutReader;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
 import lightning.render.image.Clipping;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /** The options that say how pictures are written and how bright they are shown; where they go is said by each kind. */
-abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
+abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOutput {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
@@ -48,15 +48,15 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
     /** What stands behind {@code -o}. */
     abstract Path file();
 
-    @Option(names = "--view", paramLabel = "VIEW", converter = View.class,
+    @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
             description = {"How .png and .xpm show light: srgb (the default), 1998 for the linear values as they are, filmic or aces for",
                 "highlights that roll off, false for a colour for each stop; a .cube table, or one behind one of these: filmic+look.cube."})
-    private void setView(ViewTransform shown) {
-        view = shown.withExposure(view.exposure());
+    private void setView(ViewTransform newView) {
+        view = newView.withExposure(view.exposure());
     }
 
     /** The names that an artist types, and files. */
-    private static final class View implements ITypeConverter<ViewTransform> {
+    private static final class ViewConverter implements ITypeConverter<ViewTransform> {
         @Override
         public ViewTransform convert(String text) {
             int plus = text.indexOf('+');
@@ -66,11 +66,11 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
             if (file.isEmpty()) {
                 return shown;
             }
-            if (!file.endsWith(CubeReader.ENDING)) {
+            if (!file.endsWith(CubeLutReader.EXTENSION)) {
                 throw new TypeConversionException("expected srgb, 1998, filmic, aces, false or a .cube file, found " + Quote.of(file));
             }
             try {
-                return shown.withCube(Optional.of(CubeReader.read(Path.of(file))));
+                return shown.withLut(Optional.of(CubeLutReader.read(Path.of(file))));
             } catch (InvalidPathException | IOException e) {
                 throw new TypeConversionException("expected a .cube table: " + e.getMessage());
             }
@@ -88,13 +88,13 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
 
     /** Finds out before a long computation whether its result could not be written. */
     void check() throws IOException {
-        checkKind(file());
+        checkFormat(file());
         checkFile(file());
     }
 
     /** The same of what the ending of a file's name says alone. */
-    void checkKind(Path picture) throws IOException {
-        PictureFormat.of(picture).requireBits(picture, bits(picture));
+    void checkFormat(Path picture) throws IOException {
+        ImageFormat.of(picture).requireBitDepth(picture, bits(picture));
     }
 
     /** Of a number in the file. */
@@ -103,26 +103,26 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
     }
 
     private int bits(Path picture) throws IOException {
-        return bits == null ? PictureFormat.of(picture).bits().getFirst() : bits;
+        return bits == null ? ImageFormat.of(picture).bitDepths().getFirst() : bits;
     }
 
     static void checkFile(Path file) throws IOException {
-        SafeFile.at(file).check();
+        AtomicFile.of(file).check();
     }
 
     /** The bytes that a picture may take when its output needs some too. */
-    long memory(Scene scene) throws IOException {
-        return memory(scene, file());
+    long availableMemory(Scene scene) throws IOException {
+        return availableMemory(scene, file());
     }
 
     /** The same where the picture goes to another file than was named. */
-    static long memory(Scene scene, Path picture) throws IOException {
-        return Memory.available() - PictureFormat.of(picture).bytesToWrite(scene.picture().width(), scene.picture().height());
+    static long availableMemory(Scene scene, Path picture) throws IOException {
+        return HeapBudget.availableBytes() - ImageFormat.of(picture).bytesToWrite(scene.picture().width(), scene.picture().height());
     }
 
     /** Writes the picture to another file than was named. */
     void write(Film film, Path picture) throws IOException {
-        PictureFile.write(picture, film, view, bits(picture));
+        ImageFile.write(picture, film, view, bits(picture));
     }
 
     /**
@@ -131,13 +131,14 @@ abstract sealed class PictureOutput permits SinglePicture, FramesOutput {
      * @param threads how many make it
      */
     void write(Film film, int threads, Console console) throws IOException {
-        try (Workers workers = new Workers(threads)) {
-            PictureFile.write(file(), film, view, bits(), workers);
+        try (WorkerPool workers = new WorkerPool(threads)) {
+            ImageFile.write(file(), film, view, bits(), workers);
         }
         Clipping clipping = Clipping.of(film, view);
-        if (clipping.pixels() > 0 && PictureFormat.of(file()).isDisplayed()) {
-            console.line("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file(),
-                    clipping.pixels(), clipping.all(), 100.0 * clipping.pixels() / clipping.all(), clipping.brightest());
+        if (clipping.clippedPixels() > 0 && ImageFormat.of(file()).isDisplayReferred()) {
+            console.print("%s: %d of %d pixels (%.1f %%) are cut off at white, the brightest is %.3g times as bright", file(),
+                    clipping.clippedPixels(), clipping.totalPixels(), 100.0 * clipping.clippedPixels() / clipping.totalPixels(),
+                    clipping.brightest());
         }
     }
 }

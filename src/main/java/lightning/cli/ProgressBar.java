@@ -13,38 +13,38 @@ import lightning.base.work.Progress;
 final class ProgressBar implements Progress, AutoCloseable {
     private static final int WIDTH = 30;
     private static final long SECOND = 1_000_000_000;
-    private static final long BETWEEN = SECOND / 10;
+    private static final long UPDATE_INTERVAL = SECOND / 10;
     /** Goes to the line's start and erases it. */
     private static final String ERASE = "\r\u001b[K";
 
     private final Console console;
-    private final String what;
+    private final String title;
     private final LongSupplier clock;
     private final Thread owner = Thread.currentThread();
     private final long start;
-    private long shown;
+    private long lastUpdate;
     private boolean visible;
 
-    ProgressBar(Console console, String what) {
-        this(console, what, System::nanoTime);
+    ProgressBar(Console console, String title) {
+        this(console, title, System::nanoTime);
     }
 
     /** @param clock nanoseconds from any origin */
-    ProgressBar(Console console, String what, LongSupplier clock) {
+    ProgressBar(Console console, String title, LongSupplier clock) {
         this.console = console;
-        this.what = what;
+        this.title = title;
         this.clock = clock;
         start = clock.getAsLong();
-        shown = start + SECOND - BETWEEN;
+        lastUpdate = start + SECOND - UPDATE_INTERVAL;
     }
 
     @Override
-    public synchronized void tiles(int done, int total) {
+    public synchronized void report(int done, int total) {
         long now = clock.getAsLong();
-        if (!console.terminal() || now - shown < BETWEEN) {
+        if (!console.terminal() || now - lastUpdate < UPDATE_INTERVAL) {
             return;
         }
-        shown = now;
+        lastUpdate = now;
         visible = true;
         console.out().print(ERASE + text(done, total, (now - start) / 1e9));
         console.out().flush();
@@ -52,18 +52,18 @@ final class ProgressBar implements Progress, AutoCloseable {
 
     private String text(int done, int total, double seconds) {
         int filled = (int) ((long) WIDTH * done / total);
-        double left = seconds * (total - done) / Math.max(done, 1);
-        return Console.text("%s [%s%s] %3d %%, %s left", what, "#".repeat(filled), "-".repeat(WIDTH - filled),
-                (int) (100L * done / total), duration(left));
+        double remaining = seconds * (total - done) / Math.max(done, 1);
+        return Console.text("%s [%s%s] %3d %%, %s left", title, "#".repeat(filled), "-".repeat(WIDTH - filled),
+                (int) (100L * done / total), duration(remaining));
     }
 
     static String duration(double seconds) {
-        long whole = (long) Math.ceil(seconds);
-        return whole < 60 ? whole + " s" : Console.text("%d:%02d min", whole / 60, whole % 60);
+        long rounded = (long) Math.ceil(seconds);
+        return rounded < 60 ? rounded + " s" : Console.text("%d:%02d min", rounded / 60, rounded % 60);
     }
 
     @Override
-    public boolean isCancelled() {
+    public boolean isCanceled() {
         return owner.isInterrupted();
     }
 

@@ -5,17 +5,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import lightning.base.work.Workers;
-import lightning.bench.accuracy.Promise;
+import lightning.base.work.WorkerPool;
+import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -51,7 +51,7 @@ final class RelightCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private SinglePicture output;
+    private SinglePictureOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -71,10 +71,10 @@ final class RelightCommand implements Callable<Integer> {
     private boolean verify;
     @Option(names = "--no-savings",
             description = "Leaves out what each update saves of a full trace, which takes a second or more to measure.")
-    private boolean noSavings;
+    private boolean skipsSavings;
     @Option(names = "--save", paramLabel = "edited.jen",
             description = "Writes the edited scene; comments, order and numbers that were not edited keep their characters.")
-    private Path save;
+    private Path saveFile;
 
     /** The names of {@link MirrorStorage} on the command line. */
     enum Storage { ROWS, SHAPES }
@@ -95,74 +95,77 @@ final class RelightCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         output.check();
-        if (save != null) {
-            PictureOutput.checkFile(save);
+        if (saveFile != null) {
+            PictureOutput.checkFile(saveFile);
         }
         JenDocument document = input.read();
-        List<Scene> edited = edited(document.scene());
+        List<Scene> edited = editedScenes(document.scene());
         Scene before = picture.apply(document.scene());
-        Options options = new Options(accuracy, updateReflections ? reflections.onDemand() : reflections.value(), storage, threads.count())
-                .withMemory(output.memory(before));
-        boolean kept = true;
-        try (Renderer renderer = new Renderer(options); Workers workers = new Workers(threads.count());
+        RenderOptions options =
+                new RenderOptions(accuracy, updateReflections ? reflections.staleValue() : reflections.value(), storage, threads.count())
+                        .withMemory(output.availableMemory(before));
+        boolean allKept = true;
+        try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
-            Update first = renderer.render(before, bar);
-            console.line("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().all(), "ray"));
+            UpdateResult first = renderer.render(before, bar);
+            console.print("first pass: %.1f ms, %s", first.milliseconds(), Console.count(first.rays().total(), "ray"));
             for (int group = 0; group < edited.size(); group++) {
-                Scene wanted = picture.apply(edited.get(group));
-                kept &= make(group + 1 + ".", (r, progress) -> r.render(wanted, progress), renderer, workers, bar);
+                Scene scene = picture.apply(edited.get(group));
+                allKept &= relight(group + 1 + ".", (r, progress) -> r.render(scene, progress), renderer, workers, bar);
             }
             if (updateReflections) {
-                kept &= make("mirrors:", Renderer::updateReflections, renderer, workers, bar);
+                allKept &= relight("mirrors:", Renderer::updateReflections, renderer, workers, bar);
             }
             output.write(renderer.film(), threads.count(), console);
         }
-        if (save != null) {
-            document.with(edited.getLast()).save(save);
+        if (saveFile != null) {
+            document.withScene(edited.getLast()).save(saveFile);
         }
-        return kept ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+        return allKept ? ExitCode.OK : ExitCode.CHECK_FAILED;
     }
 
     /** Makes an update and prints what it did, and whether its promise was kept where that is asked; returns false if it was not. */
-    private boolean make(String title, WarmSaving.Step step, Renderer renderer, Workers workers, ProgressBar bar) {
+    private boolean relight(String title, WarmSaving.UpdateStep step, Renderer renderer, WorkerPool workers, ProgressBar bar) {
         PixelCache start = renderer.cache();
-        WarmSaving.Step shown = (r, progress) -> {
-            r.setView(output.view().exposure(), output.view().steepest());
-            return step.on(r, progress);
+        WarmSaving.UpdateStep stepWithView = (r, progress) -> {
+            r.setView(output.view().exposure(), output.view().steepestCurve());
+            return step.run(r, progress);
         };
-        Update update = shown.on(renderer, bar);
-        Optional<WarmSaving> saving = noSavings ? Optional.empty() : WarmSaving.Edit.of(update, start, renderer.options(), shown)
-                .flatMap(edit -> WarmSaving.measure(edit, workers, WARM_UP_MS, bar));
-        console.line("%s %s", title, line(update, Promise.of(renderer, update), saving));
+        UpdateResult update = stepWithView.run(renderer, bar);
+        Optional<WarmSaving> saving =
+                skipsSavings ? Optional.empty() : WarmSaving.RepeatableEdit.of(update, start, renderer.options(), stepWithView)
+                        .flatMap(edit -> WarmSaving.measure(edit, workers, WARM_UP_MS, bar));
+        console.print("%s %s", title, describe(update, AccuracyGuarantee.of(renderer, update), saving));
         if (!verify) {
             return true;
         }
-        Verification verification = Promise.of(renderer, update).verify(renderer.film(), workers, bar);
-        console.line("   %s", verification.text());
-        return verification.isKept();
+        Verification verification = AccuracyGuarantee.of(renderer, update).verify(renderer.film(), workers, bar);
+        console.print("   %s", verification.text());
+        return verification.hasPassed();
     }
 
     /** The scene after each group of edits. */
-    private List<Scene> edited(Scene scene) throws BadInput {
+    private List<Scene> editedScenes(Scene scene) throws BadInputException {
         List<Scene> scenes = new ArrayList<>();
         Scene current = scene;
-        for (List<EditStep> group : EditStep.groups(steps)) {
+        for (List<EditStep> group : EditStep.splitGroups(steps)) {
             for (EditStep step : group) {
                 List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
                 scenes.addAll(next.subList(0, next.size() - 1));
                 current = next.getLast();
             }
-            EditStep.remarkUnused(group, current, console);
+            EditStep.warnUnused(group, current, console);
             scenes.add(current);
         }
         return scenes;
     }
 
-    private static String line(Update update, Promise promise, Optional<WarmSaving> saving) {
+    private static String describe(UpdateResult update, AccuracyGuarantee promise, Optional<WarmSaving> saving) {
         String time = saving.map(s -> Console.text("%.1f ms of a full trace's %.1f (saves %.1f %%)", s.update().median(), s.full().median(),
                 s.percent())).orElseGet(() -> Console.text("%.1f ms", update.milliseconds()));
         return Console.text("%s: %s, %s, %s, %s",
-                update.plan().text(), Console.count(update.rowsTouched(), "row"), Console.count(update.rays().shadow(), "shadow ray"), time,
+                update.plan().description(), Console.count(update.rowsTouched(), "row"),
+                Console.count(update.rays().shadow(), "shadow ray"), time,
                 promise.text(update));
     }
 }

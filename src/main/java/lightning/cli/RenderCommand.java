@@ -1,18 +1,18 @@
 package lightning.cli;
 
 import java.util.concurrent.Callable;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.format.exr.ExrType;
-import lightning.format.layer.LayerFile;
-import lightning.format.picture.PictureFormat;
+import lightning.format.image.ImageFormat;
+import lightning.format.layer.LayeredExrWriter;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.render.relight.MemoryNeed;
+import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
-import lightning.render.shading.TraceCounts;
-import lightning.render.warmup.LateWarmUp;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RayCounts;
+import lightning.render.warmup.DelayedWarmUp;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -34,11 +34,11 @@ final class RenderCommand implements Callable<Integer> {
     private final Console console;
 
     @Spec
-    private CommandSpec line;
+    private CommandSpec command;
     @Mixin
     private SceneFile input;
     @Mixin
-    private SinglePicture output;
+    private SinglePictureOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -61,25 +61,25 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         output.check();
-        if (layers && !PictureFormat.of(output.file()).canHaveLayers()) {
-            throw new BadInput(Console.text("%s: layers are written to .exr", output.file()));
+        if (layers && !ImageFormat.of(output.file()).canHaveLayers()) {
+            throw new BadInputException(Console.text("%s: layers are written to .exr", output.file()));
         }
         if (layers && traditional) {
-            throw new BadInput("a trace that keeps nothing has no layers; leave out --layers or --traditional");
+            throw new BadInputException("a trace that keeps nothing has no layers; leave out --layers or --traditional");
         }
         Scene scene = picture.apply(input.read().scene());
-        SecondStart.ifLong(scene, line.root().commandLine().getParseResult().originalArgs());
+        LongRenderRestart.restartIfLong(scene, command.root().commandLine().getParseResult().originalArgs());
         if (traditional) {
             traceTraditionally(scene);
         } else {
             firstPass(scene);
         }
-        return ExitCode.DONE;
+        return ExitCode.OK;
     }
 
     private void traceTraditionally(Scene scene) throws Exception {
-        MemoryNeed.checkFilm(scene.picture(), output.memory(scene));
-        try (var _ = new LateWarmUp(scene); Workers workers = new Workers(threads.count());
+        MemoryEstimate.checkFilm(scene.picture(), output.availableMemory(scene));
+        try (var _ = new DelayedWarmUp(scene); WorkerPool workers = new WorkerPool(threads.count());
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             long start = System.nanoTime();
             TraditionalTracer.Result result = new TraditionalTracer(scene).trace(workers, bar);
@@ -88,35 +88,36 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void firstPass(Scene scene) throws Exception {
-        try (var _ = new LateWarmUp(scene);
-                Renderer renderer = new Renderer(Options.DEFAULT.withThreads(threads.count()).withMemory(output.memory(scene)));
+        try (var _ = new DelayedWarmUp(scene);
+                Renderer renderer =
+                        new Renderer(RenderOptions.DEFAULT.withThreads(threads.count()).withMemory(output.availableMemory(scene)));
                 ProgressBar bar = new ProgressBar(console, "tracing")) {
             var update = renderer.render(scene, bar);
             if (layers) {
                 long start = System.nanoTime();
-                LayerFile file = new LayerFile(renderer.cache(), renderer.options().engines(),
+                LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(),
                         output.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
-                try (Workers workers = new Workers(threads.count()); ProgressBar writing = new ProgressBar(console, "writing")) {
+                try (WorkerPool workers = new WorkerPool(threads.count()); ProgressBar writing = new ProgressBar(console, "writing")) {
                     file.write(output.file(), renderer.options().memory() - renderer.bytes(), workers, writing);
                 }
-                console.line("%s: %s of %d x %d pixels, written in %.1f ms", output.file(), Console.count(file.layerCount(), "layer"),
+                console.print("%s: %s of %d x %d pixels, written in %.1f ms", output.file(), Console.count(file.layerCount(), "layer"),
                         scene.picture().width(),
                         scene.picture().height(), (System.nanoTime() - start) / 1e6);
-                tell(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
+                printSummary(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
                 return;
             }
             write(scene, renderer.film(), "first pass", update.milliseconds(), update.rays());
         }
     }
 
-    private void write(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) throws Exception {
+    private void write(Scene scene, Film film, String title, double milliseconds, RayCounts rays) throws Exception {
         output.write(film, threads.count(), console);
-        tell(scene, film, what, milliseconds, rays);
+        printSummary(scene, film, title, milliseconds, rays);
     }
 
-    private void tell(Scene scene, Film film, String what, double milliseconds, TraceCounts rays) {
-        console.line("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s", output.file(), what,
-                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.areFastest() ? "" : " from cold",
+    private void printSummary(Scene scene, Film film, String title, double milliseconds, RayCounts rays) {
+        console.print("%s: %s of %d x %d pixels, depth %d, in %.1f ms%s: %s, %d mirrored, %s", output.file(), title,
+                film.width(), film.height(), scene.picture().depth(), milliseconds, Engines.isFastestInUse() ? "" : " from cold",
                 Console.count(rays.eye(), "eye ray"),
                 rays.mirrored(), Console.count(rays.shadow(), "shadow ray"));
     }

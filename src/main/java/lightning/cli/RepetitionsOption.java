@@ -7,7 +7,7 @@ import picocli.CommandLine.Spec;
 
 /** The option {@code --repetitions}. */
 final class RepetitionsOption {
-    private static final int MOST = 1000;
+    private static final int MAX_REPETITIONS = 1000;
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
@@ -16,13 +16,13 @@ final class RepetitionsOption {
 
     @Option(names = "--repetitions", paramLabel = "N", description = "How often each is measured; 5 without it.")
     private void setRepetitions(int value) {
-        repetitions = checked(command, value);
+        repetitions = requireValid(command, value);
     }
 
     /** The number, if it is one that can be asked for. */
-    static int checked(CommandSpec command, int value) {
-        if (value < 1 || value > MOST) {
-            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MOST + ", was " + value);
+    static int requireValid(CommandSpec command, int value) {
+        if (value < 1 || value > MAX_REPETITIONS) {
+            throw new ParameterException(command.commandLine(), "--repetitions must be from 1 to " + MAX_REPETITIONS + ", was " + value);
         }
         return value;
     }

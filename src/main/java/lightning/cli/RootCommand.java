@@ -2,7 +2,7 @@ package lightning.cli;
 
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import lightning.base.text.Release;
+import lightning.base.text.ReleaseInfo;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
@@ -44,7 +44,7 @@ final class RootCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        console.remark("The editor was not asked for a window; here is the tour of the scene instead.");
+        console.warn("The editor was not asked for a window; here is the tour of the scene instead.");
         return command.commandLine().execute(scene == null ? new String[] {"tour"} : new String[] {"tour", scene.toString()});
     }
 
@@ -52,7 +52,7 @@ final class RootCommand implements Callable<Integer> {
     static final class Version implements IVersionProvider {
         @Override
         public String[] getVersion() {
-            return new String[] {Release.text()};
+            return new String[] {ReleaseInfo.text()};
         }
     }
 }

@@ -14,7 +14,7 @@ final class SceneFile {
     private Path path;
 
     Path path() {
-        return ShippedFile.find(path);
+        return ShippedFile.resolve(path);
     }
 
     JenDocument read() throws IOException, JenException {

@@ -11,33 +11,34 @@ record ShotFrames(Shot shot, FrameRange range) {
     /**
      * The frames of a document.
      *
-     * @param asked null for all frames of the shot
+     * @param requested null for all frames of the shot
      */
-    static ShotFrames of(JenDocument document, Path file, FrameRange asked) throws BadInput {
-        Shot shot = document.shot().orElseThrow(() -> new BadInput(Console.text(
+    static ShotFrames of(JenDocument document, Path file, FrameRange requested) throws BadInputException {
+        Shot shot = document.shot().orElseThrow(() -> new BadInputException(Console.text(
                 "%s: has no shot; docs/jen-format.md tells how a shot block says one", file)));
-        FrameRange range = asked == null ? new FrameRange(shot.first(), shot.last()) : asked;
-        if (range.count() > FrameRange.MOST) {
-            throw new BadInput("the shot has " + range.count() + " frames; choose at most " + FrameRange.MOST + " of them with --frames");
+        FrameRange range = requested == null ? new FrameRange(shot.first(), shot.last()) : requested;
+        if (range.count() > FrameRange.MAX_FRAMES) {
+            throw new BadInputException(
+                    "the shot has " + range.count() + " frames; choose at most " + FrameRange.MAX_FRAMES + " of them with --frames");
         }
         return new ShotFrames(shot, range);
     }
 
     /** Refuses a scene that is none in some frame, before the first picture is begun. */
-    void check(Scene scene) throws BadInput {
+    void check(Scene scene) throws BadInputException {
         for (int frame = range.first(); frame <= range.last(); frame++) {
             if (Thread.currentThread().isInterrupted()) {
                 throw new CancellationException();
             }
-            at(scene, frame);
+            sceneAt(scene, frame);
         }
     }
 
-    Scene at(Scene scene, int frame) throws BadInput {
+    Scene sceneAt(Scene scene, int frame) throws BadInputException {
         try {
-            return shot.at(scene, frame);
+            return shot.sceneAt(scene, frame);
         } catch (IllegalArgumentException e) {
-            throw new BadInput(e.getMessage());
+            throw new BadInputException(e.getMessage());
         }
     }
 }

@@ -9,27 +9,27 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
-import lightning.render.warmup.LateWarmUp;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.warmup.DelayedWarmUp;
 import lightning.scene.Scene;
-import lightning.scene.shot.Key;
+import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Shot;
-import lightning.scene.shot.ShotSuccession;
-import lightning.scene.shot.Target;
 import lightning.scene.shot.Track;
-import lightning.shot.KeptBytes;
-import lightning.shot.LocalKeeper;
-import lightning.shot.RelitShot;
-import lightning.shot.ShotNeed;
-import lightning.shot.ShotTooLarge;
-import lightning.shot.Take;
-import lightning.shot.cluster.Place;
+import lightning.scene.shot.TrackRetargeting;
+import lightning.scene.shot.TrackTarget;
+import lightning.shot.CacheUsage;
+import lightning.shot.LocalFrameHost;
+import lightning.shot.ShotMemoryEstimate;
+import lightning.shot.ShotRelighter;
+import lightning.shot.ShotRevision;
+import lightning.shot.ShotTooLargeException;
+import lightning.shot.cluster.NodeConfig;
 import lightning.shot.movie.FrameFiles;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -56,15 +56,15 @@ import picocli.CommandLine.Option;
 final class ShotRelightCommand implements Callable<Integer> {
     private static final double GB = 1e9;
     /** Frames that tell the saving, as many of them as are measured in so long. */
-    private static final int MEASURED = 3;
-    private static final long LONG_NANOSECONDS = 5_000_000_000L;
+    private static final int MEASURED_FRAMES = 3;
+    private static final long MAX_MEASURE_NANOSECONDS = 5_000_000_000L;
 
     private final Console console;
 
     @Mixin
     private SceneFile input;
     @Mixin
-    private FramesOutput output;
+    private FrameSequenceOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -83,7 +83,7 @@ final class ShotRelightCommand implements Callable<Integer> {
     private Path disk = Path.of(System.getProperty("java.io.tmpdir"));
     @Option(names = "--no-savings",
             description = "Leaves out what relighting saves of a full trace, which takes a second or more to measure.")
-    private boolean noSavings;
+    private boolean skipsSavings;
 
     ShotRelightCommand(Console console) {
         this.console = console;
@@ -92,188 +92,193 @@ final class ShotRelightCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         FrameFiles files = FrameFiles.of(output.file(), JenFile.stem(input.path().getFileName().toString()));
-        output.checkKind(files.file(0));
+        output.checkFormat(files.file(0));
         if (memory != null && !(memory >= 0)) {
-            throw new BadInput("--memory must be 0 or more, was " + memory);
+            throw new BadInputException("--memory must be 0 or more, was " + memory);
         }
         JenDocument document = input.read();
         ShotFrames shot = frames.of(document, input.path());
-        Take first = new Take(picture.apply(document.scene()), shot.shot());
-        shot.check(first.scene());
-        List<Take> edited = edited(document.scene(), shot.shot());
-        for (Take take : edited) {
-            new ShotFrames(take.shot(), shot.range()).check(take.scene());
+        ShotRevision original = new ShotRevision(picture.apply(document.scene()), shot.shot());
+        shot.check(original.scene());
+        List<ShotRevision> revisions = revisions(document.scene(), shot.shot());
+        for (ShotRevision revision : revisions) {
+            new ShotFrames(revision.shot(), shot.range()).check(revision.scene());
         }
-        Optional<Place> place = cluster.place();
+        Optional<NodeConfig> config = cluster.nodeConfig();
         // Here there must be room before a folder is made; nodes have their own.
-        Optional<Room> room = place.isPresent() ? Optional.empty() : Optional.of(room(first, shot.range(), files));
-        List<FrameFiles> groups = groups(files, edited.size());
+        Optional<FrameBudget> room = config.isPresent() ? Optional.empty() : Optional.of(frameBudget(original, shot.range(), files));
+        List<FrameFiles> groups = groups(files, revisions.size());
         for (FrameFiles group : groups) {
             for (int frame = shot.range().first(); frame <= shot.range().last(); frame++) {
                 PictureOutput.checkFile(group.file(frame));
             }
         }
-        if (place.isPresent()) {
-            new RelightElsewhere(console, output, place.get(), input.path().toAbsolutePath().getParent(), threads.count())
-                    .run(first, edited, groups, shot.range());
+        if (config.isPresent()) {
+            new ClusterRelight(console, output, config.get(), input.path().toAbsolutePath().getParent(), threads.count())
+                    .run(original, revisions, groups, shot.range());
         } else {
-            relight(first, edited, groups, shot.range(), room.orElseThrow());
+            relight(original, revisions, groups, shot.range(), room.orElseThrow());
         }
-        return ExitCode.DONE;
+        return ExitCode.OK;
     }
 
     /**
      * Where frames are kept.
      *
-     * @param memory bytes for those that nobody works on; likewise {@code disk}
+     * @param memoryBytes bytes for those that nobody works on; likewise {@code diskBytes}
      */
-    private record Room(Options options, ShotNeed need, long memory, long disk) {}
+    private record FrameBudget(RenderOptions options, ShotMemoryEstimate estimate, long memoryBytes, long diskBytes) {}
 
-    private Room room(Take first, FrameRange range, FrameFiles files) throws IOException, BadInput {
-        Options options = Options.DEFAULT.withThreads(threads.count())
-                .withMemory(PictureOutput.memory(first.scene(), files.file(0)));
+    private FrameBudget frameBudget(ShotRevision original, FrameRange range, FrameFiles files) throws IOException, BadInputException {
+        RenderOptions options = RenderOptions.DEFAULT.withThreads(threads.count())
+                .withMemory(PictureOutput.availableMemory(original.scene(), files.file(0)));
         if (!Files.isDirectory(disk)) {
-            throw new BadInput(Console.text("--disk %s: is no folder", disk));
+            throw new BadInputException(Console.text("--disk %s: is no folder", disk));
         }
-        ShotNeed need = ShotNeed.of(first, range.first(), range.last(), options);
-        long most = need.inMemory(options.memory());
-        Room room = new Room(options, need, memory == null ? most : Math.min(most, (long) (memory * GB)),
+        ShotMemoryEstimate estimate = ShotMemoryEstimate.of(original, range.first(), range.last(), options);
+        long maxMemory = estimate.frameBudget(options.memory());
+        FrameBudget room = new FrameBudget(options, estimate, memory == null ? maxMemory : Math.min(maxMemory, (long) (memory * GB)),
                 Files.getFileStore(disk).getUsableSpace());
         try {
-            need.check(room.memory, room.disk);
-        } catch (ShotTooLarge e) {
-            throw new BadInput(e.getMessage() + "; or give a folder on a larger disk with --disk FOLDER");
+            estimate.check(room.memoryBytes, room.diskBytes);
+        } catch (ShotTooLargeException e) {
+            throw new BadInputException(e.getMessage() + "; or give a folder on a larger disk with --disk FOLDER");
         }
         return room;
     }
 
     /** Where the pictures of each group go; their folders are made. */
     private static List<FrameFiles> groups(FrameFiles files, int count) throws IOException {
-        files.makeFolder();
+        files.createFolder();
         if (count == 1) {
             return List.of(files);
         }
         List<FrameFiles> groups = new ArrayList<>();
         for (int group = 1; group <= count; group++) {
-            groups.add(new FrameFiles(files.folder().resolve(String.valueOf(group)), files.name(), files.ending()));
-            groups.getLast().makeFolder();
+            groups.add(new FrameFiles(files.folder().resolve(String.valueOf(group)), files.stem(), files.extension()));
+            groups.getLast().createFolder();
         }
         return groups;
     }
 
-    private void relight(Take first, List<Take> edited, List<FrameFiles> groups, FrameRange range, Room room) throws Exception {
-        ShotNeed need = room.need;
-        boolean fits = need.all() <= room.memory;
-        console.line("%s of about %s: %s in all, %s in memory, %s on disk", Console.count(need.frames(), "frame"),
-                ShotNeed.text(need.each()),
-                ShotNeed.text(need.all()), ShotNeed.text(Math.min(room.memory, need.all())),
-                ShotNeed.text(Math.max(0, need.all() - room.memory)));
-        LocalKeeper keeper =
-                fits ? new LocalKeeper(room.options, room.memory) : new LocalKeeper(room.options, room.memory, disk, room.disk);
-        var watch = new ShotWatch(range.count());
-        KeptBytes kept;
-        try (var _ = new LateWarmUp(first.at(range.first()));
-                RelitShot shot = RelitShot.of(range.first(), range.last(), keeper, watch)) {
-            watch.run(shot, first, console, "tracing", null);
-            console.line("%s traced in %.1f ms", Console.count(range.count(), "frame"), watch.work());
-            kept = shot.bytes();
-            console.line("kept: %s, %s, in memory, and %d, %s, on disk", Console.count(kept.inMemory(), "frame"),
-                    ShotNeed.text(kept.memory()),
-                    kept.onDisk(),
-                    ShotNeed.text(kept.disk()));
-            keeper.problem().ifPresent(problem -> console.line("%s traced again for each edit: %s",
-                    Console.count(range.count() - kept.inMemory() - kept.onDisk(), "frame"), problem));
-            for (int group = 0; group < edited.size(); group++) {
+    private void relight(ShotRevision original, List<ShotRevision> revisions, List<FrameFiles> groups, FrameRange range, FrameBudget room)
+            throws Exception {
+        ShotMemoryEstimate estimate = room.estimate;
+        boolean fits = estimate.totalBytes() <= room.memoryBytes;
+        console.print("%s of about %s: %s in all, %s in memory, %s on disk", Console.count(estimate.frameCount(), "frame"),
+                ShotMemoryEstimate.formatBytes(estimate.bytesPerFrame()),
+                ShotMemoryEstimate.formatBytes(estimate.totalBytes()),
+                ShotMemoryEstimate.formatBytes(Math.min(room.memoryBytes, estimate.totalBytes())),
+                ShotMemoryEstimate.formatBytes(Math.max(0, estimate.totalBytes() - room.memoryBytes)));
+        LocalFrameHost host =
+                fits ? new LocalFrameHost(room.options, room.memoryBytes)
+                        : new LocalFrameHost(room.options, room.memoryBytes, disk, room.diskBytes);
+        var progress = new ShotProgress(range.count());
+        CacheUsage usage;
+        try (var _ = new DelayedWarmUp(original.sceneAt(range.first()));
+                ShotRelighter shot = ShotRelighter.of(range.first(), range.last(), host, progress)) {
+            progress.run(shot, original, console, "tracing", null);
+            console.print("%s traced in %.1f ms", Console.count(range.count(), "frame"), progress.workMilliseconds());
+            usage = shot.usage();
+            console.print("kept: %s, %s, in memory, and %d, %s, on disk", Console.count(usage.memoryFrames(), "frame"),
+                    ShotMemoryEstimate.formatBytes(usage.memoryBytes()),
+                    usage.diskFrames(),
+                    ShotMemoryEstimate.formatBytes(usage.diskBytes()));
+            host.problem().ifPresent(problem -> console.print("%s traced again for each edit: %s",
+                    Console.count(range.count() - usage.memoryFrames() - usage.diskFrames(), "frame"), problem));
+            for (int group = 0; group < revisions.size(); group++) {
                 FrameFiles files = groups.get(group);
-                double whole;
-                try (var writing = new PictureWriting(threads.count())) {
-                    whole = watch.run(shot, edited.get(group), console, "relighting", update -> {
-                        if (writing.failed()) {
+                double totalMilliseconds;
+                try (var writing = new PictureWriteQueue(threads.count())) {
+                    totalMilliseconds = progress.run(shot, revisions.get(group), console, "relighting", update -> {
+                        if (writing.hasFailed()) {
                             throw new CancellationException();
                         }
                         writing.write(() -> output.write(update.film(), files.file(update.frame())));
                     });
                     writing.finish();
                 }
-                console.line("%d. %s: %s relit in %.1f ms, %d of them traced again, %s; %.1f ms with their pictures", group + 1,
-                        files.folder(), Console.count(range.count(), "frame"), watch.work(), watch.traced(),
-                        Console.count(watch.rays(), "ray"), whole);
+                console.print("%d. %s: %s relit in %.1f ms, %d of them traced again, %s; %.1f ms with their pictures", group + 1,
+                        files.folder(), Console.count(range.count(), "frame"), progress.workMilliseconds(), progress.tracedCount(),
+                        Console.count(progress.rayCount(), "ray"), totalMilliseconds);
             }
         }
-        if (!noSavings) {
-            tellSaving(edited.size() == 1 ? first : edited.get(edited.size() - 2), edited.getLast(), range, room, kept);
+        if (!skipsSavings) {
+            printSaving(revisions.size() == 1 ? original : revisions.get(revisions.size() - 2), revisions.getLast(), range, room, usage);
         }
     }
 
     /** What a take saves of tracing its frames, each as for a single picture: some of them, where one does not take long. */
-    private void tellSaving(Take before, Take after, FrameRange range, Room room, KeptBytes kept) {
+    private void printSaving(ShotRevision before, ShotRevision after, FrameRange range, FrameBudget room, CacheUsage usage) {
         List<WarmSaving> savings = new ArrayList<>();
-        int count = Math.min(MEASURED, range.count());
-        try (Workers workers = new Workers(threads.count()); ProgressBar bar = new ProgressBar(console, "measuring what that saves")) {
+        int count = Math.min(MEASURED_FRAMES, range.count());
+        try (WorkerPool workers = new WorkerPool(threads.count());
+                ProgressBar bar = new ProgressBar(console, "measuring what that saves")) {
             long start = System.nanoTime();
-            for (int i = 0; i < count && (i == 0 || System.nanoTime() - start < LONG_NANOSECONDS); i++) {
+            for (int i = 0; i < count && (i == 0 || System.nanoTime() - start < MAX_MEASURE_NANOSECONDS); i++) {
                 int frame = count == 1 ? range.first() : range.first() + (int) ((long) (range.count() - 1) * i / (count - 1));
-                saving(before.at(frame), after.at(frame), room.options, workers, bar.silent()).ifPresent(savings::add);
-                bar.tiles(i + 1, count);
+                saving(before.sceneAt(frame), after.sceneAt(frame), room.options, workers, bar.cancellationOnly()).ifPresent(savings::add);
+                bar.report(i + 1, count);
             }
         }
         double update = savings.stream().mapToDouble(s -> s.update().median()).sum();
         double full = savings.stream().mapToDouble(s -> s.full().median()).sum();
         if (!savings.isEmpty()) {
-            console.line("once Java is warm, a frame takes %.1f ms of a full trace's %.1f (saves %.1f %%)%s", update / savings.size(),
-                    full / savings.size(), 100 * (1 - update / full), kept.onDisk() == 0 ? "" : ", and those on disk are read besides");
+            console.print("once Java is warm, a frame takes %.1f ms of a full trace's %.1f (saves %.1f %%)%s", update / savings.size(),
+                    full / savings.size(), 100 * (1 - update / full),
+                    usage.diskFrames() == 0 ? "" : ", and those on disk are read besides");
         }
     }
 
-    private static Optional<WarmSaving> saving(Scene before, Scene after, Options options, Workers workers, Progress progress) {
+    private static Optional<WarmSaving> saving(Scene before, Scene after, RenderOptions options, WorkerPool workers, Progress progress) {
         try (Renderer renderer = new Renderer(options)) {
             renderer.render(before, progress);
             PixelCache start = renderer.cache();
-            WarmSaving.Step step = (r, p) -> r.render(after, p);
-            return WarmSaving.Edit.of(step.on(renderer, progress), start, options, step)
+            WarmSaving.UpdateStep step = (r, p) -> r.render(after, p);
+            return WarmSaving.RepeatableEdit.of(step.run(renderer, progress), start, options, step)
                     .flatMap(edit -> WarmSaving.measure(edit, workers, RelightCommand.WARM_UP_MS, progress));
         }
     }
 
     /** The take after each group of edits. */
-    private List<Take> edited(Scene scene, Shot keys) throws BadInput {
-        List<Take> takes = new ArrayList<>();
+    private List<ShotRevision> revisions(Scene scene, Shot keys) throws BadInputException {
+        List<ShotRevision> revisions = new ArrayList<>();
         Scene current = scene;
         Shot shot = keys;
-        for (List<EditStep> group : EditStep.groups(steps)) {
+        for (List<EditStep> group : EditStep.splitGroups(steps)) {
             for (EditStep step : group) {
                 List<Scene> next = step.apply(current, input.path().toAbsolutePath().getParent());
                 for (int i = 0; i < next.size(); i++) {
-                    refuseKeyed(shot, current, next.get(i));
-                    shot = new ShotSuccession(current, next.get(i)).of(shot);
+                    rejectKeyed(shot, current, next.get(i));
+                    shot = new TrackRetargeting(current, next.get(i)).retarget(shot);
                     current = next.get(i);
                     if (i < next.size() - 1) {
-                        takes.add(new Take(picture.apply(current), shot));
+                        revisions.add(new ShotRevision(picture.apply(current), shot));
                     }
                 }
             }
-            EditStep.remarkUnused(group, current, console);
-            takes.add(new Take(picture.apply(current), shot));
+            EditStep.warnUnused(group, current, console);
+            revisions.add(new ShotRevision(picture.apply(current), shot));
         }
-        return takes;
+        return revisions;
     }
 
     /** Keys would hide what is set. */
-    private static void refuseKeyed(Shot shot, Scene before, Scene after) throws BadInput {
+    private static void rejectKeyed(Shot shot, Scene before, Scene after) throws BadInputException {
         for (Track track : shot.tracks()) {
-            Target target = track.target();
-            boolean stays = target.isIn(before) && target.isIn(after) && target.attribute(after, track.attribute()).isPresent();
-            if (stays && !target.setting(after, track.attribute()).equals(target.setting(before, track.attribute()))) {
-                List<Integer> keys = track.keys().stream().map(Key::frame).toList();
-                throw new BadInput(Console.text(
+            TrackTarget target = track.target();
+            boolean inBoth = target.existsIn(before) && target.existsIn(after) && target.attribute(after, track.attribute()).isPresent();
+            if (inBoth && !target.value(after, track.attribute()).equals(target.value(before, track.attribute()))) {
+                List<Integer> keys = track.keys().stream().map(Keyframe::frame).toList();
+                throw new BadInputException(Console.text(
                         "%s: %s has keys at frame%s %s, which say what it is; edit these in the shot block, or set what has no keys%s",
-                        target, track.attribute(), keys.size() == 1 ? "" : "s", several(keys),
+                        target, track.attribute(), keys.size() == 1 ? "" : "s", formatFrames(keys),
                         track.attribute().equals("intensity") ? ", as the intensity of a bank" : ""));
             }
         }
     }
 
-    private static String several(List<Integer> frames) {
+    private static String formatFrames(List<Integer> frames) {
         List<String> texts = frames.stream().limit(8).map(String::valueOf).toList();
         return String.join(", ", texts) + (frames.size() > texts.size() ? " and " + (frames.size() - texts.size()) + " more" : "");
     }

@@ -8,20 +8,20 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
-import lightning.base.file.SafeFile;
-import lightning.base.text.Decimal;
-import lightning.base.work.Memory;
+import lightning.base.file.AtomicFile;
+import lightning.base.text.DecimalNumber;
+import lightning.base.work.HeapBudget;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenFile;
 import lightning.render.image.Film;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.shot.movie.Ffmpeg;
 import lightning.shot.movie.FrameFiles;
-import lightning.shot.movie.FrameRun;
-import lightning.shot.movie.MovieKind;
+import lightning.shot.movie.FrameSequenceRenderer;
+import lightning.shot.movie.MovieFormat;
 import lightning.shot.movie.MovieWriter;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -46,7 +46,7 @@ final class ShotRenderCommand implements Callable<Integer> {
     @Mixin
     private SceneFile input;
     @Mixin
-    private FramesOutput output;
+    private FrameSequenceOutput output;
     @Mixin
     private PictureOptions picture;
     @Mixin
@@ -62,14 +62,14 @@ final class ShotRenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        Optional<MovieKind> movie = MovieKind.of(output.file());
+        Optional<MovieFormat> movie = MovieFormat.of(output.file());
         FrameFiles files = FrameFiles.of(output.file(), JenFile.stem(input.path().getFileName().toString()));
         if (movie.isEmpty()) {
-            output.checkKind(files.file(0));
+            output.checkFormat(files.file(0));
         } else if (resume) {
-            throw new BadInput("a film is made whole: --resume is for numbered pictures");
+            throw new BadInputException("a film is made whole: --resume is for numbered pictures");
         } else {
-            Ffmpeg.required();
+            Ffmpeg.require();
         }
         JenDocument document = input.read();
         ShotFrames shot = frames.of(document, input.path());
@@ -77,77 +77,81 @@ final class ShotRenderCommand implements Callable<Integer> {
         Scene scene = picture.apply(document.scene());
         shot.check(scene);
         if (movie.isPresent()) {
-            film(shot, scene, range, movie.get());
-            return ExitCode.DONE;
+            writeMovie(shot, scene, range, movie.get());
+            return ExitCode.OK;
         }
-        files.makeFolder();
-        List<Integer> wanted = new ArrayList<>();
+        files.createFolder();
+        List<Integer> missing = new ArrayList<>();
         for (int frame = range.first(); frame <= range.last(); frame++) {
             Path file = files.file(frame);
             if (!resume || !Files.isRegularFile(file)) {
                 PictureOutput.checkFile(file);
-                wanted.add(frame);
+                missing.add(frame);
             }
         }
-        if (!wanted.isEmpty()) {
-            render(shot, scene, wanted, files);
+        if (!missing.isEmpty()) {
+            render(shot, scene, missing, files);
         }
-        if (wanted.size() < range.count()) {
-            int there = range.count() - wanted.size();
-            console.line("%s %s there",
-                    wanted.isEmpty() ? Console.count(there, "frame") : there + " of " + Console.count(range.count(), "frame"),
-                    there == 1 ? "was" : "were");
+        if (missing.size() < range.count()) {
+            int existing = range.count() - missing.size();
+            console.print("%s %s there",
+                    missing.isEmpty() ? Console.count(existing, "frame") : existing + " of " + Console.count(range.count(), "frame"),
+                    existing == 1 ? "was" : "were");
         }
-        return ExitCode.DONE;
+        return ExitCode.OK;
     }
 
-    private void render(ShotFrames shot, Scene scene, List<Integer> wanted, FrameFiles files) throws Exception {
-        Path one = files.file(0);
-        run(shot, scene, wanted, PictureOutput.memory(scene, one), (frame, film) -> {
+    private void render(ShotFrames shot, Scene scene, List<Integer> frames, FrameFiles files) throws Exception {
+        Path firstFile = files.file(0);
+        renderFrames(shot, scene, frames, PictureOutput.availableMemory(scene, firstFile), (frame, film) -> {
             output.write(film, files.file(frame));
             return files.file(frame).toString();
         });
     }
 
     /** All frames as a film, which appears whole or not at all. */
-    private void film(ShotFrames shot, Scene scene, FrameRange range, MovieKind kind) throws Exception {
-        Ffmpeg ffmpeg = Ffmpeg.required();
+    private void writeMovie(ShotFrames shot, Scene scene, FrameRange range, MovieFormat kind) throws Exception {
+        Ffmpeg ffmpeg = Ffmpeg.require();
         PictureOutput.checkFile(output.file());
-        List<Integer> all = IntStream.rangeClosed(range.first(), range.last()).boxed().toList();
-        SafeFile.at(output.file()).writeByName(temporary -> {
+        List<Integer> frames = IntStream.rangeClosed(range.first(), range.last()).boxed().toList();
+        AtomicFile.of(output.file()).writeToPath(temporary -> {
             try (var movie = new MovieWriter(ffmpeg, kind, shot.shot().rate(), output.view(), temporary)) {
-                run(shot, scene, all, Memory.available() - MovieWriter.bytes(scene.picture()), (frame, film) -> {
-                    movie.add(film);
-                    return "frame " + frame;
-                });
+                renderFrames(shot, scene, frames, HeapBudget.availableBytes() - MovieWriter.requiredBytes(scene.picture()),
+                        (frame, film) -> {
+                            movie.add(film);
+                            return "frame " + frame;
+                        });
                 movie.finish();
             }
         });
-        console.line("%s: %s, %s a second", output.file(), Console.count(all.size(), "frame"), Decimal.text(shot.shot().rate()));
+        console.print("%s: %s, %s a second", output.file(), Console.count(frames.size(), "frame"),
+                DecimalNumber.format(shot.shot().rate()));
     }
 
     /** What is done with a frame. */
-    private interface Sink {
+    private interface FrameSink {
         /** Takes a picture, which is written over afterwards; returns what it is called. */
-        String take(int frame, Film film) throws IOException;
+        String write(int frame, Film film) throws IOException;
     }
 
-    private void run(ShotFrames shot, Scene scene, List<Integer> wanted, long memory, Sink sink) throws IOException {
-        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(threads.count()).withMemory(memory);
+    private void renderFrames(ShotFrames shot, Scene scene, List<Integer> frames, long memory, FrameSink sink) throws IOException {
+        RenderOptions options =
+                RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(threads.count()).withMemory(memory);
         double[] milliseconds = new double[2];
         int[] counts = new int[2];
         try (ProgressBar bar = new ProgressBar(console, "rendering")) {
-            FrameRun.render(wanted, frame -> shot.shot().at(scene, frame), options, bar.silent(), (frame, film, update) -> {
-                String called = sink.take(frame, film);
-                int kind = update.plan() instanceof UpdatePlan.FirstPass ? 0 : 1;
-                milliseconds[kind] += update.milliseconds();
-                counts[kind]++;
-                bar.erase();
-                console.line("%s: %s, %.1f ms", called, update.plan().text(), update.milliseconds());
-                bar.tiles(counts[0] + counts[1], wanted.size());
-            });
+            FrameSequenceRenderer.render(frames, frame -> shot.shot().sceneAt(scene, frame), options, bar.cancellationOnly(),
+                    (frame, film, update) -> {
+                        String name = sink.write(frame, film);
+                        int index = update.plan() instanceof UpdatePlan.FirstPass ? 0 : 1;
+                        milliseconds[index] += update.milliseconds();
+                        counts[index]++;
+                        bar.erase();
+                        console.print("%s: %s, %.1f ms", name, update.plan().description(), update.milliseconds());
+                        bar.report(counts[0] + counts[1], frames.size());
+                    });
         }
-        console.line("%s traced in %.1f ms, %d relit in %.1f ms", Console.count(counts[0], "frame"), milliseconds[0], counts[1],
+        console.print("%s traced in %.1f ms, %d relit in %.1f ms", Console.count(counts[0], "frame"), milliseconds[0], counts[1],
                 milliseconds[1]);
     }
 }

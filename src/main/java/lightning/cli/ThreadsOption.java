@@ -1,6 +1,6 @@
 package lightning.cli;
 
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -8,18 +8,18 @@ import picocli.CommandLine.Spec;
 
 /** The option {@code --threads}. */
 final class ThreadsOption {
-    private static final int MOST = 1024;
+    private static final int MAX_THREADS = 1024;
 
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 
-    private int threads = Workers.available();
+    private int threads = WorkerPool.processorCount();
 
     @Option(names = "--threads", paramLabel = "N",
             description = "How many threads work, as many as there are processors without it. The picture is the same for any number.")
     private void setThreads(int value) {
-        if (value < 1 || value > MOST) {
-            throw new ParameterException(command.commandLine(), "--threads must be from 1 to " + MOST + ", was " + value);
+        if (value < 1 || value > MAX_THREADS) {
+            throw new ParameterException(command.commandLine(), "--threads must be from 1 to " + MAX_THREADS + ", was " + value);
         }
         threads = value;
     }

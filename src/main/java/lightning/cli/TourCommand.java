@@ -12,17 +12,17 @@ import lightning.bench.accuracy.FirstPassCost;
 import lightning.bench.accuracy.PaperCase;
 import lightning.bench.accuracy.PaperCases;
 import lightning.bench.accuracy.PreviewCost;
-import lightning.bench.accuracy.Saving;
-import lightning.bench.accuracy.SavingMeter;
+import lightning.bench.accuracy.UpdateSaving;
+import lightning.bench.accuracy.UpdateSavingMeter;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
-import lightning.format.picture.PictureFile;
-import lightning.format.pov.PovRay;
+import lightning.format.pov.PovRayRunner;
 import lightning.format.pov.PovScene;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.MemoryNeed;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -52,7 +52,7 @@ import picocli.CommandLine.Parameters;
             "  lightning tour scenes/bird.jen --reflections stale",
             "  lightning tour scenes/house.jen --povray"})
 final class TourCommand implements Callable<Integer> {
-    private static final Path BIRD = ShippedFile.SCENES.resolve("bird.jen");
+    private static final Path DEFAULT_SCENE = ShippedFile.SCENES.resolve("bird.jen");
     private final Console console;
 
     @Parameters(index = "0", arity = "0..1", paramLabel = "scene.jen", description = "The scene; scenes/bird.jen without it.")
@@ -60,9 +60,9 @@ final class TourCommand implements Callable<Integer> {
     @Option(names = {"-o", "--output"}, paramLabel = "DIR", defaultValue = "lightning-tour",
             description = "The folder for the pictures, made if it is not there; lightning-tour without it.")
     private Path folder;
-    @Option(names = "--size", paramLabel = "WxH", converter = Size.Converter.class, defaultValue = "1920x1080",
+    @Option(names = "--size", paramLabel = "WxH", converter = PictureDimensions.Converter.class, defaultValue = "1920x1080",
             description = "Pixels; 1920x1080 without it.")
-    private Size size;
+    private PictureDimensions size;
     @Option(names = "--povray", description = "Also measure the full trace beside the installed POV-Ray's of the same scene.")
     private boolean povray;
     @Mixin
@@ -78,76 +78,76 @@ final class TourCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        Path file = ShippedFile.find(scene == null ? BIRD : scene);
+        Path file = ShippedFile.resolve(scene == null ? DEFAULT_SCENE : scene);
         Scene read = JenReader.read(file).scene();
         Scene sized = read.withPicture(read.picture().withSize(size.width(), size.height()));
-        MemoryNeed.check(sized, Options.DEFAULT.withThreads(threads.count()));
-        Optional<PovRay> pov = povray ? PovRay.find() : Optional.empty();
+        MemoryEstimate.check(sized, RenderOptions.DEFAULT.withThreads(threads.count()));
+        Optional<PovRayRunner> pov = povray ? PovRayRunner.find() : Optional.empty();
         if (povray && pov.isEmpty()) {
-            throw new BadInput("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");
+            throw new BadInputException("--povray: there is no program povray on the PATH; install POV-Ray 3.7 (Debian package povray)");
         }
         Files.createDirectories(folder);
-        console.line("%s at %d x %d pixels, depth %d, %s; pictures go to %s", file, size.width(), size.height(),
+        console.print("%s at %d x %d pixels, depth %d, %s; pictures go to %s", file, size.width(), size.height(),
                 read.picture().depth(), Console.count(threads.count(), "thread"), folder);
         List<PaperCase> cases = PaperCases.of(sized);
-        try (SavingMeter meter = new SavingMeter(options(), repetitions.count());
+        try (UpdateSavingMeter meter = new UpdateSavingMeter(options(), repetitions.count());
                 ProgressBar bar = new ProgressBar(console, "tour")) {
-            return tour(sized, cases, pov, meter, bar) ? ExitCode.DONE : ExitCode.CHECK_FAILED;
+            return runTour(sized, cases, pov, meter, bar) ? ExitCode.OK : ExitCode.CHECK_FAILED;
         }
     }
 
-    private Options options() {
-        return Options.DEFAULT.withReflections(reflections.value()).withThreads(threads.count());
+    private RenderOptions options() {
+        return RenderOptions.DEFAULT.withReflections(reflections.value()).withThreads(threads.count());
     }
 
-    private boolean tour(Scene sized, List<PaperCase> cases, Optional<PovRay> pov, SavingMeter meter, ProgressBar bar)
+    private boolean runTour(Scene sized, List<PaperCase> cases, Optional<PovRayRunner> pov, UpdateSavingMeter meter, ProgressBar bar)
             throws Exception {
         int steps = cases.size() + 2;
-        bar.tiles(0, steps);
-        meter.warmUp(cases.stream().map(edit -> new Scene[] {edit.before(), edit.after()}).toList(), bar.silent());
-        FirstPassCost first = meter.firstPass(sized, bar.silent());
-        write("first-pass", meter.renderer().film());
+        bar.report(0, steps);
+        meter.warmUp(cases.stream().map(edit -> new Scene[] {edit.before(), edit.after()}).toList(), bar.cancellationOnly());
+        FirstPassCost first = meter.firstPass(sized, bar.cancellationOnly());
+        writePicture("first-pass", meter.renderer().film());
         var table = new TourTable(console);
         bar.erase();
-        table.first(first, meter.bytesPerMs());
-        table.preview(PreviewCost.of(sized, threads.count(), bar.silent()));
+        table.printFirstPass(first, meter.bytesPerMs());
+        table.printPreview(PreviewCost.of(sized, threads.count(), bar.cancellationOnly()));
         if (pov.isPresent()) {
             PovScene exported = PovScene.of(sized, "scene");
-            table.povRay(meter.against(sized, () -> pov.get().traceMs(exported, size.width(), size.height(), threads.count()),
-                    bar.silent()));
+            table.printPovRay(meter.compareWith(sized, () -> pov.get().traceMs(exported, size.width(), size.height(), threads.count()),
+                    bar.cancellationOnly()));
         }
-        table.head();
-        boolean kept = true;
+        table.printHeader();
+        boolean allEqual = true;
         for (int i = 0; i < cases.size(); i++) {
-            bar.tiles(i + 1, steps);
+            bar.report(i + 1, steps);
             PaperCase edit = cases.get(i);
             List<Scene> scenes = edit.scenes();
-            Saving saving = meter.update(scenes.get(scenes.size() - 2), scenes.getLast(), bar.silent());
-            write(edit.name(), meter.renderer().film());
+            UpdateSaving saving = meter.update(scenes.get(scenes.size() - 2), scenes.getLast(), bar.cancellationOnly());
+            writePicture(edit.name(), meter.renderer().film());
             bar.erase();
-            table.row(edit.name(), edit.paperSaving(), saving);
-            kept &= saving.kept();
+            table.printRow(edit.name(), edit.paperSaving(), saving);
+            allEqual &= saving.isVerified();
         }
-        bar.tiles(steps - 1, steps);
-        kept &= reflections(cases, table, meter, bar);
-        table.foot();
-        return kept;
+        bar.report(steps - 1, steps);
+        allEqual &= updateMirrors(cases, table, meter, bar);
+        table.printFooter();
+        return allEqual;
     }
 
     /** Brings the first edit that moves a light to the mirrors: the button Update Reflections. */
-    private boolean reflections(List<PaperCase> cases, TourTable table, SavingMeter meter, ProgressBar bar) throws IOException {
+    private boolean updateMirrors(List<PaperCase> cases, TourTable table, UpdateSavingMeter meter, ProgressBar bar) throws IOException {
         Optional<PaperCase> edit = cases.stream().filter(c -> c.name().equals("position")).findFirst();
-        if (edit.isEmpty() || reflections.value() == Reflections.CURRENT) {
+        if (edit.isEmpty() || reflections.value() == ReflectionMode.CURRENT) {
             return true;
         }
-        Saving saving = meter.reflections(edit.get().before(), edit.get().after(), bar.silent());
-        write("position-mirrored", meter.renderer().film());
+        UpdateSaving saving = meter.reflections(edit.get().before(), edit.get().after(), bar.cancellationOnly());
+        writePicture("position-mirrored", meter.renderer().film());
         bar.erase();
-        table.row("- its mirrors", Double.NaN, saving);
-        return saving.kept();
+        table.printRow("- its mirrors", Double.NaN, saving);
+        return saving.isVerified();
     }
 
-    private void write(String name, Film film) throws IOException {
-        PictureFile.write(folder.resolve(name.toLowerCase(Locale.ROOT) + ".png"), film, ViewTransform.DEFAULT);
+    private void writePicture(String name, Film film) throws IOException {
+        ImageFile.write(folder.resolve(name.toLowerCase(Locale.ROOT) + ".png"), film, ViewTransform.DEFAULT);
     }
 }

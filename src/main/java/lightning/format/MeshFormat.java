@@ -8,11 +8,11 @@ import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
 import lightning.format.gltf.GltfFile;
-import lightning.format.gltf.GltfMeshes;
+import lightning.format.gltf.GltfMeshReader;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
-import lightning.format.mesh.Notes;
 import lightning.format.mesh.obj.ObjReader;
 import lightning.format.mesh.ply.PlyReader;
 import lightning.format.nff.NffFile;
@@ -23,19 +23,20 @@ public enum MeshFormat {
     PLY("PLY", PlyReader::isPly, ".ply") {
         @Override
         List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
-            return List.of(new NamedMesh(ONLY_PART, PlyReader.read(source, new Notes())));
+            return List.of(new NamedMesh(SINGLE_PART_NAME, PlyReader.read(source, new ConversionNotes())));
         }
     },
     OBJ("OBJ", null, ".obj") {
         @Override
         List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
-            return ObjReader.read(source, new Notes()).parts().stream().map(part -> new NamedMesh(part.name(), part.mesh())).toList();
+            return ObjReader.read(source, new ConversionNotes()).parts().stream().map(part -> new NamedMesh(part.name(), part.mesh()))
+                    .toList();
         }
     },
     NFF("NFF", null, ".nff") {
         @Override
         List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
-            NffFile file = NffReader.read(source, new Notes());
+            NffFile file = NffReader.read(source, new ConversionNotes());
             if (file.meshes().isEmpty()) {
                 throw source.problem("", "must have polygons or patches to be a mesh; import it as a scene");
             }
@@ -45,30 +46,30 @@ public enum MeshFormat {
     GLTF("glTF", GltfFile::isGltf, ".gltf", ".glb") {
         @Override
         List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException {
-            return GltfMeshes.read(GltfFile.read(source, progress), new Notes()).stream()
+            return GltfMeshReader.read(GltfFile.read(source, progress), new ConversionNotes()).stream()
                     .map(part -> new NamedMesh(part.name(), part.triangles())).toList();
         }
     };
 
     /** The name of the one mesh in a file that names none. */
-    public static final String ONLY_PART = "mesh";
+    public static final String SINGLE_PART_NAME = "mesh";
 
     private static final byte[] UTF_16 = {(byte) 0xFE, (byte) 0xFF};
     private static final byte[] UTF_16_SWAPPED = {(byte) 0xFF, (byte) 0xFE};
 
     private final String title;
     /** Recognizes the first bytes of a file; null where they can be any. */
-    private final Mark mark;
-    private final List<String> endings;
+    private final SignatureTest signature;
+    private final List<String> extensions;
 
-    private interface Mark {
-        boolean isIn(ByteSource source) throws IOException;
+    private interface SignatureTest {
+        boolean matches(ByteSource source) throws IOException;
     }
 
-    MeshFormat(String title, Mark mark, String... endings) {
+    MeshFormat(String title, SignatureTest signature, String... extensions) {
         this.title = title;
-        this.mark = mark;
-        this.endings = List.of(endings);
+        this.signature = signature;
+        this.extensions = List.of(extensions);
     }
 
     abstract List<NamedMesh> meshes(ByteSource source, Progress progress) throws IOException, MeshException;
@@ -79,17 +80,17 @@ public enum MeshFormat {
     }
 
     /** The ends of file names of all formats, in lower case. */
-    public static List<String> allEndings() {
-        return Arrays.stream(values()).flatMap(format -> format.endings.stream()).toList();
+    public static List<String> allExtensions() {
+        return Arrays.stream(values()).flatMap(format -> format.extensions.stream()).toList();
     }
 
     /** Whether a file has one of the formats by its name. */
-    public static boolean isNamedSo(String file) {
-        return Arrays.stream(values()).anyMatch(format -> format.isNameOf(file));
+    public static boolean isMeshFileName(String file) {
+        return Arrays.stream(values()).anyMatch(format -> format.matchesName(file));
     }
 
-    private boolean isNameOf(String file) {
-        return endings.stream().anyMatch(file.toLowerCase(Locale.ROOT)::endsWith);
+    private boolean matchesName(String file) {
+        return extensions.stream().anyMatch(file.toLowerCase(Locale.ROOT)::endsWith);
     }
 
     /**
@@ -98,16 +99,16 @@ public enum MeshFormat {
      * @throws MeshException if it is none of them
      * @throws IOException   if it cannot be read, or is a folder, a pipe or a device
      */
-    public static MeshFormat of(Path file) throws IOException, MeshException {
+    public static MeshFormat detect(Path file) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
-            return of(file, source);
+            return detect(file, source);
         }
     }
 
     /** The format of an open file of which nothing was read yet, and nothing is. */
-    private static MeshFormat of(Path file, ByteSource source) throws IOException, MeshException {
+    private static MeshFormat detect(Path file, ByteSource source) throws IOException, MeshException {
         for (MeshFormat format : values()) {
-            if (format.mark != null && format.mark.isIn(source)) {
+            if (format.signature != null && format.signature.matches(source)) {
                 return format;
             }
         }
@@ -115,7 +116,7 @@ public enum MeshFormat {
             throw source.problem("", "is text in UTF-16; save it as UTF-8");
         }
         for (MeshFormat format : values()) {
-            if (format.mark == null && format.isNameOf(file.getFileName().toString())) {
+            if (format.signature == null && format.matchesName(file.getFileName().toString())) {
                 return format;
             }
         }
@@ -133,7 +134,7 @@ public enum MeshFormat {
      */
     public static List<NamedMesh> meshes(Path file, Progress progress) throws IOException, MeshException {
         try (ByteSource source = ByteSource.open(file, progress)) {
-            return of(file, source).meshes(source, progress);
+            return detect(file, source).meshes(source, progress);
         }
     }
 }

@@ -9,9 +9,9 @@ public record Attenuation(double constant, double linear, double quadratic) {
     public static final Attenuation NONE = new Attenuation(1, 0, 0);
 
     public Attenuation {
-        Limits.range("attenuation constant", constant, 0, Limits.MAX_ATTENUATION);
-        Limits.range("attenuation linear", linear, 0, Limits.MAX_ATTENUATION);
-        Limits.range("attenuation quadratic", quadratic, 0, Limits.MAX_ATTENUATION);
+        SceneLimits.checkRange("attenuation constant", constant, 0, SceneLimits.MAX_ATTENUATION);
+        SceneLimits.checkRange("attenuation linear", linear, 0, SceneLimits.MAX_ATTENUATION);
+        SceneLimits.checkRange("attenuation quadratic", quadratic, 0, SceneLimits.MAX_ATTENUATION);
         // A zero without sign: 1/−0 is −∞, which would be less than 1.
         constant += 0.0;
         linear += 0.0;

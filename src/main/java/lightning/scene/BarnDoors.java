@@ -6,15 +6,15 @@ package lightning.scene;
  */
 public record BarnDoors(double left, double right, double bottom, double top) {
     /** The angle of a leaf that cuts nothing off. */
-    public static final double AWAY = 90;
+    public static final double OPEN_ANGLE = 90;
     /** They cut nothing off. */
-    public static final BarnDoors OPEN = new BarnDoors(AWAY, AWAY, AWAY, AWAY);
+    public static final BarnDoors OPEN = new BarnDoors(OPEN_ANGLE, OPEN_ANGLE, OPEN_ANGLE, OPEN_ANGLE);
 
     public BarnDoors {
-        Limits.range("doors left", left, -AWAY, AWAY);
-        Limits.range("doors right", right, -AWAY, AWAY);
-        Limits.range("doors bottom", bottom, -AWAY, AWAY);
-        Limits.range("doors top", top, -AWAY, AWAY);
+        SceneLimits.checkRange("doors left", left, -OPEN_ANGLE, OPEN_ANGLE);
+        SceneLimits.checkRange("doors right", right, -OPEN_ANGLE, OPEN_ANGLE);
+        SceneLimits.checkRange("doors bottom", bottom, -OPEN_ANGLE, OPEN_ANGLE);
+        SceneLimits.checkRange("doors top", top, -OPEN_ANGLE, OPEN_ANGLE);
     }
 
     public boolean isOpen() {

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
  */
 final class BlockList<E> extends AbstractList<E> implements RandomAccess {
     /** The elements of a block; near the square root of the longest lists. */
-    static final int MOST = 512;
+    static final int BLOCK_SIZE = 512;
 
     private final Object[][] blocks;
     /** Where each block begins, and last how many elements there are: {@code int[blocks.length + 1]}. */
@@ -31,53 +31,54 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
     }
 
     /** The same elements; the list itself where it is immutable. */
-    static <E> List<E> copyOf(Collection<? extends E> all) {
-        if (all.size() <= MOST && !(all instanceof BlockList)) {
-            return List.copyOf(all);
+    static <E> List<E> copyOf(Collection<? extends E> elements) {
+        if (elements.size() <= BLOCK_SIZE && !(elements instanceof BlockList)) {
+            return List.copyOf(elements);
         }
-        return all instanceof BlockList<?> known ? unchanging(known) : new BlockList<>(cut(all.toArray()));
+        return elements instanceof BlockList<?> known ? castUnchecked(known) : new BlockList<>(split(elements.toArray()));
     }
 
     /** Nobody writes to the list, so that it is one of whatever all elements are. */
     @SuppressWarnings("unchecked")
-    private static <E> List<E> unchanging(List<?> list) {
+    private static <E> List<E> castUnchecked(List<?> list) {
         return (List<E>) list;
     }
 
     /** An immutable list that has others in place of the elements {@code from} to {@code to − 1} of one. */
-    static <E> List<E> spliced(List<E> list, int from, int to, Collection<? extends E> by) {
-        if (list instanceof BlockList<E> blocks && list.size() - (to - from) + by.size() > MOST / 2) {
-            return blocks.spliced(from, to, by.toArray());
+    static <E> List<E> splice(List<E> list, int from, int to, Collection<? extends E> replacement) {
+        if (list instanceof BlockList<E> blocks && list.size() - (to - from) + replacement.size() > BLOCK_SIZE / 2) {
+            return blocks.splice(from, to, replacement.toArray());
         }
-        return unchanging(BlockList.<Object>copyOf(Arrays.asList(spliced(list.toArray(), from, to, by.toArray()))));
+        return castUnchecked(BlockList.<Object>copyOf(Arrays.asList(splice(list.toArray(), from, to, replacement.toArray()))));
     }
 
-    private BlockList<E> spliced(int from, int to, Object[] by) {
-        int first = block(from);
-        int behind = block(Math.max(from, to - 1)) + 1;
-        if (starts[behind] - starts[first] - (to - from) + by.length < MOST / 4) {
+    private BlockList<E> splice(int from, int to, Object[] replacement) {
+        int first = blockOf(from);
+        int end = blockOf(Math.max(from, to - 1)) + 1;
+        if (starts[end] - starts[first] - (to - from) + replacement.length < BLOCK_SIZE / 4) {
             // A block that has become small is joined to those beside it.
             first = Math.max(0, first - 1);
-            behind = Math.min(blocks.length, behind + 1);
+            end = Math.min(blocks.length, end + 1);
         }
-        Object[] old = Stream.of(blocks).skip(first).limit(behind - first).flatMap(Stream::of).toArray();
-        Object[][] now = cut(spliced(old, from - starts[first], to - starts[first], by));
-        return new BlockList<>((Object[][]) spliced(blocks, first, behind, now));
+        Object[] old = Stream.of(blocks).skip(first).limit(end - first).flatMap(Stream::of).toArray();
+        Object[][] result = split(splice(old, from - starts[first], to - starts[first], replacement));
+        return new BlockList<>((Object[][]) splice(blocks, first, end, result));
     }
 
-    private static Object[] spliced(Object[] all, int from, int to, Object[] by) {
-        Object[] now = Arrays.copyOf(all, all.length - (to - from) + by.length);
-        System.arraycopy(by, 0, now, from, by.length);
-        System.arraycopy(all, to, now, from + by.length, all.length - to);
-        return now;
+    private static Object[] splice(Object[] elements, int from, int to, Object[] replacement) {
+        Object[] result = Arrays.copyOf(elements, elements.length - (to - from) + replacement.length);
+        System.arraycopy(replacement, 0, result, from, replacement.length);
+        System.arraycopy(elements, to, result, from + replacement.length, elements.length - to);
+        return result;
     }
 
     /** Blocks of nearly the same length. */
-    private static Object[][] cut(Object[] all) {
-        int count = (all.length + MOST - 1) / MOST;
+    private static Object[][] split(Object[] elements) {
+        int count = (elements.length + BLOCK_SIZE - 1) / BLOCK_SIZE;
         Object[][] blocks = new Object[count][];
         for (int b = 0; b < count; b++) {
-            blocks[b] = Arrays.copyOfRange(all, place(all.length, b, count), place(all.length, b + 1, count), Object[].class);
+            blocks[b] = Arrays.copyOfRange(elements, blockStart(elements.length, b, count), blockStart(elements.length, b + 1, count),
+                    Object[].class);
             for (Object element : blocks[b]) {
                 Objects.requireNonNull(element);
             }
@@ -85,12 +86,12 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         return blocks;
     }
 
-    private static int place(int length, int block, int count) {
+    private static int blockStart(int length, int block, int count) {
         return (int) ((long) length * block / count);
     }
 
     /** The block of an element; the last one's of what is behind all. Blocks are nearly as long, so it is near where it would be then. */
-    private int block(int index) {
+    private int blockOf(int index) {
         int last = blocks.length - 1;
         int block = Math.min(last, (int) ((long) index * blocks.length / size()));
         while (index < starts[block]) {
@@ -106,7 +107,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
     @SuppressWarnings("unchecked")
     public E get(int index) {
         Objects.checkIndex(index, size());
-        int block = block(index);
+        int block = blockOf(index);
         return (E) blocks[block][index - starts[block]];
     }
 
@@ -119,7 +120,7 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
     public Iterator<E> iterator() {
         return new Iterator<>() {
             private int block;
-            private int at;
+            private int offset;
 
             @Override
             public boolean hasNext() {
@@ -132,10 +133,10 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
                 if (!hasNext()) {
                     throw new NoSuchElementException();
                 }
-                Object[] all = blocks[block];
-                Object next = all[at++];
-                if (at == all.length) {
-                    at = 0;
+                Object[] elements = blocks[block];
+                Object next = elements[offset++];
+                if (offset == elements.length) {
+                    offset = 0;
                     block++;
                 }
                 return (E) next;
@@ -148,9 +149,9 @@ final class BlockList<E> extends AbstractList<E> implements RandomAccess {
         if (!(a instanceof BlockList<?> one) || !(b instanceof BlockList<?> other)) {
             return 0;
         }
-        int least = Math.min(one.blocks.length, other.blocks.length);
+        int minBlocks = Math.min(one.blocks.length, other.blocks.length);
         int shared = 0;
-        while (shared < least && one.blocks[shared] == other.blocks[shared]) {
+        while (shared < minBlocks && one.blocks[shared] == other.blocks[shared]) {
             shared++;
         }
         return one.starts[shared];

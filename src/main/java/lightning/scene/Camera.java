@@ -17,18 +17,21 @@ import lightning.base.math.Vec3;
 public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
     public static final Camera DEFAULT = new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40);
 
-    public static final Attribute<Camera, Vec3> FROM = new Attribute<>("from", "from", Quantity.position(), DEFAULT.from, "scene units",
-            Camera::from, (c, v) -> new Camera(v, c.to, c.up, c.fov));
-    public static final Attribute<Camera, Vec3> TO = new Attribute<>("to", "to", Quantity.position(), DEFAULT.to, "scene units",
-            Camera::to, (c, v) -> new Camera(c.from, v, c.up, c.fov));
-    public static final Attribute<Camera, Vec3> UP = new Attribute<>("up", "up", Quantity.direction(), DEFAULT.up, "any length but 0",
-            Camera::up, (c, v) -> new Camera(c.from, c.to, v, c.fov));
-    public static final Attribute<Camera, Double> FOV = new Attribute<>("fov", "fov",
-            Quantity.degrees(Limits.MIN_FOV, Limits.MAX_FOV, 1), DEFAULT.fov, "degrees, vertical", Camera::fov,
+    public static final SceneAttribute<Camera, Vec3> FROM =
+            new SceneAttribute<>("from", "from", NumericKind.position(), DEFAULT.from, "scene units",
+                    Camera::from, (c, v) -> new Camera(v, c.to, c.up, c.fov));
+    public static final SceneAttribute<Camera, Vec3> TO =
+            new SceneAttribute<>("to", "to", NumericKind.position(), DEFAULT.to, "scene units",
+                    Camera::to, (c, v) -> new Camera(c.from, v, c.up, c.fov));
+    public static final SceneAttribute<Camera, Vec3> UP =
+            new SceneAttribute<>("up", "up", NumericKind.direction(), DEFAULT.up, "any length but 0",
+                    Camera::up, (c, v) -> new Camera(c.from, c.to, v, c.fov));
+    public static final SceneAttribute<Camera, Double> FOV = new SceneAttribute<>("fov", "fov",
+            NumericKind.degrees(SceneLimits.MIN_FOV, SceneLimits.MAX_FOV, 1), DEFAULT.fov, "degrees, vertical", Camera::fov,
             (c, v) -> new Camera(c.from, c.to, c.up, v));
 
     /** All of them, in the order in which a file writes them. What goes together must be set together. */
-    public static final List<Attribute<Camera, ?>> ATTRIBUTES = List.of(FROM, TO, UP, FOV);
+    public static final List<SceneAttribute<Camera, ?>> ATTRIBUTES = List.of(FROM, TO, UP, FOV);
 
     /** Where it stands, render space begins. */
     public Camera(Vec3 from, Vec3 to, Vec3 up, double fov) {
@@ -36,11 +39,11 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
     }
 
     public Camera {
-        Limits.position("from", from);
-        Limits.position("to", to);
-        Limits.direction("up", up);
-        Limits.range("fov", fov, Limits.MIN_FOV, Limits.MAX_FOV);
-        Limits.position("origin", origin);
+        SceneLimits.checkPosition("from", from);
+        SceneLimits.checkPosition("to", to);
+        SceneLimits.checkDirection("up", up);
+        SceneLimits.checkRange("fov", fov, SceneLimits.MIN_FOV, SceneLimits.MAX_FOV);
+        SceneLimits.checkPosition("origin", origin);
         Vec3 view = to.minus(from);
         if (!(view.maxAbs() >= 1e-12)) {
             throw new IllegalArgumentException("from and to must be two different points");

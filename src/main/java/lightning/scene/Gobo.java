@@ -6,7 +6,7 @@ package lightning.scene;
  * @param file  the name as written in the scene file
  * @param image the decoded picture
  */
-public record Gobo(String file, Texture image) implements FromFile {
+public record Gobo(String file, Texture image) implements FileAsset {
     @Override
     public Object content() {
         return image;

@@ -18,18 +18,18 @@ import lightning.base.math.Vec3;
  * @param area        how large it is
  * @param on          whether it shines
  * @param solo        whether it shines alone: where any light is solo, the others are dark
- * @param bank       the name of the bank that it belongs to; empty where it belongs to none
+ * @param lightGroup       the name of the bank that it belongs to; empty where it belongs to none
  * @param illuminates which shapes it shines on
  * @param shadowedBy  which shapes throw shadows in its light
  */
 @RecordBuilder
 public record Light(String name, LightType type, Rgb color, double intensity, Vec3 position, Vec3 direction,
         Attenuation attenuation, double angle, double dropoff, BarnDoors doors, double feather, Optional<Gobo> gobo,
-        Optional<Profile> profile, Area area, boolean on,
-        boolean solo, String bank, Links illuminates, Links shadowedBy) implements LightBuilder.With {
+        Optional<IesProfile> profile, AreaShape area, boolean on,
+        boolean solo, String lightGroup, ShapeLinks illuminates, ShapeLinks shadowedBy) implements LightBuilder.With {
 
     public Light {
-        Limits.name(name);
+        SceneLimits.checkName(name);
         LightAttribute.COLOR.check(color);
         LightAttribute.INTENSITY.check(intensity);
         LightAttribute.POSITION.check(position);
@@ -43,7 +43,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         LightAttribute.HEIGHT.check(area.height());
         LightAttribute.UP.check(area.up());
         LightAttribute.SAMPLES.check(area.samples());
-        LightAttribute.BANK.check(bank);
+        LightAttribute.LIGHT_GROUP.check(lightGroup);
         LightAttribute.ILLUMINATES.check(illuminates);
         LightAttribute.SHADOWED_BY.check(shadowedBy);
     }
@@ -53,9 +53,9 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
         return new Light(name, type, LightAttribute.COLOR.initial(), LightAttribute.INTENSITY.initial(),
                 LightAttribute.POSITION.initial(), LightAttribute.DIRECTION.initial(), LightAttribute.ATTENUATION.initial(),
                 LightAttribute.ANGLE.initial(), LightAttribute.DROPOFF.initial(), LightAttribute.DOORS.initial(),
-                LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), Area.DEFAULT,
+                LightAttribute.FEATHER.initial(), LightAttribute.GOBO.initial(), LightAttribute.PROFILE.initial(), AreaShape.DEFAULT,
                 LightAttribute.ON.initial(),
-                LightAttribute.SOLO.initial(), LightAttribute.BANK.initial(), LightAttribute.ILLUMINATES.initial(),
+                LightAttribute.SOLO.initial(), LightAttribute.LIGHT_GROUP.initial(), LightAttribute.ILLUMINATES.initial(),
                 LightAttribute.SHADOWED_BY.initial());
     }
 
@@ -79,9 +79,9 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
     }
 
     /** This light with other links of both kinds. */
-    Light linked(UnaryOperator<Links> links) {
-        Links on = links.apply(illuminates);
-        Links by = links.apply(shadowedBy);
-        return on == illuminates && by == shadowedBy ? this : withIlluminates(on).withShadowedBy(by);
+    Light mapLinks(UnaryOperator<ShapeLinks> links) {
+        ShapeLinks illuminated = links.apply(illuminates);
+        ShapeLinks shadowing = links.apply(shadowedBy);
+        return illuminated == illuminates && shadowing == shadowedBy ? this : withIlluminates(illuminated).withShadowedBy(shadowing);
     }
 }

@@ -14,13 +14,13 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /**
  * The attributes of lights, each described here and nowhere else, in the order in which a file writes them. What a light does
  * with them is told by the lighting equation.
  */
-public final class LightAttribute<V> extends Attribute<Light, V> {
+public final class LightAttribute<V> extends SceneAttribute<Light, V> {
 
     /** What people find together. */
     public enum Section {
@@ -28,7 +28,7 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
         KIND,
         /** Whether it shines, and with which others. */
         SWITCHES,
-        COLOUR,
+        COLOR,
         CONE,
         AREA,
         ATTENUATION,
@@ -36,72 +36,80 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
         LINKS
     }
 
-    private static final List<LightAttribute<?>> DECLARED = new ArrayList<>();
+    private static final List<LightAttribute<?>> REGISTRY = new ArrayList<>();
 
-    public static final LightAttribute<LightType> TYPE = of("type", Choice.of(LightType.class), POINT, "",
+    public static final LightAttribute<LightType> TYPE = of("type", ChoiceKind.of(LightType.class), POINT, "",
             Light::type, Light::withType, Section.KIND, Map.of());
-    public static final LightAttribute<Rgb> COLOR = of("color", Quantity.color(Limits.MAX_LIGHT_COLOR), Rgb.WHITE,
-            "linear red, green, blue", Light::color, Light::withColor, Section.COLOUR, all(LightTerm.WEIGHT));
-    public static final LightAttribute<Double> INTENSITY = of("intensity", Quantity.number(0, Limits.MAX_INTENSITY, 0.1), 1.0, "",
-            Light::intensity, Light::withIntensity, Section.COLOUR, all(LightTerm.WEIGHT));
-    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", Quantity.position(), Vec3.ZERO,
+    public static final LightAttribute<Rgb> COLOR = of("color", NumericKind.color(SceneLimits.MAX_LIGHT_COLOR), Rgb.WHITE,
+            "linear red, green, blue", Light::color, Light::withColor, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Double> INTENSITY = of("intensity", NumericKind.number(0, SceneLimits.MAX_INTENSITY, 0.1), 1.0, "",
+            Light::intensity, Light::withIntensity, Section.COLOR, forAllTypes(LightTerm.WEIGHT));
+    public static final LightAttribute<Vec3> POSITION = new LightAttribute<>("at", "position", NumericKind.position(), Vec3.ZERO,
             "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> DIRECTION = of("direction", Quantity.direction(), new Vec3(0, -1, 0),
+    public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
             "any length but 0", Light::direction, Light::withDirection, Section.PLACE,
-            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
-    public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", Quantity.attenuation(), Attenuation.NONE,
+            Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> ANGLE = of("angle", Quantity.degrees(0, Limits.MAX_ANGLE, 1), 30.0,
-            "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.OPENING));
-    public static final LightAttribute<Double> DROPOFF = of("dropoff", Quantity.number(0, Limits.MAX_DROPOFF, 0.1), 0.0,
+    public static final LightAttribute<Double> ANGLE = of("angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1), 30.0,
+            "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+    public static final LightAttribute<Double> DROPOFF = of("dropoff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1), 0.0,
             "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
-    public static final LightAttribute<BarnDoors> DOORS = of("doors", Quantity.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
-            Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> FEATHER = of("feather", Quantity.degrees(0, Limits.MAX_FEATHER, 1), 0.0,
+    public static final LightAttribute<BarnDoors> DOORS =
+            of("doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
+                    Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> FEATHER = of("feather", NumericKind.degrees(0, SceneLimits.MAX_FEATHER, 1), 0.0,
             "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
-    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.Projecting(), Optional.empty(), "a PNG or JPEG file",
+    public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
-    public static final LightAttribute<Optional<Profile>> PROFILE = of("profile", new ValueKind.Shining(), Optional.empty(), "an IES file",
-            Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
-    public static final LightAttribute<Double> RADIUS = of("radius", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.radius(),
-            "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
-            Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
-    public static final LightAttribute<Double> SPREAD = of("spread", Quantity.degrees(0, Limits.MAX_SPREAD, 0.5), Area.DEFAULT.spread(),
-            "degrees from the direction", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
-            Map.of(DIRECTIONAL, LightTerm.SOURCE));
-    public static final LightAttribute<Double> WIDTH = of("width", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.width(),
-            "scene units", l -> l.area().width(), (l, v) -> l.withArea(l.area().withWidth(v)), Section.AREA,
-            Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Double> HEIGHT = of("height", Quantity.number(0, Limits.MAX_EXTENT, 0.1), Area.DEFAULT.height(),
-            "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
-            Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> UP = of("up", Quantity.direction(), Area.DEFAULT.up(), "any length but 0",
+    public static final LightAttribute<Optional<IesProfile>> PROFILE =
+            of("profile", new ValueKind.ProfileKind(), Optional.empty(), "an IES file",
+                    Light::profile, Light::withProfile, Section.CONE, Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF));
+    public static final LightAttribute<Double> RADIUS =
+            of("radius", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.radius(),
+                    "scene units", l -> l.area().radius(), (l, v) -> l.withArea(l.area().withRadius(v)), Section.AREA,
+                    Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
+    public static final LightAttribute<Double> SPREAD =
+            of("spread", NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5), AreaShape.DEFAULT.spread(),
+                    "degrees from the direction", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
+                    Map.of(DIRECTIONAL, LightTerm.SOURCE));
+    public static final LightAttribute<Double> WIDTH =
+            of("width", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.width(),
+                    "scene units", l -> l.area().width(), (l, v) -> l.withArea(l.area().withWidth(v)), Section.AREA,
+                    Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Double> HEIGHT =
+            of("height", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.height(),
+                    "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
+                    Map.of(RECT, LightTerm.SOURCE));
+    public static final LightAttribute<Vec3> UP = of("up", NumericKind.direction(), AreaShape.DEFAULT.up(), "any length but 0",
             l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA, Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Integer> SAMPLES = of("samples", Quantity.whole(Limits.MIN_LIGHT_SAMPLES, Limits.MAX_LIGHT_SAMPLES),
-            Area.DEFAULT.samples(), "of a light that is larger than a point", l -> l.area().samples(),
-            (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, all(LightTerm.SOURCE));
-    public static final LightAttribute<Boolean> ON = of("on", Choice.YES_OR_NO, true, "", Light::on, Light::withOn,
+    public static final LightAttribute<Integer> SAMPLES =
+            of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
+                    AreaShape.DEFAULT.samples(), "of a light that is larger than a point", l -> l.area().samples(),
+                    (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
+    public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, true, "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
-    public static final LightAttribute<Boolean> SOLO = of("solo", Choice.YES_OR_NO, false, "", Light::solo, Light::withSolo,
+    public static final LightAttribute<Boolean> SOLO = of("solo", ChoiceKind.YES_OR_NO, false, "", Light::solo, Light::withSolo,
             Section.SWITCHES, Map.of());
-    public static final LightAttribute<String> BANK =
-            of("bank", new ValueKind.Naming(scene -> scene.rig().banks().stream().map(Bank::name).toList(),
-                    Texts.key("The bank that the light belongs to")), "", "the name of a bank", Light::bank, Light::withBank,
+    public static final LightAttribute<String> LIGHT_GROUP =
+            of("bank", new ValueKind.NameKind(scene -> scene.rig().lightGroups().stream().map(LightGroup::name).toList(),
+                    Messages.key("The bank that the light belongs to")), "", "the name of a bank", Light::lightGroup, Light::withLightGroup,
                     Section.SWITCHES, Map.of());
-    public static final LightAttribute<Links> ILLUMINATES = of("illuminates", new ValueKind.Linking(
-            Texts.key("Shines on"), Texts.key("The shapes and groups that the light shines on")), Links.ALL, "shapes and groups",
-            Light::illuminates, Light::withIlluminates, Section.LINKS, all(LightTerm.REACH));
-    public static final LightAttribute<Links> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.Linking(
-            Texts.key("Shadowed by"), Texts.key("The shapes and groups that throw shadows in its light")),
-            Links.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS, all(LightTerm.SHADOW));
+    public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
+            Messages.key("Shines on"), Messages.key("The shapes and groups that the light shines on")), ShapeLinks.ALL, "shapes and groups",
+            Light::illuminates, Light::withIlluminates, Section.LINKS, forAllTypes(LightTerm.ILLUMINATION_LINKS));
+    public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.LinksKind(
+            Messages.key("Shadowed by"), Messages.key("The shapes and groups that throw shadows in its light")),
+            ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
+            forAllTypes(LightTerm.SHADOW_LINKS));
 
     /** All of them, as they are declared above. */
-    public static final List<LightAttribute<?>> ALL = List.copyOf(DECLARED);
+    public static final List<LightAttribute<?>> ALL = List.copyOf(REGISTRY);
 
-    private final ValueKind.OfLight<V> kind;
+    private final ValueKind.LightKind<V> kind;
     private final Section section;
     private final Map<LightType, LightTerm> terms;
 
@@ -109,26 +117,26 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
      * @param terms what it changes of a light of each type that has it; none where it decides which others act, or
      *              whether any does
      */
-    private LightAttribute(String name, String title, ValueKind.OfLight<V> kind, V initial, String unit, Function<Light, V> get,
+    private LightAttribute(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         super(name, title, kind, initial, unit, get, with);
         this.kind = kind;
         this.section = section;
         this.terms = terms;
-        DECLARED.add(this);
+        REGISTRY.add(this);
     }
 
-    private static <V> LightAttribute<V> of(String name, ValueKind.OfLight<V> kind, V initial, String unit, Function<Light, V> get,
+    private static <V> LightAttribute<V> of(String name, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
         return new LightAttribute<>(name, name, kind, initial, unit, get, with, section, terms);
     }
 
-    private static Map<LightType, LightTerm> all(LightTerm term) {
+    private static Map<LightType, LightTerm> forAllTypes(LightTerm term) {
         return Map.of(DIRECTIONAL, term, POINT, term, SPOT, term, RECT, term, DISC, term);
     }
 
     @Override
-    public ValueKind.OfLight<V> kind() {
+    public ValueKind.LightKind<V> kind() {
         return kind;
     }
 
@@ -147,19 +155,20 @@ public final class LightAttribute<V> extends Attribute<Light, V> {
     }
 
     /** Whether it acts on the picture of a light of this type. The value is kept all the same (paper §4.5). */
-    public boolean acts(LightType type) {
+    public boolean appliesTo(LightType type) {
         return terms.isEmpty() || terms.containsKey(type);
     }
 
     /** Why it does nothing for a light of this type: a clause; empty where it acts. */
-    public Optional<String> obstacle(LightType type) {
-        return acts(type) ? Optional.empty() : Optional.of(Texts.of("a {0} light has no {1}", TYPE.kind().text(type), Texts.of(title())));
+    public Optional<String> inactiveReason(LightType type) {
+        return appliesTo(type) ? Optional.empty()
+                : Optional.of(Messages.tr("a {0} light has no {1}", TYPE.kind().format(type), Messages.tr(title())));
     }
 
     /** Whether a light takes it over from another whose settings it is given: all but where it is and whether it shines. */
     public boolean isSetting() {
         return switch (section) {
-            case KIND, COLOUR, CONE, AREA, ATTENUATION -> true;
+            case KIND, COLOR, CONE, AREA, ATTENUATION -> true;
             case PLACE, SWITCHES, LINKS -> false;
         };
     }

@@ -7,13 +7,13 @@ public enum LightTerm {
     /** How it fades with distance and with the direction in which it shines. */
     FALLOFF,
     /** How wide its cone is: a larger value lets points in, a smaller one puts points out. */
-    OPENING,
+    CONE_ANGLE,
     /** Which points are in its cone, whatever the opening. */
-    AXIS,
+    CONE_AXIS,
     /** Which shapes it shines on. */
-    REACH,
+    ILLUMINATION_LINKS,
     /** Which shapes throw shadows in its light. */
-    SHADOW,
+    SHADOW_LINKS,
     /** Where it shines from: which points face it and which see it. */
     SOURCE
 }

@@ -20,34 +20,34 @@ import lightning.base.math.Rgb;
  * @param f0         metallic: which part of the light the surface mirrors head-on where it is no metal
  * @param reflective k<sub>reflect</sub> per channel
  * @param texture    the picture on the surface
- * @param relief     what its normals are bent by
- * @param clarity    what passes through it
+ * @param bumpMapping     what its normals are bent by
+ * @param transmission    what passes through it
  * @param cutout     which points of it are not there
  */
 @RecordBuilder
-public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
+public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse, Rgb specular, double shininess, Rgb base,
         double metalness, double roughness, double f0, Rgb reflective, Optional<TextureMap> texture,
-        Relief relief, Clarity clarity, Cutout cutout) implements MaterialBuilder.With {
+        BumpMapping bumpMapping, Transmission transmission, AlphaCutout cutout) implements MaterialBuilder.With {
 
     /**
      * Less rough is no surface here: what smaller ones show of a light that is a point is less than a pixel mostly, and digits fail
      * (Guy and Agopian, Physically Based Rendering in Filament, §4.8.3.3, names this value).
      */
-    public static final double LEAST_ROUGHNESS = 0.045;
+    public static final double MIN_ROUGHNESS = 0.045;
 
     /** What a shape without a material gets: plain grey. */
     public static final Material DEFAULT = of("default");
 
     public Material {
-        Limits.name(name);
+        SceneLimits.checkName(name);
         MaterialAttribute.AMBIENT.check(ambient);
-        diffuse = MaterialAttribute.DIFFUSE.checked(model, diffuse);
-        specular = MaterialAttribute.SPECULAR.checked(model, specular);
-        shininess = MaterialAttribute.SHININESS.checked(model, shininess);
-        base = MaterialAttribute.BASE.checked(model, base);
-        metalness = MaterialAttribute.METALNESS.checked(model, metalness);
-        roughness = MaterialAttribute.ROUGHNESS.checked(model, roughness);
-        f0 = MaterialAttribute.F0.checked(model, f0);
+        diffuse = MaterialAttribute.DIFFUSE.checkFor(model, diffuse);
+        specular = MaterialAttribute.SPECULAR.checkFor(model, specular);
+        shininess = MaterialAttribute.SHININESS.checkFor(model, shininess);
+        base = MaterialAttribute.BASE.checkFor(model, base);
+        metalness = MaterialAttribute.METALNESS.checkFor(model, metalness);
+        roughness = MaterialAttribute.ROUGHNESS.checkFor(model, roughness);
+        f0 = MaterialAttribute.F0.checkFor(model, f0);
         MaterialAttribute.REFLECTIVE.check(reflective);
     }
 
@@ -57,31 +57,31 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
                 MaterialAttribute.DIFFUSE.initial(), MaterialAttribute.SPECULAR.initial(), MaterialAttribute.SHININESS.initial(),
                 MaterialAttribute.BASE.initial(), MaterialAttribute.METALNESS.initial(), MaterialAttribute.ROUGHNESS.initial(),
                 MaterialAttribute.F0.initial(), MaterialAttribute.REFLECTIVE.initial(), MaterialAttribute.TEXTURE.initial(),
-                Relief.NONE, Clarity.NONE, Cutout.NONE);
+                BumpMapping.NONE, Transmission.NONE, AlphaCutout.NONE);
     }
 
-    /** Whether it is of the model {@link SurfaceModel#METALLIC}. */
+    /** Whether it is of the model {@link ShadingModel#METALLIC}. */
     public boolean isMetallic() {
-        return model == SurfaceModel.METALLIC;
+        return model == ShadingModel.METALLIC;
     }
 
     /** The width α of the highlights of a metallic material: the square of its roughness. */
     public double alpha() {
-        double least = Math.max(roughness, LEAST_ROUGHNESS);
-        return least * least;
+        double clamped = Math.max(roughness, MIN_ROUGHNESS);
+        return clamped * clamped;
     }
 
     /**
      * What no term of a light of weight 1 is above on it: 1, or for metallic ones 1/(2α³) and a rounding
      * (shading.LightingEquation tells why).
      */
-    public double mostTerm() {
+    public double maxTerm() {
         double alpha = alpha();
         return isMetallic() ? Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
 
     /** The colour that it has at first sight: what its texture multiplies. */
-    public Rgb body() {
+    public Rgb albedo() {
         return switch (model) {
             case PHONG -> diffuse;
             case METALLIC -> base;
@@ -89,7 +89,7 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
     }
 
     /** The same with another such colour. */
-    public Material withBody(Rgb v) {
+    public Material withAlbedo(Rgb v) {
         return switch (model) {
             case PHONG -> withDiffuse(v);
             case METALLIC -> withBase(v);
@@ -98,21 +98,22 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
 
     /** The same by another model: its colour is kept, all else of the model is as if nothing was said. */
     @Override
-    public Material withModel(SurfaceModel v) {
+    public Material withModel(ShadingModel v) {
         return v == model ? this : with(m -> m.model(v).diffuse(base).base(diffuse));
     }
 
     /** Whether surfaces of it have the same holes, bend normals, lead rays on and throw shadows as those of another material do. */
-    public boolean hasWaysOf(Material o) {
-        return relief.hasNormalsOf(o.relief) && clarity.leadsRaysAs(o.clarity) && clarity.shadows() == o.clarity.shadows()
-                && passesLightAs(o)
-                && cutout.hasHolesOf(o.cutout);
+    public boolean hasSameRays(Material o) {
+        return bumpMapping.hasSameNormals(o.bumpMapping) && transmission.refractsLike(o.transmission)
+                && transmission.shadows() == o.transmission.shadows()
+                && hasSameShadowTint(o)
+                && cutout.hasSameHoles(o.cutout);
     }
 
     /** Whether light on its way to a point passes surfaces of it as it passes those of another. */
-    public boolean passesLightAs(Material o) {
-        return this == o || clarity.tintsLight() == o.clarity.tintsLight()
-                && (!clarity.tintsLight() || clarity.equals(o.clarity) && reflective.equals(o.reflective));
+    public boolean hasSameShadowTint(Material o) {
+        return this == o || transmission.tintsShadows() == o.transmission.tintsShadows()
+                && (!transmission.tintsShadows() || transmission.equals(o.transmission) && reflective.equals(o.reflective));
     }
 
     /** Whether it mirrors by its own color; a clear material mirrors by its angle too. */
@@ -121,7 +122,7 @@ public record Material(String name, Rgb ambient, SurfaceModel model, Rgb diffuse
     }
 
     /** Whether rays that meet it are followed further: it mirrors, or something is seen through it. */
-    public boolean bouncesRays() {
-        return isMirror() || clarity.isClear();
+    public boolean spawnsSecondaryRays() {
+        return isMirror() || transmission.isTransparent();
     }
 }

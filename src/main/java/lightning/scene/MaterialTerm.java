@@ -11,7 +11,7 @@ public enum MaterialTerm {
     /** The texel of each row, and the colour with it. */
     TEXEL,
     /** Which rows there are: where the surface is at all. */
-    PRESENCE,
+    COVERAGE,
     /** The normal of each row, and all that follows from it. */
     NORMAL,
     /** Which way rays go on behind the surface. */

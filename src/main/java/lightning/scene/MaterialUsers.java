@@ -31,21 +31,21 @@ final class MaterialUsers {
      * Those of all shapes where some came in the place of others; empty where only a walk tells. Of a material that shapes came
      * with, and went with, the first of all stands before them, or among them.
      */
-    Optional<MaterialUsers> replacing(MaterialUsers gone, MaterialUsers came) {
-        Map<String, String> all = new LinkedHashMap<>(users);
+    Optional<MaterialUsers> replace(MaterialUsers removed, MaterialUsers added) {
+        Map<String, String> merged = new LinkedHashMap<>(users);
         int first = 0;
-        for (Map.Entry<String, String> user : gone.users.entrySet()) {
+        for (Map.Entry<String, String> user : removed.users.entrySet()) {
             if (users.get(user.getKey()).equals(user.getValue())) {
-                String next = came.users.get(user.getKey());
+                String next = added.users.get(user.getKey());
                 if (next == null) {
                     return Optional.empty();
                 }
                 first++;
-                all.put(user.getKey(), next);
+                merged.put(user.getKey(), next);
             }
         }
-        boolean ordered = first < 2 || List.copyOf(gone.materials()).equals(List.copyOf(came.materials()));
-        return ordered && gone.materials().containsAll(came.materials()) ? Optional.of(new MaterialUsers(all)) : Optional.empty();
+        boolean ordered = first < 2 || List.copyOf(removed.materials()).equals(List.copyOf(added.materials()));
+        return ordered && removed.materials().containsAll(added.materials()) ? Optional.of(new MaterialUsers(merged)) : Optional.empty();
     }
 
     /**
@@ -53,9 +53,9 @@ final class MaterialUsers {
      *
      * @throws IllegalArgumentException if one is not
      */
-    void check(Set<String> known) {
+    void check(Set<String> materialNames) {
         users.forEach((material, shape) -> {
-            if (!known.contains(material)) {
+            if (!materialNames.contains(material)) {
                 throw new IllegalArgumentException("shape " + Quote.of(shape) + ": there is no material " + Quote.of(material));
             }
         });

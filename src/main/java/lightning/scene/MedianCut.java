@@ -10,109 +10,110 @@ import lightning.base.math.Vec3;
  * where both halves have light as alike as can be; light is luminance over solid angle. Large pictures are summed in cells of some pixels first.
  */
 final class MedianCut {
-    private static final int CELLS_ACROSS = 256;
-    private static final int CELLS_DOWN = 128;
+    private static final int MAX_COLUMNS = 256;
+    private static final int MAX_ROWS = 128;
 
-    private final int across;
-    private final int down;
+    private final int columns;
+    private final int rows;
     /** Red, green, blue over solid angle, and luminance, of each cell. */
-    private final double[][] light;
+    private final double[][] energy;
     /** Sums of luminance over all cells to the left and above. */
     private final double[] sums;
 
-    private record Part(int left, int top, int right, int bottom, double light) {
-        boolean isOne() {
+    private record Region(int left, int top, int right, int bottom, double luminance) {
+        boolean isSingleCell() {
             return right - left == 1 && bottom - top == 1;
         }
     }
 
-    MedianCut(Sky sky) {
-        across = Math.min(sky.width(), CELLS_ACROSS);
-        down = Math.min(sky.height(), CELLS_DOWN);
-        light = new double[4][across * down];
+    MedianCut(EnvironmentMap sky) {
+        columns = Math.min(sky.width(), MAX_COLUMNS);
+        rows = Math.min(sky.height(), MAX_ROWS);
+        energy = new double[4][columns * rows];
         for (int y = 0; y < sky.height(); y++) {
             double angle = sky.solidAngle(y);
-            int line = (int) ((long) y * down / sky.height()) * across;
+            int line = (int) ((long) y * rows / sky.height()) * columns;
             for (int x = 0; x < sky.width(); x++) {
-                int cell = line + (int) ((long) x * across / sky.width());
+                int cell = line + (int) ((long) x * columns / sky.width());
                 for (int c = 0; c < 3; c++) {
-                    light[c][cell] += sky.channel(x, y, c) * angle;
+                    energy[c][cell] += sky.channel(x, y, c) * angle;
                 }
             }
         }
-        sums = new double[(across + 1) * (down + 1)];
-        for (int i = 0; i < across * down; i++) {
-            light[3][i] = 0.2126 * light[0][i] + 0.7152 * light[1][i] + 0.0722 * light[2][i];
-            int at = (i / across + 1) * (across + 1) + i % across + 1;
-            sums[at] = light[3][i] + sums[at - 1] + sums[at - across - 1] - sums[at - across - 2];
+        sums = new double[(columns + 1) * (rows + 1)];
+        for (int i = 0; i < columns * rows; i++) {
+            energy[3][i] = 0.2126 * energy[0][i] + 0.7152 * energy[1][i] + 0.0722 * energy[2][i];
+            int index = (i / columns + 1) * (columns + 1) + i % columns + 1;
+            sums[index] = energy[3][i] + sums[index - 1] + sums[index - columns - 1] - sums[index - columns - 2];
         }
     }
 
     /** At most so many lamps, fewer where there are not as many cells with light. */
-    List<SkyLamp> lamps(int most) {
-        List<Part> parts = new ArrayList<>(List.of(part(0, 0, across, down)));
-        while (parts.size() < most) {
+    List<EnvironmentLight> lights(int maxLights) {
+        List<Region> regions = new ArrayList<>(List.of(region(0, 0, columns, rows)));
+        while (regions.size() < maxLights) {
             int brightest = -1;
-            for (int i = 0; i < parts.size(); i++) {
-                boolean better = brightest < 0 || parts.get(i).light > parts.get(brightest).light;
-                brightest = better && !parts.get(i).isOne() && parts.get(i).light > 0 ? i : brightest;
+            for (int i = 0; i < regions.size(); i++) {
+                boolean better = brightest < 0 || regions.get(i).luminance > regions.get(brightest).luminance;
+                brightest = better && !regions.get(i).isSingleCell() && regions.get(i).luminance > 0 ? i : brightest;
             }
             if (brightest < 0) {
                 break;
             }
-            cut(parts, brightest);
+            split(regions, brightest);
         }
-        return parts.stream().map(this::lamp).toList();
+        return regions.stream().map(this::light).toList();
     }
 
-    private Part part(int left, int top, int right, int bottom) {
-        int w = across + 1;
-        return new Part(left, top, right, bottom,
+    private Region region(int left, int top, int right, int bottom) {
+        int w = columns + 1;
+        return new Region(left, top, right, bottom,
                 sums[bottom * w + right] - sums[bottom * w + left] - sums[top * w + right] + sums[top * w + left]);
     }
 
-    private void cut(List<Part> parts, int which) {
-        Part p = parts.get(which);
-        double wide = (p.right - p.left) * 2.0 / across * StrictMath.sin(Math.PI * (p.top + p.bottom) / 2 / down);
-        boolean upright = p.bottom - p.top == 1 || p.right - p.left > 1 && wide >= (double) (p.bottom - p.top) / down;
-        Part first = null;
-        Part second = null;
-        for (int at = upright ? p.left + 1 : p.top + 1; at < (upright ? p.right : p.bottom); at++) {
-            Part a = upright ? part(p.left, p.top, at, p.bottom) : part(p.left, p.top, p.right, at);
-            Part b = upright ? part(at, p.top, p.right, p.bottom) : part(p.left, at, p.right, p.bottom);
-            if (first == null || Math.abs(a.light - b.light) < Math.abs(first.light - second.light)) {
+    private void split(List<Region> parts, int index) {
+        Region p = parts.get(index);
+        double width = (p.right - p.left) * 2.0 / columns * StrictMath.sin(Math.PI * (p.top + p.bottom) / 2 / rows);
+        boolean vertical = p.bottom - p.top == 1 || p.right - p.left > 1 && width >= (double) (p.bottom - p.top) / rows;
+        Region first = null;
+        Region second = null;
+        for (int position = vertical ? p.left + 1 : p.top + 1; position < (vertical ? p.right : p.bottom); position++) {
+            Region a = vertical ? region(p.left, p.top, position, p.bottom) : region(p.left, p.top, p.right, position);
+            Region b = vertical ? region(position, p.top, p.right, p.bottom) : region(p.left, position, p.right, p.bottom);
+            if (first == null || Math.abs(a.luminance - b.luminance) < Math.abs(first.luminance - second.luminance)) {
                 first = a;
                 second = b;
             }
         }
-        parts.set(which, first);
+        parts.set(index, first);
         parts.add(second);
     }
 
     /** Where the middle of a part's light is; of a dark part, of its cells. */
-    private SkyLamp lamp(Part p) {
+    private EnvironmentLight light(Region p) {
         double[] sum = new double[3];
-        Vec3 towards = Vec3.ZERO;
+        Vec3 weightedDirection = Vec3.ZERO;
         Vec3 middle = Vec3.ZERO;
-        double all = 0;
-        double spared = 0;
+        double total = 0;
+        double cellSpread = 0;
         for (int y = p.top; y < p.bottom; y++) {
-            double polar = Math.PI * (y + 0.5) / down;
-            double angle = 2 * Math.PI / across * (StrictMath.cos(Math.PI * y / down) - StrictMath.cos(Math.PI * (y + 1) / down));
+            double polar = Math.PI * (y + 0.5) / rows;
+            double solidAngle = 2 * Math.PI / columns * (StrictMath.cos(Math.PI * y / rows) - StrictMath.cos(Math.PI * (y + 1) / rows));
             for (int x = p.left; x < p.right; x++) {
-                double around = 2 * Math.PI * ((x + 0.5) / across - 0.5);
-                Vec3 cell = new Vec3(StrictMath.sin(polar) * StrictMath.sin(around), StrictMath.cos(polar),
-                        -StrictMath.sin(polar) * StrictMath.cos(around));
+                double azimuth = 2 * Math.PI * ((x + 0.5) / columns - 0.5);
+                Vec3 cell = new Vec3(StrictMath.sin(polar) * StrictMath.sin(azimuth), StrictMath.cos(polar),
+                        -StrictMath.sin(polar) * StrictMath.cos(azimuth));
                 middle = middle.plus(cell);
-                towards = towards.plus(cell.times(light[3][y * across + x]));
-                all += light[3][y * across + x];
-                spared += light[3][y * across + x] * angle / (4 * Math.PI);
+                weightedDirection = weightedDirection.plus(cell.times(energy[3][y * columns + x]));
+                total += energy[3][y * columns + x];
+                cellSpread += energy[3][y * columns + x] * solidAngle / (4 * Math.PI);
                 for (int c = 0; c < 3; c++) {
-                    sum[c] += light[c][y * across + x];
+                    sum[c] += energy[c][y * columns + x];
                 }
             }
         }
-        return new SkyLamp(direction(towards, middle), all > 0 ? spread(towards.length() / all * (1 - spared / all)) : 0, sum[0] / Math.PI,
+        return new EnvironmentLight(direction(weightedDirection, middle),
+                total > 0 ? spread(weightedDirection.length() / total * (1 - cellSpread / total)) : 0, sum[0] / Math.PI,
                 sum[1] / Math.PI, sum[2] / Math.PI);
     }
 
@@ -126,7 +127,7 @@ final class MedianCut {
         return Math.toDegrees(StrictMath.acos(Math.clamp(2 * length - 1, 0, 1)));
     }
 
-    private static Vec3 direction(Vec3 towards, Vec3 middle) {
-        return towards.length() > 1e-30 ? towards.normalized() : middle.length() > 1e-6 ? middle.normalized() : Vec3.Y;
+    private static Vec3 direction(Vec3 weightedDirection, Vec3 middle) {
+        return weightedDirection.length() > 1e-30 ? weightedDirection.normalized() : middle.length() > 1e-6 ? middle.normalized() : Vec3.Y;
     }
 }

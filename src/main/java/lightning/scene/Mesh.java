@@ -2,7 +2,7 @@ package lightning.scene;
 
 import java.util.Arrays;
 import java.util.Locale;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 
 /**
  * Triangles over shared vertices. Its arrays are handed out as they are and never written after construction, by anyone.
@@ -18,14 +18,14 @@ public final class Mesh {
     /** Linear colours: factors on a material's. */
     public static final double MAX_COLOR = 1;
     /** How far the square of a normal's length may be from 1; rounding to float takes less than 1e-6. */
-    private static final double UNIT = 1e-5;
+    private static final double UNIT_TOLERANCE = 1e-5;
     /** How many coordinates tell meshes of one size apart in tables. */
-    private static final int HASHED = 64;
+    private static final int HASH_SAMPLES = 64;
 
     private final float[] positions;
     private final int[] triangles;
     private final float[] normals;
-    private final float[] coordinates;
+    private final float[] textureCoordinates;
     private final float[] colors;
     private final float[] tangents;
 
@@ -57,22 +57,22 @@ public final class Mesh {
         this.positions = positions;
         this.triangles = triangles;
         this.normals = normals;
-        this.coordinates = coordinates;
+        this.textureCoordinates = coordinates;
         this.colors = colors;
         this.tangents = tangents;
         checkRange("position", positions, 3, -MAX_COORDINATE, MAX_COORDINATE);
         checkTriangles();
         if (normals != null) {
             checkLength("normals", normals, 3);
-            checkUnit("normal", normals, 3, false);
+            checkUnitLength("normal", normals, 3, false);
         }
         if (tangents != null) {
             if (normals == null) {
                 throw new IllegalArgumentException("tangents must have normals beside them, were alone");
             }
             checkLength("tangents", tangents, 4);
-            checkUnit("tangent", tangents, 4, true);
-            checkHands();
+            checkUnitLength("tangent", tangents, 4, true);
+            checkHandedness();
         }
         if (coordinates != null) {
             checkLength("texture coordinates", coordinates, 2);
@@ -109,7 +109,7 @@ public final class Mesh {
 
     /** u, v of each vertex, v upwards, {@code float[2 * vertexCount()]}, or null; not to be written. */
     public float[] coordinates() {
-        return coordinates;
+        return textureCoordinates;
     }
 
     /** Linear red, green, blue of each vertex, {@code float[3 * vertexCount()]}, or null; not to be written. */
@@ -126,7 +126,8 @@ public final class Mesh {
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof Mesh m && Arrays.equals(positions, m.positions) && Arrays.equals(triangles, m.triangles)
-                && Arrays.equals(normals, m.normals) && Arrays.equals(coordinates, m.coordinates) && Arrays.equals(colors, m.colors)
+                && Arrays.equals(normals, m.normals) && Arrays.equals(textureCoordinates, m.textureCoordinates)
+                && Arrays.equals(colors, m.colors)
                 && Arrays.equals(tangents, m.tangents);
     }
 
@@ -134,7 +135,7 @@ public final class Mesh {
     public int hashCode() {
         int hash = 31 * positions.length + triangles.length;
         // A few of the numbers: meshes of one size are many, and a mesh has millions.
-        for (int i = 0; i < positions.length; i += positions.length / HASHED + 1) {
+        for (int i = 0; i < positions.length; i += positions.length / HASH_SAMPLES + 1) {
             hash = 31 * hash + Float.floatToIntBits(positions[i]);
         }
         return hash;
@@ -145,19 +146,19 @@ public final class Mesh {
         return "mesh of " + triangleCount() + " triangles over " + vertexCount() + " vertices";
     }
 
-    private void checkLength(String what, float[] numbers, int each) {
-        if (numbers.length != each * vertexCount()) {
-            throw new IllegalArgumentException(what + " must be " + each + " numbers for each of " + vertexCount() + " vertices, were "
+    private void checkLength(String name, float[] numbers, int stride) {
+        if (numbers.length != stride * vertexCount()) {
+            throw new IllegalArgumentException(name + " must be " + stride + " numbers for each of " + vertexCount() + " vertices, were "
                     + numbers.length + " numbers");
         }
     }
 
-    private static void checkRange(String what, float[] numbers, int each, double min, double max) {
+    private static void checkRange(String name, float[] numbers, int stride, double min, double max) {
         for (int i = 0; i < numbers.length; i++) {
             if (!(numbers[i] >= min && numbers[i] <= max)) {
                 throw new IllegalArgumentException(
                         String.format(Locale.ROOT, "vertex %d: each number of its %s must be from %s to %s, was %s",
-                                i / each, what, Decimal.text(min), Decimal.text(max), text(numbers[i])));
+                                i / stride, name, DecimalNumber.format(min), DecimalNumber.format(max), text(numbers[i])));
             }
         }
     }
@@ -172,20 +173,20 @@ public final class Mesh {
         }
     }
 
-    private static void checkUnit(String what, float[] numbers, int each, boolean orNone) {
-        for (int i = 0; i < numbers.length; i += each) {
+    private static void checkUnitLength(String name, float[] numbers, int stride, boolean allowZero) {
+        for (int i = 0; i < numbers.length; i += stride) {
             double x = numbers[i];
             double y = numbers[i + 1];
             double z = numbers[i + 2];
             double square = x * x + y * y + z * z;
-            if (!(Math.abs(square - 1) <= UNIT) && !(orNone && square == 0)) {
-                throw new IllegalArgumentException("vertex " + i / each + ": its " + what + " must have length 1, was " + text(numbers[i])
+            if (!(Math.abs(square - 1) <= UNIT_TOLERANCE) && !(allowZero && square == 0)) {
+                throw new IllegalArgumentException("vertex " + i / stride + ": its " + name + " must have length 1, was " + text(numbers[i])
                         + " " + text(numbers[i + 1]) + " " + text(numbers[i + 2]));
             }
         }
     }
 
-    private void checkHands() {
+    private void checkHandedness() {
         for (int i = 3; i < tangents.length; i += 4) {
             if (Math.abs(tangents[i]) != 1) {
                 throw new IllegalArgumentException("vertex " + i / 4 + ": the fourth number of its tangent must be 1 or -1, was "
@@ -195,6 +196,6 @@ public final class Mesh {
     }
 
     private static String text(float v) {
-        return Decimal.text(Double.parseDouble(Float.toString(v)));
+        return DecimalNumber.format(Double.parseDouble(Float.toString(v)));
     }
 }

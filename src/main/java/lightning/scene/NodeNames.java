@@ -10,7 +10,7 @@ import lightning.base.text.Quote;
 /** The names of shapes and groups, each of which one has, sorted: a table of hashes would be slow where a file chose names that collide. */
 final class NodeNames {
     /** More names are not exchanged one by one. */
-    private static final int FEW = 64;
+    private static final int MAX_INCREMENTAL = 64;
 
     private final List<String> sorted;
 
@@ -28,7 +28,7 @@ final class NodeNames {
         Arrays.parallelSort(sorted);
         for (int i = 1; i < sorted.length; i++) {
             if (sorted[i].equals(sorted[i - 1])) {
-                throw taken(sorted[i]);
+                throw duplicateName(sorted[i]);
             }
         }
         return new NodeNames(BlockList.copyOf(Arrays.asList(sorted)));
@@ -39,10 +39,10 @@ final class NodeNames {
     }
 
     boolean contains(String name) {
-        return place(sorted, name) >= 0;
+        return indexOf(sorted, name) >= 0;
     }
 
-    private static int place(List<String> names, String name) {
+    private static int indexOf(List<String> names, String name) {
         return Collections.binarySearch(names, name);
     }
 
@@ -51,37 +51,37 @@ final class NodeNames {
      *
      * @throws IllegalArgumentException if two are the same then
      */
-    NodeNames replacing(List<String> gone, List<String> came) {
-        if (gone.equals(came)) {
+    NodeNames replace(List<String> removed, List<String> added) {
+        if (removed.equals(added)) {
             return this;
         }
-        return gone.size() + came.size() > FEW ? allReplacing(gone, came) : new NodeNames(eachReplacing(gone, came));
+        return removed.size() + added.size() > MAX_INCREMENTAL ? replaceAll(removed, added) : new NodeNames(replaceEach(removed, added));
     }
 
-    private NodeNames allReplacing(List<String> gone, List<String> came) {
+    private NodeNames replaceAll(List<String> removed, List<String> added) {
         List<String> names = new ArrayList<>(sorted);
-        names.removeIf(new HashSet<>(gone)::contains);
-        names.addAll(came);
+        names.removeIf(new HashSet<>(removed)::contains);
+        names.addAll(added);
         return of(names);
     }
 
-    private List<String> eachReplacing(List<String> gone, List<String> came) {
+    private List<String> replaceEach(List<String> removed, List<String> added) {
         List<String> names = sorted;
-        for (String name : gone) {
-            int place = place(names, name);
-            names = BlockList.spliced(names, place, place + 1, List.of());
+        for (String name : removed) {
+            int index = indexOf(names, name);
+            names = BlockList.splice(names, index, index + 1, List.of());
         }
-        for (String name : came) {
-            int place = place(names, name);
-            if (place >= 0) {
-                throw taken(name);
+        for (String name : added) {
+            int index = indexOf(names, name);
+            if (index >= 0) {
+                throw duplicateName(name);
             }
-            names = BlockList.spliced(names, -place - 1, -place - 1, List.of(name));
+            names = BlockList.splice(names, -index - 1, -index - 1, List.of(name));
         }
         return names;
     }
 
-    private static IllegalArgumentException taken(String name) {
+    private static IllegalArgumentException duplicateName(String name) {
         return new IllegalArgumentException("shape " + Quote.of(name) + ": the name is already taken");
     }
 }

@@ -4,49 +4,49 @@ import java.util.List;
 
 /** Nodes in place of one. */
 final class NodeSplice {
-    final int[] places;
-    final List<? extends Node> by;
+    final int[] path;
+    final List<? extends SceneNode> replacement;
     /** The node that goes. */
-    final Node old;
+    final SceneNode removed;
     /** The products of the scales of the groups around it. */
-    final double least;
-    final double most;
+    final double minScale;
+    final double maxScale;
 
-    /** @param places where the node stands that goes */
-    NodeSplice(List<Node> nodes, int[] places, List<? extends Node> by) {
-        this.places = places;
-        this.by = by;
-        old = NodePlaces.at(nodes, places);
-        double outerLeast = 1;
-        double outerMost = 1;
-        List<Node> beside = nodes;
+    /** @param path where the node stands that goes */
+    NodeSplice(List<SceneNode> nodes, int[] path, List<? extends SceneNode> replacement) {
+        this.path = path;
+        this.replacement = replacement;
+        removed = NodePaths.nodeAt(nodes, path);
+        double outerMin = 1;
+        double outerMax = 1;
+        List<SceneNode> siblings = nodes;
         for (int depth = 0; depth < nesting(); depth++) {
-            var group = (Group) beside.get(places[depth]);
-            outerLeast *= group.placement().leastScale();
-            outerMost *= group.placement().mostScale();
-            beside = group.children();
+            var group = (NodeGroup) siblings.get(path[depth]);
+            outerMin *= group.placement().minScale();
+            outerMax *= group.placement().maxScale();
+            siblings = group.children();
         }
-        least = outerLeast;
-        most = outerMost;
+        minScale = outerMin;
+        maxScale = outerMax;
     }
 
     /** In how many groups it happens. */
     int nesting() {
-        return places.length - 1;
+        return path.length - 1;
     }
 
     /** The nodes then. */
-    List<Node> in(List<Node> nodes) {
-        return in(nodes, 0);
+    List<SceneNode> applyTo(List<SceneNode> nodes) {
+        return applyTo(nodes, 0);
     }
 
-    private List<Node> in(List<Node> nodes, int depth) {
-        int place = places[depth];
-        List<? extends Node> then = depth == nesting() ? by : List.of(in((Group) nodes.get(place), depth + 1));
-        return BlockList.spliced(nodes, place, place + 1, then);
+    private List<SceneNode> applyTo(List<SceneNode> nodes, int depth) {
+        int index = path[depth];
+        List<? extends SceneNode> children = depth == nesting() ? replacement : List.of(applyTo((NodeGroup) nodes.get(index), depth + 1));
+        return BlockList.splice(nodes, index, index + 1, children);
     }
 
-    private Group in(Group group, int depth) {
-        return group.withChildren(in(group.children(), depth));
+    private NodeGroup applyTo(NodeGroup group, int depth) {
+        return group.withChildren(applyTo(group.children(), depth));
     }
 }

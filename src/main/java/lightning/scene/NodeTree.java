@@ -5,33 +5,33 @@ import java.util.List;
 
 /** The nodes, checked, with what must be known of them when materials or lights change. */
 final class NodeTree {
-    final List<Node> nodes;
+    final List<SceneNode> nodes;
     final NodeNames names;
     /** How many shapes there are. */
-    final int count;
+    final int shapeCount;
     /** How many shapes and groups are not visible by themselves. */
-    private final int hidden;
-    final MaterialUsers users;
+    private final int hiddenCount;
+    final MaterialUsers materialUsers;
     /** Stands for the groups with their names, and the places of all that is in them, told by identity. */
-    final Object outline;
+    final Object structure;
     /** Equal for equal nodes. */
     final long hash;
-    final NodePlaces places;
-    private final LinkedShapes linked = new LinkedShapes();
+    final NodePaths paths;
+    private final LinkMasks linkMasks = new LinkMasks();
     /** Found when it is asked for; whoever finds it finds the same. */
     private List<Shape> shapes;
 
     /** @throws IllegalArgumentException as {@link Stage#Stage(List, List)}, but for materials */
-    NodeTree(List<Node> nodes) {
+    NodeTree(List<SceneNode> nodes) {
         this.nodes = BlockList.copyOf(nodes);
-        var all = new NodeSurvey(this.nodes, 0, 1, 1);
-        count = Limits.range("the number of shapes", all.shapes.size(), 0, Limits.MAX_SHAPES);
-        names = NodeNames.of(all.names);
-        users = MaterialUsers.of(all.shapes);
-        hidden = all.hidden;
-        outline = new Object();
-        hash = all.hash;
-        places = new NodePlaces();
+        var summary = new NodeSummary(this.nodes, 0, 1, 1);
+        shapeCount = SceneLimits.checkRange("the number of shapes", summary.shapes.size(), 0, SceneLimits.MAX_SHAPES);
+        names = NodeNames.of(summary.names);
+        materialUsers = MaterialUsers.of(summary.shapes);
+        hiddenCount = summary.hiddenCount;
+        structure = new Object();
+        hash = summary.hash;
+        paths = new NodePaths();
     }
 
     /**
@@ -40,39 +40,41 @@ final class NodeTree {
      * @throws IllegalArgumentException likewise
      */
     NodeTree(NodeTree before, NodeSplice splice) {
-        nodes = splice.in(before.nodes);
-        var gone = new NodeSurvey(List.of(splice.old), splice.nesting(), splice.least, splice.most);
-        var came = new NodeSurvey(splice.by, splice.nesting(), splice.least, splice.most);
-        count = Limits.range("the number of shapes", before.count - gone.shapes.size() + came.shapes.size(), 0, Limits.MAX_SHAPES);
-        names = before.names.replacing(gone.names, came.names);
-        users = before.users.replacing(MaterialUsers.of(gone.shapes), MaterialUsers.of(came.shapes))
-                .orElseGet(() -> MaterialUsers.of(new NodeSurvey(nodes, 0, 1, 1).shapes));
-        hidden = before.hidden - gone.hidden + came.hidden;
-        outline = sameOutline(List.of(splice.old), splice.by) ? before.outline : new Object();
-        hash = before.hash - gone.hash + came.hash;
-        places = new NodePlaces(splice.places);
+        nodes = splice.applyTo(before.nodes);
+        var removed = new NodeSummary(List.of(splice.removed), splice.nesting(), splice.minScale, splice.maxScale);
+        var added = new NodeSummary(splice.replacement, splice.nesting(), splice.minScale, splice.maxScale);
+        shapeCount = SceneLimits.checkRange("the number of shapes", before.shapeCount - removed.shapes.size() + added.shapes.size(), 0,
+                SceneLimits.MAX_SHAPES);
+        names = before.names.replace(removed.names, added.names);
+        materialUsers = before.materialUsers.replace(MaterialUsers.of(removed.shapes), MaterialUsers.of(added.shapes))
+                .orElseGet(() -> MaterialUsers.of(new NodeSummary(nodes, 0, 1, 1).shapes));
+        hiddenCount = before.hiddenCount - removed.hiddenCount + added.hiddenCount;
+        structure = sameOutline(List.of(splice.removed), splice.replacement) ? before.structure : new Object();
+        hash = before.hash - removed.hash + added.hash;
+        paths = new NodePaths(splice.path);
     }
 
-    private static boolean sameOutline(List<? extends Node> a, List<? extends Node> b) {
+    private static boolean sameOutline(List<? extends SceneNode> a, List<? extends SceneNode> b) {
         boolean same = a.size() == b.size();
         for (int i = 0; same && i < a.size(); i++) {
             same = a.get(i) == b.get(i) || switch (a.get(i)) {
-                case Group g -> b.get(i) instanceof Group h && g.name().equals(h.name()) && sameOutline(g.children(), h.children());
+                case NodeGroup g -> b.get(i) instanceof NodeGroup h && g.name().equals(h.name()) && sameOutline(g.children(), h.children());
                 case Shape _ -> b.get(i) instanceof Shape;
             };
         }
         return same;
     }
 
-    boolean[] linked(Links links) {
-        return linked.of(nodes, shapes().size(), links);
+    boolean[] linkMask(ShapeLinks links) {
+        return linkMasks.get(nodes, shapes().size(), links);
     }
 
     /** All visible shapes in the order of the file; the nodes themselves where none is a group or hidden. */
     List<Shape> shapes() {
         List<Shape> found = shapes;
         if (found == null) {
-            found = count == names.count() && hidden == 0 ? allShapes(nodes) : BlockList.copyOf(collect(nodes, new ArrayList<>(count)));
+            found = shapeCount == names.count() && hiddenCount == 0 ? allShapes(nodes)
+                    : BlockList.copyOf(collect(nodes, new ArrayList<>(shapeCount)));
             shapes = found;
         }
         return found;
@@ -80,16 +82,16 @@ final class NodeTree {
 
     /** Nobody writes to the list: it is immutable. */
     @SuppressWarnings("unchecked")
-    private static List<Shape> allShapes(List<? extends Node> nodes) {
+    private static List<Shape> allShapes(List<? extends SceneNode> nodes) {
         return (List<Shape>) nodes;
     }
 
-    private static List<Shape> collect(List<Node> nodes, List<Shape> shapes) {
-        for (Node node : nodes) {
+    private static List<Shape> collect(List<SceneNode> nodes, List<Shape> shapes) {
+        for (SceneNode node : nodes) {
             switch (node) {
-                case Group g when g.visible() -> collect(g.children(), shapes);
+                case NodeGroup g when g.visible() -> collect(g.children(), shapes);
                 case Shape s when s.visible() -> shapes.add(s);
-                case Node _ -> {}
+                case SceneNode _ -> {}
             }
         }
         return shapes;

@@ -20,7 +20,7 @@ public final class Photometry {
     private final Type type;
     private final double[] vertical;
     private final double[] horizontal;
-    private final float[] share;
+    private final float[] relative;
 
     /**
      * @param vertical   degrees, increasing
@@ -34,10 +34,10 @@ public final class Photometry {
         this.type = type;
         this.vertical = vertical.clone();
         this.horizontal = horizontal.clone();
-        double most = Arrays.stream(candela).max().orElseThrow();
-        share = new float[candela.length];
-        for (int i = 0; i < share.length; i++) {
-            share[i] = (float) (candela[i] / most);
+        double max = Arrays.stream(candela).max().orElseThrow();
+        relative = new float[candela.length];
+        for (int i = 0; i < relative.length; i++) {
+            relative[i] = (float) (candela[i] / max);
         }
     }
 
@@ -48,56 +48,56 @@ public final class Photometry {
     /**
      * The share of the largest intensity in a direction, bilinear between the angles; 0 where no vertical angle reaches.
      *
-     * @param up     the direction's vertical angle in degrees: type C 0…180, others −180…180
-     * @param across its horizontal angle in degrees: type C 0…360, others −180…180
+     * @param verticalAngle     the direction's vertical angle in degrees: type C 0…180, others −180…180
+     * @param horizontalAngle its horizontal angle in degrees: type C 0…360, others −180…180
      */
-    public double at(double up, double across) {
-        double v = type != Type.C && vertical[0] >= 0 ? Math.abs(up) : up;
-        double h = folded(across);
-        if (!(v >= vertical[0] && v <= vertical[vertical.length - 1]) || type != Type.C && Math.abs(across) > 90) {
+    public double sample(double verticalAngle, double horizontalAngle) {
+        double v = type != Type.C && vertical[0] >= 0 ? Math.abs(verticalAngle) : verticalAngle;
+        double h = foldHorizontal(horizontalAngle);
+        if (!(v >= vertical[0] && v <= vertical[vertical.length - 1]) || type != Type.C && Math.abs(horizontalAngle) > 90) {
             return 0;
         }
-        int below = place(vertical, v);
-        int left = place(horizontal, h);
-        double t = between(vertical, below, v);
+        int below = indexBelow(vertical, v);
+        int left = indexBelow(horizontal, h);
+        double t = fraction(vertical, below, v);
         double first = column(left, below, t);
-        double s = between(horizontal, left, h);
+        double s = fraction(horizontal, left, h);
         return s == 0 ? first : first * (1 - s) + column(left + 1, below, t) * s;
     }
 
     private double column(int plane, int below, double t) {
         int i = plane * vertical.length + below;
-        return t == 0 ? share[i] : share[i] * (1 - t) + share[i + 1] * t;
+        return t == 0 ? relative[i] : relative[i] * (1 - t) + relative[i + 1] * t;
     }
 
     /** The horizontal angle that was measured in place of another, by the symmetry of what was. */
-    private double folded(double across) {
+    private double foldHorizontal(double angle) {
         double last = horizontal[horizontal.length - 1];
         if (type != Type.C) {
-            return horizontal[0] >= 0 ? Math.abs(across) : across;
+            return horizontal[0] >= 0 ? Math.abs(angle) : angle;
         }
         if (last == 270) {
-            return across < 90 ? 180 - across : across > 270 ? 540 - across : across;
+            return angle < 90 ? 180 - angle : angle > 270 ? 540 - angle : angle;
         }
-        double half = last <= 180 && across > 180 ? 360 - across : across;
+        double half = last <= 180 && angle > 180 ? 360 - angle : angle;
         return last <= 90 && half > 90 ? 180 - half : half;
     }
 
     /** The last of the angles that is not above one, and of a single angle that. */
-    private static int place(double[] angles, double angle) {
-        int found = Arrays.binarySearch(angles, angle);
-        return Math.clamp(found >= 0 ? found : -found - 2, 0, angles.length - 1);
+    private static int indexBelow(double[] angles, double angle) {
+        int index = Arrays.binarySearch(angles, angle);
+        return Math.clamp(index >= 0 ? index : -index - 2, 0, angles.length - 1);
     }
 
     /** How far an angle is from that at a place to the next, 0…1. */
-    private static double between(double[] angles, int place, double angle) {
-        return place + 1 == angles.length ? 0 : Math.clamp((angle - angles[place]) / (angles[place + 1] - angles[place]), 0, 1);
+    private static double fraction(double[] angles, int index, double angle) {
+        return index + 1 == angles.length ? 0 : Math.clamp((angle - angles[index]) / (angles[index + 1] - angles[index]), 0, 1);
     }
 
     @Override
     public boolean equals(Object o) {
         return this == o || o instanceof Photometry p && type == p.type && Arrays.equals(vertical, p.vertical)
-                && Arrays.equals(horizontal, p.horizontal) && Arrays.equals(share, p.share);
+                && Arrays.equals(horizontal, p.horizontal) && Arrays.equals(relative, p.relative);
     }
 
     @Override

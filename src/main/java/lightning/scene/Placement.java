@@ -18,42 +18,42 @@ public final class Placement {
     private final double scaleY;
     private final double scaleZ;
     /** Most things are not turned: what a million of them have in common they share. */
-    private final Vec3 rotate;
+    private final Vec3 rotation;
 
     /**
      * A placement within all limits.
      *
-     * @param at     position, scene units
-     * @param rotate angles about x, y, z, degrees
+     * @param position     position, scene units
+     * @param rotation angles about x, y, z, degrees
      * @param scale  factors along the shape's own axes, none of them 0 (negative mirrors)
-     * @throws IllegalArgumentException if one is beyond what {@link Limits} allows
+     * @throws IllegalArgumentException if one is beyond what {@link SceneLimits} allows
      */
-    public Placement(Vec3 at, Vec3 rotate, Vec3 scale) {
-        Limits.position("at", at);
-        Limits.range("rotate", rotate, -Limits.MAX_ROTATION, Limits.MAX_ROTATION);
-        Limits.range("scale", scale, -Limits.MAX_SCALE, Limits.MAX_SCALE);
-        double least = least(scale);
-        if (least < Limits.MIN_SCALE) {
-            throw new IllegalArgumentException("scale must be at least " + Limits.text(Limits.MIN_SCALE)
-                    + " in absolute value on every axis, was " + Limits.text(least));
+    public Placement(Vec3 position, Vec3 rotation, Vec3 scale) {
+        SceneLimits.checkPosition("at", position);
+        SceneLimits.checkRange("rotate", rotation, -SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION);
+        SceneLimits.checkRange("scale", scale, -SceneLimits.MAX_SCALE, SceneLimits.MAX_SCALE);
+        double minFactor = minAbs(scale);
+        if (minFactor < SceneLimits.MIN_SCALE) {
+            throw new IllegalArgumentException("scale must be at least " + SceneLimits.format(SceneLimits.MIN_SCALE)
+                    + " in absolute value on every axis, was " + SceneLimits.format(minFactor));
         }
-        x = at.x();
-        y = at.y();
-        z = at.z();
+        x = position.x();
+        y = position.y();
+        z = position.z();
         scaleX = scale.x();
         scaleY = scale.y();
         scaleZ = scale.z();
-        this.rotate = rotate.equals(Vec3.ZERO) ? Vec3.ZERO : rotate;
+        this.rotation = rotation.equals(Vec3.ZERO) ? Vec3.ZERO : rotation;
     }
 
     /** Position, scene units. */
-    public Vec3 at() {
+    public Vec3 position() {
         return new Vec3(x, y, z);
     }
 
     /** Angles about x, y, z, degrees. */
-    public Vec3 rotate() {
-        return rotate;
+    public Vec3 rotation() {
+        return rotation;
     }
 
     /** Factors along the shape's own axes. */
@@ -61,29 +61,29 @@ public final class Placement {
         return new Vec3(scaleX, scaleY, scaleZ);
     }
 
-    public Placement withAt(Vec3 v) {
-        return new Placement(v, rotate, scale());
+    public Placement withPosition(Vec3 v) {
+        return new Placement(v, rotation, scale());
     }
 
-    public Placement withRotate(Vec3 v) {
-        return new Placement(at(), v, scale());
+    public Placement withRotation(Vec3 v) {
+        return new Placement(position(), v, scale());
     }
 
     public Placement withScale(Vec3 v) {
-        return new Placement(at(), rotate, v);
+        return new Placement(position(), rotation, v);
     }
 
     /** The smallest absolute scale factor. */
-    public double leastScale() {
-        return least(scale());
+    public double minScale() {
+        return minAbs(scale());
     }
 
     /** The largest absolute scale factor. */
-    public double mostScale() {
+    public double maxScale() {
         return scale().maxAbs();
     }
 
-    private static double least(Vec3 v) {
+    private static double minAbs(Vec3 v) {
         return Math.min(Math.min(Math.abs(v.x()), Math.abs(v.y())), Math.abs(v.z()));
     }
 
@@ -92,27 +92,28 @@ public final class Placement {
      * subtracted on the way, so that it exists and is accurate where the determinant of the map, or of a
      * product of such maps, is lost in rounding.
      */
-    public Transform directionsBack() {
-        Vec3 back = new Vec3(1 / scaleX, 1 / scaleY, 1 / scaleZ);
-        return Transform.scaling(back).times(Transform.rotation(rotate).transposed());
+    public Transform directionsToLocal() {
+        Vec3 inverseScale = new Vec3(1 / scaleX, 1 / scaleY, 1 / scaleZ);
+        return Transform.scaling(inverseScale).times(Transform.rotation(rotation).transposed());
     }
 
     public Transform transform() {
-        return Transform.translation(at()).times(Transform.rotation(rotate)).times(Transform.scaling(scale()));
+        return Transform.translation(position()).times(Transform.rotation(rotation)).times(Transform.scaling(scale()));
     }
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Placement p && at().equals(p.at()) && rotate.equals(p.rotate) && scale().equals(p.scale());
+        return this == o
+                || o instanceof Placement p && position().equals(p.position()) && rotation.equals(p.rotation) && scale().equals(p.scale());
     }
 
     @Override
     public int hashCode() {
-        return 31 * (31 * at().hashCode() + rotate.hashCode()) + scale().hashCode();
+        return 31 * (31 * position().hashCode() + rotation.hashCode()) + scale().hashCode();
     }
 
     @Override
     public String toString() {
-        return "at " + at() + ", rotate " + rotate + ", scale " + scale();
+        return "at " + position() + ", rotate " + rotation + ", scale " + scale();
     }
 }

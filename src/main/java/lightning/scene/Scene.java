@@ -11,31 +11,31 @@ import lightning.base.text.Quote;
  *
  * @param stage shapes and materials
  * @param rig   the lights; no light and no bank has the name of a shape or a group, and together they are not too bright for the
- *              materials ({@link Glare})
+ *              materials ({@link OverflowCheck})
  */
-public record Scene(Picture picture, Camera camera, World world, Stage stage, Rig rig) {
+public record Scene(PictureSettings picture, Camera camera, World world, Stage stage, LightRig rig) {
 
     public Scene {
-        rig.names().checkApart(stage);
-        rig = rig.in(world);
-        Glare.check(stage, rig);
+        rig.names().checkDisjoint(stage);
+        rig = rig.withEnvironment(world);
+        OverflowCheck.check(stage, rig);
     }
 
     /**
      * A scene made of its parts.
      *
      * @param materials as {@link Stage} wants them, likewise {@code nodes}
-     * @param lights    as {@link Rig} wants them
+     * @param lights    as {@link LightRig} wants them
      */
-    public Scene(Picture picture, Camera camera, World world, List<Material> materials, List<Node> nodes, List<Light> lights) {
-        this(picture, camera, world, new Stage(materials, nodes), Rig.of(lights));
+    public Scene(PictureSettings picture, Camera camera, World world, List<Material> materials, List<SceneNode> nodes, List<Light> lights) {
+        this(picture, camera, world, new Stage(materials, nodes), LightRig.of(lights));
     }
 
     public List<Material> materials() {
         return stage.materials();
     }
 
-    public List<Node> nodes() {
+    public List<SceneNode> nodes() {
         return stage.nodes();
     }
 
@@ -59,21 +59,21 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
     }
 
     /** Whether a light, a bank, a shape or a group has the name. */
-    public boolean isTaken(String name) {
-        return rig.isTaken(name) || stage.hasNode(name);
+    public boolean isNameUsed(String name) {
+        return rig.isNameUsed(name) || stage.hasNode(name);
     }
 
     /** Whether a light contributes: it is on, and solo if any light is; what its bank says counts. */
-    public boolean shines(Light light) {
-        return rig.shines(light);
+    public boolean isActive(Light light) {
+        return rig.isActive(light);
     }
 
     /**
      * Whether both show the same shapes from the same camera at the same size, so that what is known of the one's picture
      * serves the other's: they differ in lights, materials, the world and how deep mirrors are followed at most.
      */
-    public boolean showsSameShapes(Scene o) {
-        return hasSameView(o) && stage.hasNodesOf(o.stage);
+    public boolean hasSameShapes(Scene o) {
+        return hasSameView(o) && stage.hasSameNodes(o.stage);
     }
 
     /** Whether both are seen by the same camera at the same size. */
@@ -95,7 +95,7 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return withRig(rig.withLights(v));
     }
 
-    public Scene withRig(Rig v) {
+    public Scene withRig(LightRig v) {
         return new Scene(picture, camera, world, stage, v);
     }
 
@@ -114,9 +114,9 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
             if (!material.name().equals(Material.DEFAULT.name())) {
                 throw new IllegalArgumentException("there is no material " + Quote.of(material.name()));
             }
-            List<Material> more = new ArrayList<>(materials());
-            more.add(material);
-            return withMaterials(more);
+            List<Material> added = new ArrayList<>(materials());
+            added.add(material);
+            return withMaterials(added);
         }
         return withMaterials(materials().stream().map(m -> m.name().equals(material.name()) ? material : m).toList());
     }
@@ -125,30 +125,31 @@ public record Scene(Picture picture, Camera camera, World world, Stage stage, Ri
         return withStage(stage.withMaterials(v));
     }
 
-    public Scene withNodes(List<Node> v) {
+    public Scene withNodes(List<SceneNode> v) {
         return withStage(stage.withNodes(v));
     }
 
     /** This scene with a shape or a group in place of that name's; what links of lights name follows where it has another name. */
-    public Scene withNode(String name, Node node) {
-        return replacing(name, List.of(node));
+    public Scene withNode(String name, SceneNode node) {
+        return replaceNode(name, List.of(node));
     }
 
     /**
-     * This scene with none, one or several nodes in place of that name's: see {@link Stage#replacing}. Where it is one, links of lights
+     * This scene with none, one or several nodes in place of that name's: see {@link Stage#replaceNode}. Where it is one, links of lights
      * follow its name.
      */
-    public Scene replacing(String node, List<? extends Node> by) {
-        return by.size() != 1 ? withStage(stage.replacing(node, by))
-                : withRig(rig.linked(links -> links.renamed(node, by.getFirst().name()))).withStage(stage.replacing(node, by));
+    public Scene replaceNode(String node, List<? extends SceneNode> replacement) {
+        return replacement.size() != 1 ? withStage(stage.replaceNode(node, replacement))
+                : withRig(rig.mapLinks(links -> links.rename(node, replacement.getFirst().name())))
+                        .withStage(stage.replaceNode(node, replacement));
     }
 
     /** This scene with another stage; links of lights lose the names of shapes and groups that are gone. */
     public Scene withStage(Stage v) {
-        return new Scene(picture, camera, world, v, v.sharesNodesWith(stage) ? rig : rig.linked(links -> links.within(v::hasNode)));
+        return new Scene(picture, camera, world, v, v.sharesNames(stage) ? rig : rig.mapLinks(links -> links.retain(v::hasNode)));
     }
 
-    public Scene withPicture(Picture v) {
+    public Scene withPicture(PictureSettings v) {
         return new Scene(v, camera, world, stage, rig);
     }
 

@@ -6,9 +6,9 @@ package lightning.scene;
  * @param material the name of a material of the scene
  * @param visible  whether it is there at all: a shape that is not is neither seen nor throws a shadow
  */
-public record Shape(Solid solid, String name, String material, Placement placement, boolean visible) implements Node {
+public record Shape(Solid solid, String name, String material, Placement placement, boolean visible) implements SceneNode {
     public Shape {
-        Limits.name(name);
+        SceneLimits.checkName(name);
     }
 
     /** A visible one. */
@@ -17,8 +17,8 @@ public record Shape(Solid solid, String name, String material, Placement placeme
     }
 
     /** An attribute of a solid as one of the shape that has it. */
-    static <V> Attribute<Node, V> attribute(Attribute<Solid.Canonical, V> a) {
-        return new Attribute<>(a.name(), a.title(), a.kind(), a.initial(), a.unit(), n -> a.of((Solid.Canonical) ((Shape) n).solid),
+    static <V> SceneAttribute<SceneNode, V> attribute(SceneAttribute<Solid.Canonical, V> a) {
+        return new SceneAttribute<>(a.name(), a.title(), a.kind(), a.initial(), a.unit(), n -> a.get((Solid.Canonical) ((Shape) n).solid),
                 (n, v) -> ((Shape) n).withSolid(a.with((Solid.Canonical) ((Shape) n).solid, v)));
     }
 

@@ -18,42 +18,42 @@ public sealed interface Solid {
     /** What a formula describes, in a canonical size of its own. */
     sealed interface Canonical extends Solid {
         /** What can be said of such a solid, in the order in which a file writes it. */
-        default List<Attribute<Canonical, ?>> attributes() {
+        default List<SceneAttribute<Canonical, ?>> attributes() {
             return List.of();
         }
 
         /** The smallest box that holds it, in its own space: least x, y, z, greatest x, y, z. */
-        double[] box();
+        double[] bounds();
 
         /** How a texture lies on it, but for the discs that close it. */
         default Wrap wrap() {
             return switch (this) {
                 case Sphere _ -> Wrap.SPHERICAL;
-                case Standing _ -> Wrap.CYLINDRICAL;
+                case AxialSolid _ -> Wrap.CYLINDRICAL;
                 case Plane _ -> Wrap.FLAT;
             };
         }
 
         /** Whether discs close it, which have texture coordinates of their own. */
-        default boolean hasDiscs() {
+        default boolean hasCaps() {
             return switch (this) {
-                case Standing s -> s.caps();
+                case AxialSolid s -> s.caps();
                 case Sphere _,Plane _ -> false;
             };
         }
 
         /** What POV-Ray calls it, left open for texture and placing. */
-        default String povRay() {
+        default String toPovRay() {
             return switch (this) {
                 case Sphere _ -> "sphere { <0, 0, 0>, 1";
-                case Cone c -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0" + open(c.caps);
-                case Cylinder c -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1" + open(c.caps);
-                case Frustum f -> "cone { <0, 0, 0>, 1, <0, 1, 0>, " + f.top + open(f.caps);
+                case Cone c -> "cone { <0, 0, 0>, 1, <0, 1, 0>, 0" + openKeyword(c.caps);
+                case Cylinder c -> "cylinder { <0, 0, 0>, <0, 1, 0>, 1" + openKeyword(c.caps);
+                case Frustum f -> "cone { <0, 0, 0>, 1, <0, 1, 0>, " + f.top + openKeyword(f.caps);
                 case Plane _ -> "polygon { 5, <-0.5, 0, -0.5>, <0.5, 0, -0.5>, <0.5, 0, 0.5>, <-0.5, 0, 0.5>, <-0.5, 0, -0.5>";
             };
         }
 
-        private static String open(boolean caps) {
+        private static String openKeyword(boolean caps) {
             return caps ? "" : " open";
         }
     }
@@ -69,7 +69,7 @@ public sealed interface Solid {
     }
 
     /** What stands on y = 0 around the y axis, 1 high. */
-    sealed interface Standing extends Canonical {
+    sealed interface AxialSolid extends Canonical {
         /** Whether discs close it; without them the inside of the side is seen. */
         boolean caps();
     }
@@ -77,7 +77,7 @@ public sealed interface Solid {
     /** Radius 1 about the origin. */
     record Sphere() implements Canonical {
         @Override
-        public double[] box() {
+        public double[] bounds() {
             return new double[] {-1, -1, -1, 1, 1, 1};
         }
     }
@@ -87,15 +87,15 @@ public sealed interface Solid {
      *
      * @param caps whether a disc closes the base; without it the inside of the side is seen
      */
-    record Cone(boolean caps) implements Standing {
+    record Cone(boolean caps) implements AxialSolid {
         @Override
-        public List<Attribute<Canonical, ?>> attributes() {
-            return List.of(closing(Cone.class, Cone::caps, (_, v) -> new Cone(v)));
+        public List<SceneAttribute<Canonical, ?>> attributes() {
+            return List.of(capsAttribute(Cone.class, Cone::caps, (_, v) -> new Cone(v)));
         }
 
         @Override
-        public double[] box() {
-            return standing(1);
+        public double[] bounds() {
+            return axialBox(1);
         }
     }
 
@@ -104,15 +104,15 @@ public sealed interface Solid {
      *
      * @param caps whether two discs close it; without them the inside of the side is seen
      */
-    record Cylinder(boolean caps) implements Standing {
+    record Cylinder(boolean caps) implements AxialSolid {
         @Override
-        public List<Attribute<Canonical, ?>> attributes() {
-            return List.of(closing(Cylinder.class, Cylinder::caps, (_, v) -> new Cylinder(v)));
+        public List<SceneAttribute<Canonical, ?>> attributes() {
+            return List.of(capsAttribute(Cylinder.class, Cylinder::caps, (_, v) -> new Cylinder(v)));
         }
 
         @Override
-        public double[] box() {
-            return standing(1);
+        public double[] bounds() {
+            return axialBox(1);
         }
     }
 
@@ -122,29 +122,29 @@ public sealed interface Solid {
      * @param top  the radius at y = 1
      * @param caps whether two discs close it; without them the inside of the side is seen
      */
-    record Frustum(double top, boolean caps) implements Standing {
+    record Frustum(double top, boolean caps) implements AxialSolid {
         public Frustum {
-            Limits.range("top", top, 0, Limits.MAX_TOP);
+            SceneLimits.checkRange("top", top, 0, SceneLimits.MAX_TOP);
         }
 
         @Override
-        public List<Attribute<Canonical, ?>> attributes() {
+        public List<SceneAttribute<Canonical, ?>> attributes() {
             return List.of(
-                    attribute(Frustum.class, "top", Quantity.number(0, Limits.MAX_TOP, 0.1), 0.5, "radius, that of the base is 1",
+                    attribute(Frustum.class, "top", NumericKind.number(0, SceneLimits.MAX_TOP, 0.1), 0.5, "radius, that of the base is 1",
                             Frustum::top, (f, v) -> new Frustum(v, f.caps)),
-                    closing(Frustum.class, Frustum::caps, (f, v) -> new Frustum(f.top, v)));
+                    capsAttribute(Frustum.class, Frustum::caps, (f, v) -> new Frustum(f.top, v)));
         }
 
         @Override
-        public double[] box() {
-            return standing(Math.max(1, top));
+        public double[] bounds() {
+            return axialBox(Math.max(1, top));
         }
     }
 
     /** A patch of the plane y = 0: the unit square, x and z from −½ to ½. */
     record Plane() implements Canonical {
         @Override
-        public double[] box() {
+        public double[] bounds() {
             return new double[] {-0.5, 0, -0.5, 0.5, 0, 0.5};
         }
     }
@@ -154,49 +154,49 @@ public sealed interface Solid {
      *
      * @param file   the name as written in the scene file
      * @param part   the name of the part of the file; empty for all that it holds
-     * @param colors whether the colours of its vertices are shown, where it has any
+     * @param showsColors whether the colours of its vertices are shown, where it has any
      * @param mesh   what was read: shared by all shapes that show it
      */
-    record Triangles(String file, String part, boolean colors, Mesh mesh) implements Solid {
+    record TriangleMesh(String file, String part, boolean showsColors, Mesh mesh) implements Solid {
         /** With the colours of its vertices. */
-        public Triangles(String file, String part, Mesh mesh) {
+        public TriangleMesh(String file, String part, Mesh mesh) {
             this(file, part, true, mesh);
         }
 
         /** Whether colours of vertices are a factor on its material's diffuse colour. */
-        public boolean isTinted() {
-            return colors && mesh.colors() != null;
+        public boolean hasVertexColors() {
+            return showsColors && mesh.colors() != null;
         }
 
-        public Triangles withColors(boolean v) {
-            return new Triangles(file, part, v, mesh);
+        public TriangleMesh withShowsColors(boolean v) {
+            return new TriangleMesh(file, part, v, mesh);
         }
     }
 
     /** The box of what stands on y = 0, 1 high. */
-    private static double[] standing(double radius) {
+    private static double[] axialBox(double radius) {
         return new double[] {-radius, 0, -radius, radius, 1, radius};
     }
 
-    private static <S extends Canonical> Attribute<Canonical, Boolean> closing(Class<S> type, Function<S, Boolean> get,
+    private static <S extends Canonical> SceneAttribute<Canonical, Boolean> capsAttribute(Class<S> type, Function<S, Boolean> get,
             BiFunction<S, Boolean, Canonical> with) {
-        return attribute(type, "caps", Choice.YES_OR_NO, true, "", get, with);
+        return attribute(type, "caps", ChoiceKind.YES_OR_NO, true, "", get, with);
     }
 
-    private static <S extends Canonical, V> Attribute<Canonical, V> attribute(Class<S> type, String name, ValueKind<V> kind, V initial,
+    private static <S extends Canonical, V> SceneAttribute<Canonical, V> attribute(Class<S> type, String name, ValueKind<V> kind, V initial,
             String unit, Function<S, V> get, BiFunction<S, V, Canonical> with) {
-        return new Attribute<>(name, name, kind, initial, unit, s -> get.apply(type.cast(s)), (s, v) -> with.apply(type.cast(s), v));
+        return new SceneAttribute<>(name, name, kind, initial, unit, s -> get.apply(type.cast(s)), (s, v) -> with.apply(type.cast(s), v));
     }
 
     /** What files and people call it, in the singular. */
-    default String noun() {
+    default String typeName() {
         return switch (this) {
             case Sphere _ -> "sphere";
             case Cone _ -> "cone";
             case Cylinder _ -> "cylinder";
             case Frustum _ -> "frustum";
             case Plane _ -> "plane";
-            case Triangles _ -> "mesh";
+            case TriangleMesh _ -> "mesh";
         };
     }
 }

@@ -23,37 +23,37 @@ public final class Stage {
 
     private final NodeTree tree;
     private final List<Material> materials;
-    private final Map<String, Material> byName;
+    private final Map<String, Material> materialsByName;
     /** Of those with the sharpest highlights the first; {@code null} where no light's term can be above 1. */
-    private final Material glossiest;
+    private final Material sharpestMaterial;
 
     /**
      * @param materials names unique among themselves
      * @param nodes     shapes and groups, names unique; each shape's material is the name of one of {@code materials}, or
      *                  {@code default} where none has that name
      * @throws IllegalArgumentException if a name is taken or a material missing, if there are more shapes, materials or
-     *                                  nested groups than {@link Limits} allows, or if scales multiply beyond its range
+     *                                  nested groups than {@link SceneLimits} allows, or if scales multiply beyond its range
      */
-    public Stage(List<Material> materials, List<Node> nodes) {
+    public Stage(List<Material> materials, List<SceneNode> nodes) {
         this(materials, new NodeTree(nodes));
     }
 
     private Stage(List<Material> materials, NodeTree tree) {
         this.materials = List.copyOf(materials);
         this.tree = tree;
-        Limits.range("the number of materials", this.materials.size(), 0, Limits.MAX_MATERIALS);
-        Map<String, Material> found = HashMap.newHashMap(this.materials.size() + 1);
+        SceneLimits.checkRange("the number of materials", this.materials.size(), 0, SceneLimits.MAX_MATERIALS);
+        Map<String, Material> materialMap = HashMap.newHashMap(this.materials.size() + 1);
         Material sharpest = null;
         for (Material material : this.materials) {
-            sharpest = material.mostTerm() > (sharpest == null ? 1 : sharpest.mostTerm()) ? material : sharpest;
-            if (found.put(material.name(), material) != null) {
+            sharpest = material.maxTerm() > (sharpest == null ? 1 : sharpest.maxTerm()) ? material : sharpest;
+            if (materialMap.put(material.name(), material) != null) {
                 throw new IllegalArgumentException("material " + Quote.of(material.name()) + ": the name is already taken");
             }
         }
-        found.putIfAbsent(Material.DEFAULT.name(), Material.DEFAULT);
-        byName = Map.copyOf(found);
-        glossiest = sharpest;
-        tree.users.check(byName.keySet());
+        materialMap.putIfAbsent(Material.DEFAULT.name(), Material.DEFAULT);
+        materialsByName = Map.copyOf(materialMap);
+        sharpestMaterial = sharpest;
+        tree.materialUsers.check(materialsByName.keySet());
     }
 
     /** These shapes with other materials. */
@@ -62,7 +62,7 @@ public final class Stage {
     }
 
     /** These materials on other shapes. */
-    public Stage withNodes(List<Node> v) {
+    public Stage withNodes(List<SceneNode> v) {
         return v.equals(nodes()) ? this : new Stage(materials, new NodeTree(v));
     }
 
@@ -70,28 +70,28 @@ public final class Stage {
         return materials;
     }
 
-    public List<Node> nodes() {
+    public List<SceneNode> nodes() {
         return tree.nodes;
     }
 
     /** Every material that a shape may name, {@code default} included. */
     public Map<String, Material> materialsByName() {
-        return byName;
+        return materialsByName;
     }
 
     /** The material whose highlights multiply a light the most, of several the first; empty where none makes it brighter than it is. */
-    Optional<Material> glossiest() {
-        return Optional.ofNullable(glossiest);
+    Optional<Material> sharpestMaterial() {
+        return Optional.ofNullable(sharpestMaterial);
     }
 
     /** The names of the materials that shapes have, in the order of the first shapes that have them; nothing is walked. */
-    public Set<String> namedMaterials() {
-        return tree.users.materials();
+    public Set<String> usedMaterials() {
+        return tree.materialUsers.materials();
     }
 
     /** How many shapes there are, those in groups and those that are not visible included. */
     public int shapeCount() {
-        return tree.count;
+        return tree.shapeCount;
     }
 
     /** Whether a shape or a group has the name. */
@@ -100,27 +100,27 @@ public final class Stage {
     }
 
     /** The shape or the group of that name. */
-    public Optional<Node> node(String name) {
-        return places(name).map(places -> NodePlaces.at(nodes(), places));
+    public Optional<SceneNode> node(String name) {
+        return path(name).map(places -> NodePaths.nodeAt(nodes(), places));
     }
 
     /**
      * Where the shape or the group of that name stands: its places in the groups around it, the outermost first, and in the innermost; at
      * least one. Empty where there is none.
      */
-    public Optional<int[]> places(String name) {
-        return hasNode(name) ? Optional.of(tree.places.of(nodes(), name)) : Optional.empty();
+    public Optional<int[]> path(String name) {
+        return hasNode(name) ? Optional.of(tree.paths.find(nodes(), name)) : Optional.empty();
     }
 
     /** The groups around the shape or the group of that name, the outermost first; none where there is none of that name. */
-    public List<Group> around(String name) {
-        int[] places = places(name).orElse(new int[1]);
-        return IntStream.range(1, places.length).mapToObj(n -> (Group) NodePlaces.at(nodes(), Arrays.copyOf(places, n))).toList();
+    public List<NodeGroup> enclosingGroups(String name) {
+        int[] path = path(name).orElse(new int[1]);
+        return IntStream.range(1, path.length).mapToObj(n -> (NodeGroup) NodePaths.nodeAt(nodes(), Arrays.copyOf(path, n))).toList();
     }
 
     /** How many nodes were looked at to find some by their names. */
-    long looked() {
-        return tree.places.looked();
+    long visitedNodes() {
+        return tree.paths.visitedCount();
     }
 
     /**
@@ -129,40 +129,40 @@ public final class Stage {
      *
      * @throws IllegalArgumentException as {@link #Stage(List, List)}
      */
-    public Stage replacing(String name, List<? extends Node> by) {
-        Optional<int[]> places = places(name);
-        if (places.isEmpty()) {
+    public Stage replaceNode(String name, List<? extends SceneNode> replacement) {
+        Optional<int[]> path = path(name);
+        if (path.isEmpty()) {
             return this;
         }
-        var splice = new NodeSplice(nodes(), places.get(), by);
-        return by.equals(List.of(splice.old)) ? this : new Stage(materials, new NodeTree(tree, splice));
+        var splice = new NodeSplice(nodes(), path.get(), replacement);
+        return replacement.equals(List.of(splice.removed)) ? this : new Stage(materials, new NodeTree(tree, splice));
     }
 
     /** Whether both have the same names of shapes and groups, because the one was made of the other. */
-    boolean sharesNodesWith(Stage o) {
+    boolean sharesNames(Stage o) {
         return tree.names == o.tree.names;
     }
 
     /** Whether both have the same groups, and as many shapes in the same places of the tree, because the one was made of the other. */
-    public boolean sharesOutlineWith(Stage o) {
-        return tree.outline == o.tree.outline;
+    public boolean sharesStructure(Stage o) {
+        return tree.structure == o.tree.structure;
     }
 
     /** Whether both have equal shapes and groups in the same order. Where one of them was edited this is known without a walk. */
-    public boolean hasNodesOf(Stage o) {
+    public boolean hasSameNodes(Stage o) {
         return tree == o.tree || tree.hash == o.tree.hash && nodes().equals(o.nodes());
     }
 
     /** All visible shapes, in the order of the file, with materials and groups resolved. */
     public List<PlacedShape> placedShapes() {
-        List<PlacedShape> placed = new ArrayList<>(tree.count);
-        place(placed::add);
+        List<PlacedShape> placed = new ArrayList<>(tree.shapeCount);
+        forEachPlacedShape(placed::add);
         return placed;
     }
 
     /** Hands over the same, one after the other: a list of a million of them takes half a gigabyte. */
-    public void place(Consumer<PlacedShape> to) {
-        place(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, to);
+    public void forEachPlacedShape(Consumer<PlacedShape> consumer) {
+        forEachPlacedShape(tree.nodes, Transform.IDENTITY, Transform.IDENTITY, PlacementError.NONE, consumer);
     }
 
     /** All visible shapes, in the order of the file, as they stand there. */
@@ -175,28 +175,29 @@ public final class Stage {
      *
      * @return {@code boolean[shapes().size()]}
      */
-    public boolean[] linked(Links links) {
-        return tree.linked(links);
+    public boolean[] linkMask(ShapeLinks links) {
+        return tree.linkMask(links);
     }
 
-    private void place(List<Node> nodes, Transform outer, Transform back, PlacementError outerError, Consumer<PlacedShape> to) {
-        for (Node node : nodes) {
+    private void forEachPlacedShape(List<SceneNode> nodes, Transform outer, Transform outerInverse, PlacementError outerError,
+            Consumer<PlacedShape> consumer) {
+        for (SceneNode node : nodes) {
             if (!node.visible()) {
                 continue;
             }
             Transform toWorld = outer.times(node.placement().transform());
-            Transform directionsBack = node.placement().directionsBack().times(back);
-            PlacementError error = outerError.within(outer, back, node.placement());
+            Transform directionsBack = node.placement().directionsToLocal().times(outerInverse);
+            PlacementError error = outerError.compose(outer, outerInverse, node.placement());
             switch (node) {
-                case Group g -> place(g.children(), toWorld, directionsBack, error, to);
-                case Shape s -> to.accept(new PlacedShape(s, byName.get(s.material()), toWorld, directionsBack, error));
+                case NodeGroup g -> forEachPlacedShape(g.children(), toWorld, directionsBack, error, consumer);
+                case Shape s -> consumer.accept(new PlacedShape(s, materialsByName.get(s.material()), toWorld, directionsBack, error));
             }
         }
     }
 
     @Override
     public boolean equals(Object o) {
-        return this == o || o instanceof Stage s && hasNodesOf(s) && materials.equals(s.materials);
+        return this == o || o instanceof Stage s && hasSameNodes(s) && materials.equals(s.materials);
     }
 
     @Override

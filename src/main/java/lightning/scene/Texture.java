@@ -67,40 +67,40 @@ public final class Texture {
     /**
      * Mixes four pixels bilinearly.
      *
-     * @param across the share of column {@code x1} against {@code x0}, 0…1
-     * @param along  the share of row {@code y1} against {@code y0}, 0…1
-     * @param to     gets the linear RGB, {@code float[3]}
+     * @param u the share of column {@code x1} against {@code x0}, 0…1
+     * @param v  the share of row {@code y1} against {@code y0}, 0…1
+     * @param result     gets the linear RGB, {@code float[3]}
      */
-    public void mix(int x0, int y0, int x1, int y1, double across, double along, float[] to) {
+    public void interpolate(int x0, int y0, int x1, int y1, double u, double v, float[] result) {
         int upperLeft = 3 * (y0 * width + x0);
         int upperRight = 3 * (y0 * width + x1);
         int lowerLeft = 3 * (y1 * width + x0);
         int lowerRight = 3 * (y1 * width + x1);
-        double left = 1 - across;
-        double upper = 1 - along;
+        double left = 1 - u;
+        double upper = 1 - v;
         for (int c = 0; c < 3; c++) {
-            double above = value(upperLeft + c) * left + value(upperRight + c) * across;
-            double below = value(lowerLeft + c) * left + value(lowerRight + c) * across;
-            to[c] = (float) (above * upper + below * along);
+            double above = value(upperLeft + c) * left + value(upperRight + c) * u;
+            double below = value(lowerLeft + c) * left + value(lowerRight + c) * u;
+            result[c] = (float) (above * upper + below * v);
         }
     }
 
-    /** One channel of {@link #mix(int, int, int, int, double, double, float[])}. */
-    public float mix(int x0, int y0, int x1, int y1, double across, double along, int channel) {
-        double above = channel(x0, y0, channel) * (1 - across) + channel(x1, y0, channel) * across;
-        double below = channel(x0, y1, channel) * (1 - across) + channel(x1, y1, channel) * across;
-        return (float) (above * (1 - along) + below * along);
+    /** One channel of {@link #interpolate(int, int, int, int, double, double, float[])}. */
+    public float interpolate(int x0, int y0, int x1, int y1, double u, double v, int channel) {
+        double above = channel(x0, y0, channel) * (1 - u) + channel(x1, y0, channel) * u;
+        double below = channel(x0, y1, channel) * (1 - u) + channel(x1, y1, channel) * u;
+        return (float) (above * (1 - v) + below * v);
     }
 
     /**
      * The luminance of four pixels mixed bilinearly, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709), in double.
      *
-     * @param across as {@link #mix} has it, and so is {@code along}
+     * @param u as {@link #interpolate} has it, and so is {@code v}
      */
-    public double luminance(int x0, int y0, int x1, int y1, double across, double along) {
-        double above = luminance(x0, y0) * (1 - across) + luminance(x1, y0) * across;
-        double below = luminance(x0, y1) * (1 - across) + luminance(x1, y1) * across;
-        return above * (1 - along) + below * along;
+    public double luminance(int x0, int y0, int x1, int y1, double u, double v) {
+        double above = luminance(x0, y0) * (1 - u) + luminance(x1, y0) * u;
+        double below = luminance(x0, y1) * (1 - u) + luminance(x1, y1) * u;
+        return above * (1 - v) + below * v;
     }
 
     private double luminance(int x, int y) {

@@ -10,19 +10,19 @@ package lightning.scene;
  */
 public record TextureMap(String file, double repeatU, double repeatV, Texture image) {
     public TextureMap {
-        repeat("repeat u", repeatU);
-        repeat("repeat v", repeatV);
+        checkRepeat("repeat u", repeatU);
+        checkRepeat("repeat v", repeatV);
     }
 
     /** Whether it shows the same on every surface: another file name alone shows nothing. */
-    boolean hasTexelsOf(TextureMap o) {
+    boolean hasSameTexels(TextureMap o) {
         return repeatU == o.repeatU && repeatV == o.repeatV && image.equals(o.image);
     }
 
-    private static void repeat(String what, double value) {
-        Limits.range(what, value, -Limits.MAX_REPEAT, Limits.MAX_REPEAT);
+    private static void checkRepeat(String name, double value) {
+        SceneLimits.checkRange(name, value, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT);
         if (Math.abs(value) < 1e-6) {
-            throw new IllegalArgumentException(what + " must be at least 1e-6 in absolute value, was " + Limits.text(value));
+            throw new IllegalArgumentException(name + " must be at least 1e-6 in absolute value, was " + SceneLimits.format(value));
         }
     }
 }

@@ -3,41 +3,41 @@ package lightning.scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /**
- * What values an {@link Attribute} has.
+ * What values an {@link SceneAttribute} has.
  *
  * @param <V> the type of a value
  */
-public sealed interface ValueKind<V> permits ValueKind.OfLight, ValueKind.OfMaterial {
+public sealed interface ValueKind<V> permits ValueKind.LightKind, ValueKind.MaterialKind {
 
     /** Values that a light can have: each kind has a control in the editor. */
-    sealed interface OfLight<V> extends ValueKind<V> permits Quantity, Choice, Filed, Linking, Naming {}
+    sealed interface LightKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, AssetKind, LinksKind, NameKind {}
 
     /** Values that a material can have: each kind has a control in the editor. */
-    sealed interface OfMaterial<V> extends ValueKind<V> permits Quantity, Choice, Texturing {}
+    sealed interface MaterialKind<V> extends ValueKind<V> permits NumericKind, ChoiceKind, TextureKind {}
 
     /**
      * Refuses a value that no scene may hold.
      *
-     * @param what the attribute's name in the message
+     * @param name the attribute's name in the message
      * @throws IllegalArgumentException if it is out of its range; the message says what was expected and found
      */
-    void check(String what, V value);
+    void check(String name, V value);
 
     /** Whether two values do the same wherever they act. */
-    boolean alike(V a, V b);
+    boolean isEquivalent(V a, V b);
 
     /** A value for people. */
-    String text(V value);
+    String format(V value);
 
     /** What values of this kind do between two keys of a shot. */
-    default Keying keying() {
+    default KeyframeSupport keyframeSupport() {
         return switch (this) {
-            case Quantity<V> n -> n.whole() ? Keying.HOLDS : Keying.GLIDES;
-            case Choice<V> _ -> Keying.HOLDS;
-            case Filed<?> _,Linking _,Naming _,Texturing _ -> Keying.NONE;
+            case NumericKind<V> n -> n.integer() ? KeyframeSupport.STEPPED : KeyframeSupport.INTERPOLATED;
+            case ChoiceKind<V> _ -> KeyframeSupport.STEPPED;
+            case AssetKind<?> _,LinksKind _,NameKind _,TextureKind _ -> KeyframeSupport.NONE;
         };
     }
 
@@ -45,23 +45,23 @@ public sealed interface ValueKind<V> permits ValueKind.OfLight, ValueKind.OfMate
      * The name of something in the scene, or none, which is empty.
      *
      * @param names the names in a scene
-     * @param help  a key of {@link Texts}: a sentence without a full stop
+     * @param help  a key of {@link Messages}: a sentence without a full stop
      */
-    record Naming(Function<Scene, List<String>> names, String help) implements OfLight<String> {
+    record NameKind(Function<Scene, List<String>> names, String help) implements LightKind<String> {
         @Override
-        public void check(String what, String value) {
+        public void check(String name, String value) {
             if (!value.isEmpty()) {
-                Limits.name(value);
+                SceneLimits.checkName(value);
             }
         }
 
         @Override
-        public boolean alike(String a, String b) {
+        public boolean isEquivalent(String a, String b) {
             return a.equals(b);
         }
 
         @Override
-        public String text(String value) {
+        public String format(String value) {
             return value.isEmpty() ? "none" : value;
         }
     }
@@ -69,73 +69,74 @@ public sealed interface ValueKind<V> permits ValueKind.OfLight, ValueKind.OfMate
     /**
      * Some of the scene's shapes.
      *
-     * @param caption a key of {@link Texts}: what stands above the control
-     * @param help    a key of {@link Texts}: a sentence without a full stop
+     * @param caption a key of {@link Messages}: what stands above the control
+     * @param help    a key of {@link Messages}: a sentence without a full stop
      */
-    record Linking(String caption, String help) implements OfLight<Links> {
+    record LinksKind(String caption, String help) implements LightKind<ShapeLinks> {
         @Override
-        public void check(String what, Links value) {
+        public void check(String name, ShapeLinks value) {
             // All links have checked themselves.
         }
 
         @Override
-        public boolean alike(Links a, Links b) {
+        public boolean isEquivalent(ShapeLinks a, ShapeLinks b) {
             return a.equals(b);
         }
 
         @Override
-        public String text(Links value) {
-            return value.text();
+        public String format(ShapeLinks value) {
+            return value.format();
         }
     }
 
     /** What a file holds, or none. */
-    sealed interface Filed<F extends FromFile> extends OfLight<Optional<F>> {
+    sealed interface AssetKind<F extends FileAsset> extends LightKind<Optional<F>> {
         @Override
-        default void check(String what, Optional<F> value) {
+        default void check(String name, Optional<F> value) {
             // Every file was checked when it was read.
         }
 
         @Override
-        default boolean alike(Optional<F> a, Optional<F> b) {
-            return a.map(FromFile::content).equals(b.map(FromFile::content));
+        default boolean isEquivalent(Optional<F> a, Optional<F> b) {
+            return a.map(FileAsset::content).equals(b.map(FileAsset::content));
         }
 
         @Override
-        default String text(Optional<F> value) {
-            return value.map(FromFile::file).orElse("none");
+        default String format(Optional<F> value) {
+            return value.map(FileAsset::file).orElse("none");
         }
     }
 
     /** A picture that is projected, or none. */
-    record Projecting() implements Filed<Gobo> {}
+    record GoboKind() implements AssetKind<Gobo> {}
 
     /** How strongly a light shines in each direction, or the same in all. */
-    record Shining() implements Filed<Profile> {}
+    record ProfileKind() implements AssetKind<IesProfile> {}
 
     /** A picture of all that is far around, or none. */
-    record Surrounding() implements Filed<Panorama> {}
+    record EnvironmentKind() implements AssetKind<Environment> {}
 
     /**
      * A picture on a surface, or none.
      *
-     * @param repeat  what a file calls how often it repeats
-     * @param samples what its samples stand for
+     * @param repeatName  what a file calls how often it repeats
+     * @param usage what its samples stand for
      */
-    record Texturing(String repeat, SampleMeaning samples) implements OfMaterial<Optional<TextureMap>> {
+    record TextureKind(String repeatName, TextureUsage usage) implements MaterialKind<Optional<TextureMap>> {
         @Override
-        public void check(String what, Optional<TextureMap> value) {
+        public void check(String name, Optional<TextureMap> value) {
             // Every map has checked itself.
         }
 
         @Override
-        public boolean alike(Optional<TextureMap> a, Optional<TextureMap> b) {
-            return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasTexelsOf(b.get()));
+        public boolean isEquivalent(Optional<TextureMap> a, Optional<TextureMap> b) {
+            return a.isPresent() == b.isPresent() && (a.isEmpty() || a.get().hasSameTexels(b.get()));
         }
 
         @Override
-        public String text(Optional<TextureMap> value) {
-            return value.map(t -> t.file() + " " + Quantity.digits(t.repeatU()) + " × " + Quantity.digits(t.repeatV())).orElse("none");
+        public String format(Optional<TextureMap> value) {
+            return value.map(t -> t.file() + " " + NumericKind.formatShort(t.repeatU()) + " × " + NumericKind.formatShort(t.repeatV()))
+                    .orElse("none");
         }
     }
 }

@@ -15,115 +15,115 @@ import lightning.base.work.Progress;
  */
 final class FrameQueue {
     /** Who does work of a keeper. */
-    enum Lane { FRONT, OTHERS }
+    enum Lane { FOREGROUND, BACKGROUND }
 
     /** Nobody holds the frame. */
-    private static final int NOBODY = -1;
+    private static final int NO_HOST = -1;
     /** No take: they are numbered from 1. */
-    private static final long NONE = 0;
+    private static final long NO_REVISION = 0;
 
     /** Shows a take in a frame. */
-    final class Work implements Progress {
-        final int keeper;
+    final class Job implements Progress {
+        final int host;
         final Lane lane;
         final int frame;
-        final Take take;
-        private final long number;
+        final ShotRevision revision;
+        private final long revisionNumber;
         /** Whether nothing is kept of the frame. */
-        private final boolean first;
+        private final boolean traced;
         /** The newest take that was looked at, and whether the work serves it. */
-        private long asked;
-        private boolean serves = true;
+        private long checkedRevision;
+        private boolean reusable = true;
 
-        private Work(int keeper, Lane lane, int frame) {
-            this.keeper = keeper;
+        private Job(int host, Lane lane, int frame) {
+            this.host = host;
             this.lane = lane;
             this.frame = frame;
-            take = newest;
-            number = newestNumber;
-            asked = number;
-            first = holder[frame - firstFrame] == NOBODY;
+            revision = newestRevision;
+            revisionNumber = newestRevisionNumber;
+            checkedRevision = revisionNumber;
+            traced = hosts[frame - firstFrame] == NO_HOST;
         }
 
         @Override
-        public void tiles(int done, int total) {}
+        public void report(int done, int total) {}
 
         /** Keeps its caller waiting while the front lane works. */
         @Override
-        public boolean isCancelled() {
-            return shallStop(this);
+        public boolean isCanceled() {
+            return shouldStop(this);
         }
     }
 
     private final int firstFrame;
     /** Of each frame the number of the take that its film shows, likewise of the one that could not be made there. */
-    private final long[] shown;
-    private final long[] failed;
+    private final long[] shownRevision;
+    private final long[] failedRevision;
     private final boolean[] busy;
-    private final int[] holder;
+    private final int[] hosts;
     /** Of each frame the keepers that have no room for it, as far as they were asked since the newest take. */
-    private final BitSet[] refused;
+    private final BitSet[] rejectedBy;
     /** Of each keeper whether it is there, and what its front lane does. */
-    private final List<Boolean> there = new ArrayList<>();
-    private final List<Work> front = new ArrayList<>();
-    private Take newest;
-    private long newestNumber = NONE;
+    private final List<Boolean> present = new ArrayList<>();
+    private final List<Job> foreground = new ArrayList<>();
+    private ShotRevision newestRevision;
+    private long newestRevisionNumber = NO_REVISION;
     private int focus;
-    private int working;
+    private int activeJobs;
     private boolean closed;
 
     FrameQueue(int firstFrame, int lastFrame) {
         this.firstFrame = firstFrame;
         int count = lastFrame - firstFrame + 1;
-        shown = new long[count];
-        failed = new long[count];
+        shownRevision = new long[count];
+        failedRevision = new long[count];
         busy = new boolean[count];
-        holder = new int[count];
-        Arrays.fill(holder, NOBODY);
-        refused = new BitSet[count];
-        Arrays.setAll(refused, _ -> new BitSet());
+        hosts = new int[count];
+        Arrays.fill(hosts, NO_HOST);
+        rejectedBy = new BitSet[count];
+        Arrays.setAll(rejectedBy, _ -> new BitSet());
         focus = firstFrame;
     }
 
     /** Another keeper works too; returns its number. */
-    synchronized int join() {
-        there.add(true);
-        front.add(null);
-        for (int i = 0; i < failed.length; i++) {
-            if (!refused[i].isEmpty()) {
+    synchronized int addHost() {
+        present.add(true);
+        foreground.add(null);
+        for (int i = 0; i < failedRevision.length; i++) {
+            if (!rejectedBy[i].isEmpty()) {
                 // It may have room for what nobody else had room for.
-                failed[i] = NONE;
+                failedRevision[i] = NO_REVISION;
             }
         }
         notifyAll();
-        return there.size() - 1;
+        return present.size() - 1;
     }
 
     /** A keeper is gone, and with it all frames that it held. Returns whether that was news. */
-    synchronized boolean leave(int keeper) {
-        boolean news = there.set(keeper, false);
-        for (int i = 0; i < holder.length; i++) {
-            if (holder[i] == keeper) {
-                holder[i] = NOBODY;
-                shown[i] = NONE;
+    synchronized boolean removeHost(int keeper) {
+        boolean news = present.set(keeper, false);
+        for (int i = 0; i < hosts.length; i++) {
+            if (hosts[i] == keeper) {
+                hosts[i] = NO_HOST;
+                shownRevision[i] = NO_REVISION;
             }
-            askAnew(i);
+            retryRejected(i);
         }
         notifyAll();
         return news;
     }
 
-    synchronized void edit(Take take) {
-        newest = take;
-        newestNumber++;
-        for (BitSet keepers : refused) {
+    synchronized void setRevision(ShotRevision take) {
+        newestRevision = take;
+        newestRevisionNumber++;
+        for (BitSet keepers : rejectedBy) {
             keepers.clear();
         }
         notifyAll();
     }
 
     synchronized void focus(int frame) {
-        focus = Math.clamp(frame, firstFrame, firstFrame + shown.length - 1);
+        focus = Math.clamp(frame, firstFrame, firstFrame + shownRevision.length - 1);
         notifyAll();
     }
 
@@ -133,27 +133,27 @@ final class FrameQueue {
 
     synchronized FrameState state(int frame) {
         int i = frame - firstFrame;
-        return newestNumber != NONE && failed[i] == newestNumber ? FrameState.FAILED
-                : shown[i] == NONE ? FrameState.MISSING
-                : shown[i] == newestNumber ? FrameState.CURRENT
+        return newestRevisionNumber != NO_REVISION && failedRevision[i] == newestRevisionNumber ? FrameState.FAILED
+                : shownRevision[i] == NO_REVISION ? FrameState.MISSING
+                : shownRevision[i] == newestRevisionNumber ? FrameState.CURRENT
                 : FrameState.STALE;
     }
 
     /** Which keeper has a frame's film, or −1. */
-    synchronized int holder(int frame) {
-        return holder[frame - firstFrame];
+    synchronized int hostOf(int frame) {
+        return hosts[frame - firstFrame];
     }
 
     /** Waits for work of a keeper's lane; null when there will be none. */
-    synchronized Work take(int keeper, Lane lane) throws InterruptedException {
-        while (!closed && there.get(keeper)) {
-            int frame = next(keeper, lane);
+    synchronized Job nextJob(int keeper, Lane lane) throws InterruptedException {
+        while (!closed && present.get(keeper)) {
+            int frame = nextFrame(keeper, lane);
             if (frame >= 0) {
-                Work work = new Work(keeper, lane, frame);
+                Job work = new Job(keeper, lane, frame);
                 busy[frame - firstFrame] = true;
-                working++;
-                if (lane == Lane.FRONT) {
-                    front.set(keeper, work);
+                activeJobs++;
+                if (lane == Lane.FOREGROUND) {
+                    foreground.set(keeper, work);
                 }
                 return work;
             }
@@ -162,18 +162,18 @@ final class FrameQueue {
         return null;
     }
 
-    private int next(int keeper, Lane lane) {
-        boolean focused = isOpen(focus - firstFrame, keeper);
-        if (lane == Lane.FRONT) {
+    private int nextFrame(int keeper, Lane lane) {
+        boolean focused = canStart(focus - firstFrame, keeper);
+        if (lane == Lane.FOREGROUND) {
             return focused ? focus : -1;
         }
-        if (focused || front.get(keeper) != null) {
+        if (focused || foreground.get(keeper) != null) {
             return -1;
         }
-        for (int distance = 0; distance < shown.length; distance++) {
+        for (int distance = 0; distance < shownRevision.length; distance++) {
             // What comes later first, as it is played.
             for (int frame : new int[] {focus + distance, focus - distance}) {
-                if (isOpen(frame - firstFrame, keeper)) {
+                if (canStart(frame - firstFrame, keeper)) {
                     return frame;
                 }
             }
@@ -182,33 +182,33 @@ final class FrameQueue {
     }
 
     /** Whether a keeper may begin with a frame: nobody is at it, and nobody else holds what it can be made from. */
-    private boolean isOpen(int i, int keeper) {
-        return isWanted(i) && !busy[i] && !refused[i].get(keeper) && (holder[i] == keeper || holder[i] == NOBODY);
+    private boolean canStart(int i, int keeper) {
+        return isPending(i) && !busy[i] && !rejectedBy[i].get(keeper) && (hosts[i] == keeper || hosts[i] == NO_HOST);
     }
 
-    private boolean isWanted(int i) {
-        return i >= 0 && i < shown.length && shown[i] != newestNumber && failed[i] != newestNumber;
+    private boolean isPending(int i) {
+        return i >= 0 && i < shownRevision.length && shownRevision[i] != newestRevisionNumber && failedRevision[i] != newestRevisionNumber;
     }
 
     /** Where whoever was left to be asked is gone, it is for the others to say again that they have no room. */
-    private void askAnew(int i) {
-        if (isWanted(i) && !busy[i] && isRefusedByAll(i)) {
-            refused[i].clear();
+    private void retryRejected(int i) {
+        if (isPending(i) && !busy[i] && isRejectedByAll(i)) {
+            rejectedBy[i].clear();
         }
     }
 
-    private boolean isRefusedByAll(int i) {
-        for (int keeper = 0; keeper < there.size(); keeper++) {
-            if (there.get(keeper) && !refused[i].get(keeper)) {
+    private boolean isRejectedByAll(int i) {
+        for (int keeper = 0; keeper < present.size(); keeper++) {
+            if (present.get(keeper) && !rejectedBy[i].get(keeper)) {
                 return false;
             }
         }
         return true;
     }
 
-    private synchronized boolean shallStop(Work work) {
-        while (!isUseless(work) && work.lane == Lane.OTHERS && work.frame != focus
-                && (front.get(work.keeper) != null || isOpen(focus - firstFrame, work.keeper))) {
+    private synchronized boolean shouldStop(Job work) {
+        while (!isObsolete(work) && work.lane == Lane.BACKGROUND && work.frame != focus
+                && (foreground.get(work.host) != null || canStart(focus - firstFrame, work.host))) {
             try {
                 wait();
             } catch (InterruptedException e) {
@@ -216,73 +216,73 @@ final class FrameQueue {
                 return true;
             }
         }
-        return isUseless(work);
+        return isObsolete(work);
     }
 
-    private boolean isUseless(Work work) {
-        if (closed || !there.get(work.keeper)) {
+    private boolean isObsolete(Job work) {
+        if (closed || !present.get(work.host)) {
             return true;
         }
-        if (work.lane == Lane.FRONT && work.frame != focus && work.first) {
+        if (work.lane == Lane.FOREGROUND && work.frame != focus && work.traced) {
             return true;
         }
-        if (work.number == newestNumber) {
+        if (work.revisionNumber == newestRevisionNumber) {
             return false;
         }
         // What is relit is soon there, and who drags a light sees it move; of what is traced the rays serve the newer take.
-        return work.first ? !serves(work) : work.frame != focus;
+        return work.traced ? !isReusable(work) : work.frame != focus;
     }
 
-    private boolean serves(Work work) {
-        if (work.asked != newestNumber) {
-            work.asked = newestNumber;
+    private boolean isReusable(Job work) {
+        if (work.checkedRevision != newestRevisionNumber) {
+            work.checkedRevision = newestRevisionNumber;
             try {
-                work.serves = work.take.at(work.frame).showsSameShapes(newest.at(work.frame));
+                work.reusable = work.revision.sceneAt(work.frame).hasSameShapes(newestRevision.sceneAt(work.frame));
             } catch (IllegalArgumentException e) {
                 // There is no such scene: whoever begins with it says so.
-                work.serves = false;
+                work.reusable = false;
             }
         }
-        return work.serves;
+        return work.reusable;
     }
 
-    /** A frame has its film, which its keeper holds; nobody else begins with it before {@link #end}. Returns what it is now. */
-    synchronized FrameState made(Work work) {
+    /** A frame has its film, which its keeper holds; nobody else begins with it before {@link #finish}. Returns what it is now. */
+    synchronized FrameState complete(Job work) {
         int i = work.frame - firstFrame;
         // Of a keeper that left meanwhile the film may be anywhere.
-        shown[i] = there.get(work.keeper) ? work.number : NONE;
-        holder[i] = there.get(work.keeper) ? work.keeper : NOBODY;
+        shownRevision[i] = present.get(work.host) ? work.revisionNumber : NO_REVISION;
+        hosts[i] = present.get(work.host) ? work.host : NO_HOST;
         return state(work.frame);
     }
 
     /** The take of a work cannot be made in its frame. Returns whether that is still of interest. */
-    synchronized boolean fail(Work work) {
-        failed[work.frame - firstFrame] = work.number;
-        return work.number == newestNumber;
+    synchronized boolean markFailed(Job work) {
+        failedRevision[work.frame - firstFrame] = work.revisionNumber;
+        return work.revisionNumber == newestRevisionNumber;
     }
 
     /**
      * A work's keeper cannot hold the frame, and keeps nothing of it: others are asked. Returns whether there is nobody else, and that is of
      * interest.
      */
-    synchronized boolean refuse(Work work) {
+    synchronized boolean reject(Job work) {
         int i = work.frame - firstFrame;
-        holder[i] = NOBODY;
-        shown[i] = NONE;
-        if (work.number != newestNumber || !there.get(work.keeper)) {
+        hosts[i] = NO_HOST;
+        shownRevision[i] = NO_REVISION;
+        if (work.revisionNumber != newestRevisionNumber || !present.get(work.host)) {
             return false;
         }
-        refused[i].set(work.keeper);
-        return isRefusedByAll(i) && fail(work);
+        rejectedBy[i].set(work.host);
+        return isRejectedByAll(i) && markFailed(work);
     }
 
     /** A work is over, whatever came of it. Returns whether there is nothing left to do. */
-    synchronized boolean end(Work work) {
+    synchronized boolean finish(Job work) {
         busy[work.frame - firstFrame] = false;
-        askAnew(work.frame - firstFrame);
-        working--;
-        if (front.get(work.keeper) == work) {
-            front.set(work.keeper, null);
+        retryRejected(work.frame - firstFrame);
+        activeJobs--;
+        if (foreground.get(work.host) == work) {
+            foreground.set(work.host, null);
         }
         notifyAll();
         return isIdle();
@@ -290,11 +290,11 @@ final class FrameQueue {
 
     /** Whether nothing is worked on and every frame is current or failed. */
     synchronized boolean isIdle() {
-        if (working > 0) {
+        if (activeJobs > 0) {
             return false;
         }
-        for (int i = 0; i < shown.length; i++) {
-            if (isWanted(i)) {
+        for (int i = 0; i < shownRevision.length; i++) {
+            if (isPending(i)) {
                 return false;
             }
         }
@@ -303,7 +303,7 @@ final class FrameQueue {
 
     /** Waits until {@link #isIdle}, or until it is closed or nobody is there to work. */
     synchronized void awaitIdle() throws InterruptedException {
-        while (!closed && !isIdle() && there.contains(true)) {
+        while (!closed && !isIdle() && present.contains(true)) {
             wait();
         }
     }

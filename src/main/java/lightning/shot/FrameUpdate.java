@@ -11,9 +11,9 @@ import lightning.render.image.Film;
  * @param plan        what was done, in words
  * @param rays        cast
  * @param nanoseconds from the wish to the finished film
- * @param source      gives the film, from afar where it is kept there
+ * @param filmSource      gives the film, from afar where it is kept there
  */
-public record FrameUpdate(int frame, boolean traced, String plan, long rays, long nanoseconds, Supplier<Film> source) {
+public record FrameUpdate(int frame, boolean traced, String plan, long rays, long nanoseconds, Supplier<Film> filmSource) {
 
     /**
      * The film of the whole frame; nobody writes to it any more. May wait for another machine.
@@ -21,6 +21,6 @@ public record FrameUpdate(int frame, boolean traced, String plan, long rays, lon
      * @throws CancellationException if it is there no more: a newer edit took its place, or what held it is lost
      */
     public Film film() {
-        return source.get();
+        return filmSource.get();
     }
 }

@@ -13,17 +13,17 @@ public interface ShotListener {
      *
      * @param state {@link FrameState#CURRENT}, or {@link FrameState#STALE} where a newer edit came meanwhile
      */
-    default void updated(FrameUpdate update, FrameState state) {}
+    default void frameUpdated(FrameUpdate update, FrameState state) {}
 
     /** The newest edit cannot be made in a frame; it is tried again at the next edit. */
-    default void failed(int frame, Throwable problem) {}
+    default void frameFailed(int frame, Throwable problem) {}
 
     /** One more holds frames from here on. */
-    default void joined() {}
+    default void hostAdded() {}
 
     /** What held frames is gone; these are missing, and others trace them, if there are any. */
-    default void gone(KeeperGoneException problem) {}
+    default void hostLost(HostLostException problem) {}
 
     /** All frames are current or failed. */
-    default void idle() {}
+    default void shotIdle() {}
 }

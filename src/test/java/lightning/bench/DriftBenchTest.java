@@ -7,14 +7,14 @@ import lightning.render.relight.plan.Accuracy;
 import org.junit.jupiter.api.Test;
 
 class DriftBenchTest {
-    private static Drift drift(long seed, int most) {
+    private static DriftCurve drift(long seed, int editCount) {
         NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, new PictureSize(300, 200), 10, 3, 2), null);
-        return new DriftBench(scene, new PictureSize(24, 20), 1, seed).measure(most, Progress.NONE);
+        return new DriftBench(scene, new PictureSize(24, 20), 1, seed).measure(editCount, Progress.NONE);
     }
 
     @Test
-    void points_areThePowersOfTen() {
-        Drift drift = drift(7, 150);
+    void points_arePowersOfTen() {
+        DriftCurve drift = drift(7, 150);
         assertThat(drift.points()).extracting(DriftPoint::edits).containsExactly(1, 1, 10, 10, 100, 100);
         assertThat(drift.points()).extracting(DriftPoint::accuracy).containsExactly(Accuracy.RATIO, Accuracy.EXACT, Accuracy.RATIO,
                 Accuracy.EXACT, Accuracy.RATIO, Accuracy.EXACT);
@@ -22,8 +22,8 @@ class DriftBenchTest {
     }
 
     @Test
-    void exactHasNone_andRatioStaysWithinItsBound() {
-        Drift drift = drift(7, 100);
+    void exactHasNoError_ratioStaysWithinBound() {
+        DriftCurve drift = drift(7, 100);
         assertThat(drift.points()).filteredOn(p -> p.accuracy() == Accuracy.EXACT).allSatisfy(p -> assertThat(p.error().values()).isZero());
         assertThat(drift.points()).filteredOn(p -> p.accuracy() == Accuracy.RATIO).allSatisfy(
                 p -> assertThat(p.error().maxAbsolute()).isLessThanOrEqualTo(p.bound()));
@@ -31,7 +31,7 @@ class DriftBenchTest {
     }
 
     @Test
-    void seed_makesTheSameDriftAgain() {
+    void sameSeed_givesSameDrift() {
         assertThat(drift(2, 10)).isEqualTo(drift(2, 10));
     }
 }

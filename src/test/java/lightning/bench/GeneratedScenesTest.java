@@ -11,7 +11,7 @@ class GeneratedScenesTest {
     private static final PictureSize SIZE = new PictureSize(30, 20);
 
     @Test
-    void scene_hasWhatIsAskedFor() {
+    void scene_hasRequestedCounts() {
         Scene scene = GeneratedScenes.of(1, SIZE, 50, 4, 7);
         assertThat(scene.placedShapes()).hasSize(50);
         assertThat(scene.lights()).extracting(Light::type).containsExactly(LightType.POINT, LightType.DIRECTIONAL, LightType.SPOT,
@@ -22,7 +22,7 @@ class GeneratedScenesTest {
     }
 
     @Test
-    void seed_makesTheSameSceneAgain() {
+    void sameSeed_givesSameScene() {
         assertThat(GeneratedScenes.of(3, SIZE, 20, 5, 1)).isEqualTo(GeneratedScenes.of(3, SIZE, 20, 5, 1));
         assertThat(GeneratedScenes.of(3, SIZE, 20, 5, 1)).isNotEqualTo(GeneratedScenes.of(4, SIZE, 20, 5, 1));
     }

@@ -9,15 +9,15 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
+import lightning.bench.accuracy.AccuracySetting;
 import lightning.bench.accuracy.FirstPassCost;
-import lightning.bench.accuracy.Grade;
 import lightning.bench.accuracy.Timing;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
-import lightning.render.relight.PictureTooLarge;
+import lightning.render.relight.PictureTooLargeException;
 import lightning.sample.Slow;
-import lightning.scene.Antialias;
-import lightning.scene.Sampling;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,59 +31,61 @@ class HarnessTest {
 
     private final NamedScene scene = new NamedScene("generated", GeneratedScenes.of(1, SMALL, 8, 3, 1), null);
 
-    private static Settings settings(int values, int figure, PictureSize... sizes) {
-        return new Settings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, false, 0, true);
+    private static BenchSettings settings(int values, int figure, PictureSize... sizes) {
+        return new BenchSettings(List.of(sizes), figure, values, true, 1, 0, 2, 5, false, false, false, false, false, 0, true);
     }
 
-    private Harness harness(Settings settings) {
-        return new Harness(settings, List.of(scene), List.of(new Failure(Failure.Kind.UNREAD, "other.jen", "was not read")), folder,
+    private Harness harness(BenchSettings settings) {
+        return new Harness(settings, List.of(scene),
+                List.of(new MeasurementFailure(MeasurementFailure.Kind.UNREAD, "other.jen", "was not read")), folder,
                 List.of("--x"),
                 Progress.NONE);
     }
 
-    private Results run(Settings settings) throws Exception {
+    private BenchResults run(BenchSettings settings) throws Exception {
         return harness(settings).run((_, _) -> {}, Progress.NONE);
     }
 
-    private static NamedScene finest() {
+    private static NamedScene finestScene() {
         Scene scene = GeneratedScenes.of(1, SMALL, 8, 3, 1);
-        return new NamedScene("finest", scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, 8))), null);
+        return new NamedScene("finest", scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 8))),
+                null);
     }
 
     @Test
-    void sceneThatFitsAtNoSize_isRefusedBeforeAnythingIsMeasured() {
+    void sceneTooLargeAtEverySize_isRejectedBeforeMeasuring() {
         var bar = new Progress() {
             @Override
-            public void tiles(int done, int total) {
+            public void report(int done, int total) {
                 throw new AssertionError("something is measured");
             }
 
             @Override
-            public boolean isCancelled() {
+            public boolean isCanceled() {
                 return false;
             }
         };
         assertThatThrownBy(
-                () -> new Harness(settings(1, 13, new PictureSize(16384, 16384)), List.of(finest()), List.of(), folder, List.of(),
+                () -> new Harness(settings(1, 13, new PictureSize(16384, 16384)), List.of(finestScene()), List.of(), folder, List.of(),
                         bar))
-                .isInstanceOf(PictureTooLarge.class).message().contains("it would fit with a size of").doesNotContain("--");
+                .isInstanceOf(PictureTooLargeException.class).message().contains("it would fit with a size of").doesNotContain("--");
     }
 
     @Test
-    void sizeThatDoesNotFit_isAProblemAndTheOtherIsMeasured() throws Exception {
-        Settings settings = settings(1, 13, SMALL, new PictureSize(16384, 16384));
-        Results results =
-                new Harness(settings, List.of(finest()), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> {}, Progress.NONE);
+    void sizeTooLarge_isReportedAndOtherIsMeasured() throws Exception {
+        BenchSettings settings = settings(1, 13, SMALL, new PictureSize(16384, 16384));
+        BenchResults results =
+                new Harness(settings, List.of(finestScene()), List.of(), folder, List.of(), Progress.NONE).run((_, _) -> {}, Progress.NONE);
         assertThat(results.problems()).singleElement().satisfies(problem -> {
-            assertThat(problem.kind()).isEqualTo(Failure.Kind.UNMEASURED);
+            assertThat(problem.kind()).isEqualTo(MeasurementFailure.Kind.UNMEASURED);
             assertThat(problem.where()).isEqualTo("finest at 16384x16384");
         });
         assertThat(results.scenes()).extracting(SceneResult::width).contains(24);
     }
 
     @Test
-    void run_writesDownHowItWasMade() throws Exception {
-        Run run = run(settings(1, 13, SMALL)).run();
+    void run_recordsItsSettings() throws Exception {
+        BenchRun run = run(settings(1, 13, SMALL)).run();
         assertThat(run.complete()).isTrue();
         assertThat(run.seed()).isEqualTo(5);
         assertThat(run.arguments()).containsExactly("--x");
@@ -100,8 +102,8 @@ class HarnessTest {
     }
 
     @Test
-    void effectsAlone_measureNoEdit() throws Exception {
-        Results results = run(settings(1, 0, SMALL).effectsAlone());
+    void effectsOnly_measuresNoEdit() throws Exception {
+        BenchResults results = run(settings(1, 0, SMALL).effectsOnly());
         assertThat(results.scenes()).hasSize(1);
         assertThat(results.scenes().getFirst().edits()).isEmpty();
         assertThat(results.scenes().getFirst().effects()).extracting(EffectResult::effect).contains("shadows", "anti-aliasing");
@@ -111,8 +113,8 @@ class HarnessTest {
 
     @Test
     @Slow
-    void figure_isMeasuredWithItsValuesAtEachSize() throws Exception {
-        Results results = run(settings(3, 24, SMALL, LARGE));
+    void figure_isMeasuredWithEachValueAtEachSize() throws Exception {
+        BenchResults results = run(settings(3, 24, SMALL, LARGE));
         assertThat(results.scenes()).extracting(SceneResult::width).containsExactly(24, 40);
         for (SceneResult measured : results.scenes()) {
             assertThat(measured.scene()).isEqualTo("generated");
@@ -129,34 +131,34 @@ class HarnessTest {
 
     @Test
     @Slow
-    void rungs_tellTheWorkOfTheirLevel() throws Exception {
+    void results_includeWorkOfTheirSetting() throws Exception {
         EditResult edit = run(settings(1, 15, LARGE)).scenes().getFirst().edits().getFirst();
-        List<RungResult> rungs = edit.values().getFirst().rungs();
+        List<SweepPointResult> rungs = edit.values().getFirst().rungs();
         assertThat(edit.edit()).isEqualTo("position");
-        assertThat(rungs).extracting(RungResult::grade)
-                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING)));
-        RungResult exact = rung(rungs, Grade.EXACT);
+        assertThat(rungs).extracting(SweepPointResult::grade)
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(AccuracySetting.FEW_SAMPLES, AccuracySetting.NO_ANTIALIASING)));
+        SweepPointResult exact = result(rungs, AccuracySetting.EXACT);
         assertThat(exact.work().plan()).isEqualTo("light0: full recompute");
         assertThat(exact.work().shadowRays()).isPositive();
         assertThat(exact.work().shadowRaysAvoided()).isPositive();
         assertThat(exact.work().floorMs()).isPositive();
         assertThat(exact.work().timesFloor()).isEqualTo(exact.time().median() / exact.work().floorMs());
         assertThat(List.of(edit.saving(), exact.saving())).as("one sample tells no saving").containsOnly(Double.NaN);
-        assertThat(edit.cap()).isEqualTo(rung(rungs, Grade.DEFAULT).work().cap());
-        assertThat(rung(rungs, Grade.EXACT_CURRENT).error().values()).isZero();
+        assertThat(edit.cap()).isEqualTo(result(rungs, AccuracySetting.DEFAULT).work().cap());
+        assertThat(result(rungs, AccuracySetting.EXACT_CURRENT).error().values()).isZero();
         assertThat(rungs.getLast().work()).isNull();
         assertThat(rungs.getLast().saving()).isZero();
     }
 
     @Test
-    void pictures_areWrittenOfTheFirstSizeAndValue() throws Exception {
-        Results results = run(settings(2, 21, SMALL, LARGE));
+    void pictures_areWrittenForFirstSizeAndValue() throws Exception {
+        BenchResults results = run(settings(2, 21, SMALL, LARGE));
         SceneResult first = results.scenes().getFirst();
         assertThat(first.before()).isEqualTo("pictures/generated-before.png");
-        List<RungResult> rungs = first.edits().getFirst().values().getFirst().rungs();
-        RungResult full = rungs.getLast();
-        RungResult fast = rung(rungs, Grade.FAST_SHADING);
-        RungResult current = rung(rungs, Grade.EXACT_CURRENT);
+        List<SweepPointResult> rungs = first.edits().getFirst().values().getFirst().rungs();
+        SweepPointResult full = rungs.getLast();
+        SweepPointResult fast = result(rungs, AccuracySetting.FAST_SHADING);
+        SweepPointResult current = result(rungs, AccuracySetting.EXACT_CURRENT);
         assertThat(full.picture()).isEqualTo("pictures/generated-ambience-full.png");
         assertThat(full.difference()).isNull();
         assertThat(current.picture()).isEqualTo(full.picture());
@@ -164,57 +166,58 @@ class HarnessTest {
         assertThat(fast.picture()).isEqualTo("pictures/generated-ambience-fast-shading.png");
         assertThat(fast.difference()).isEqualTo("pictures/generated-ambience-fast-shading-difference.png");
         for (String file : List.of(first.before(), full.picture(), fast.picture(), fast.difference())) {
-            Film film = PictureFile.read(folder.resolve(file));
+            Film film = ImageFile.read(folder.resolve(file));
             assertThat(film.width()).isEqualTo(24);
         }
-        assertThat(first.edits().getFirst().values().get(1).rungs()).extracting(RungResult::picture).containsOnlyNulls();
+        assertThat(first.edits().getFirst().values().get(1).rungs()).extracting(SweepPointResult::picture).containsOnlyNulls();
         assertThat(results.scenes().get(1).before()).isNull();
     }
 
     @Test
     @Slow
-    void unprintedEdits_areMeasuredToo() throws Exception {
+    void unprintedEdits_areMeasured() throws Exception {
         assertThat(run(settings(1, 0, SMALL)).scenes().getFirst().edits()).extracting(EditResult::edit).contains("color", "undo",
                 "depth-more").hasSizeGreaterThan(20);
     }
 
     @Test
-    void problems_areKept() throws Exception {
-        assertThat(run(settings(1, 13, SMALL)).problems()).containsExactly(new Failure(Failure.Kind.UNREAD, "other.jen", "was not read"));
+    void problems_areRecorded() throws Exception {
+        assertThat(run(settings(1, 13, SMALL)).problems())
+                .containsExactly(new MeasurementFailure(MeasurementFailure.Kind.UNREAD, "other.jen", "was not read"));
     }
 
     @Test
-    void cancelledRun_keepsWhatItHas() {
+    void canceledRun_keepsPartialResults() {
         Harness harness = harness(settings(1, 24, SMALL));
         List<String> heard = new ArrayList<>();
         Progress stop = new Progress() {
             @Override
-            public void tiles(int done, int total) {}
+            public void report(int done, int total) {}
 
             @Override
-            public boolean isCancelled() {
+            public boolean isCanceled() {
                 return heard.size() == 2;
             }
         };
         assertThatThrownBy(() -> harness.run((part, _) -> heard.add(part), stop)).isInstanceOf(CancellationException.class);
         assertThat(heard).containsExactly("generated at 24x16, first pass", "generated at 24x16, composite-1");
-        Results results = harness.results(false);
+        BenchResults results = harness.results(false);
         assertThat(results.run().complete()).isFalse();
         assertThat(results.scenes().getFirst().edits()).extracting(EditResult::edit).containsExactly("composite-1");
     }
 
     @Test
-    void progress_risesToTheEnd() throws Exception {
+    void progress_increasesToEnd() throws Exception {
         List<Integer> heard = new ArrayList<>();
         harness(settings(1, 24, SMALL)).run((_, _) -> {}, new Progress() {
             @Override
-            public void tiles(int done, int total) {
+            public void report(int done, int total) {
                 heard.add(done);
                 assertThat(total).isEqualTo(1000);
             }
 
             @Override
-            public boolean isCancelled() {
+            public boolean isCanceled() {
                 return false;
             }
         });
@@ -224,63 +227,64 @@ class HarnessTest {
 
     @Test
     @Slow
-    void editingAlone_tellsWhatLargeScenesCostAndNothingElse() throws Exception {
-        Results results = run(settings(1, 0, SMALL).editingAlone());
+    void editingOnly_measuresOnlyLargeScenes() throws Exception {
+        BenchResults results = run(settings(1, 0, SMALL).editingOnly());
         assertThat(results.scenes()).isEmpty();
         assertThat(results.growth()).isEmpty();
-        assertThat(results.editing()).extracting(Editing::shapes).containsExactly(10, 1000);
-        assertThat(results.editing()).extracting(Editing::lights).containsExactly(10, 100);
+        assertThat(results.editing()).extracting(EditingCost::shapes).containsExactly(10, 1000);
+        assertThat(results.editing()).extracting(EditingCost::lights).containsExactly(10, 100);
         assertThat(results.editing()).allSatisfy(e -> assertThat(List.of(e.load(), e.tree(), e.newScene(), e.plan(), e.hover()))
                 .allSatisfy(time -> assertThat(time.median()).isPositive()));
     }
 
     @Test
-    void meshesAlone_tellHowFastRaysOfEachKindAreAndNothingElse() throws Exception {
-        Results results = run(settings(1, 0, SMALL).meshesAlone());
+    void meshesOnly_measuresOnlyRaysOfEachKind() throws Exception {
+        BenchResults results = run(settings(1, 0, SMALL).meshesOnly());
         assertThat(results.scenes()).isEmpty();
         assertThat(results.editing()).isEmpty();
         assertThat(results.meshes()).singleElement().satisfies(mesh -> {
             assertThat(mesh.triangles()).isBetween(9_000, 11_000);
             assertThat(mesh.tree().median()).isPositive();
-            assertThat(mesh.rays()).extracting(RayPace::rays).containsExactly("eye", "shadow", "mirrored", "single");
+            assertThat(mesh.rays()).extracting(RayThroughput::rays).containsExactly("eye", "shadow", "mirrored", "single");
             assertThat(mesh.rays()).allSatisfy(pace -> assertThat(pace.time().median()).isPositive());
         });
     }
 
     @Test
     @Slow
-    void growth_hasAPointForEachPart() throws Exception {
-        Ledger ledger = new Ledger();
+    void growth_hasPointForEachPart() throws Exception {
+        ResultCollector ledger = new ResultCollector();
         GrowthBench growth = new GrowthBench(settings(1, 0, SMALL), ledger, 1e7);
-        List<Part> parts = growth.parts(new Pace(1e-4));
-        assertThat(parts).extracting(Part::where).contains("growth with pixels, 10000", "growth with lights, 16",
+        List<BenchPart> parts = growth.parts(new TraceThroughput(1e-4));
+        assertThat(parts).extracting(BenchPart::where).contains("growth with pixels, 10000", "growth with lights, 16",
                 "growth with shapes, 1000", "growth with depth, 0");
-        for (Part part : List.of(parts.getFirst(), parts.stream().filter(p -> p.where().contains("depth, 2")).findFirst().orElseThrow())) {
+        for (BenchPart part : List.of(parts.getFirst(),
+                parts.stream().filter(p -> p.where().contains("depth, 2")).findFirst().orElseThrow())) {
             part.work().measure(Progress.NONE);
         }
-        List<Growth> curves = ledger.results(Sample.RUN).growth();
-        assertThat(curves).extracting(Growth::along).containsExactly("pixels", "depth");
+        List<GrowthCurve> curves = ledger.results(SampleResults.RUN).growth();
+        assertThat(curves).extracting(GrowthCurve::along).containsExactly("pixels", "depth");
         assertThat(curves.getFirst().points().getFirst().at()).isEqualTo(10_000);
         assertThat(curves.getFirst().points().getFirst().edits()).extracting(GrowthPoint.EditTime::edit).contains("color", "add");
         assertThat(curves.getLast().points().getFirst().edits()).extracting(GrowthPoint.EditTime::edit)
                 .endsWith("mirrors updated after position");
-        assertThat(ledger.results(Sample.RUN).problems()).isEmpty();
+        assertThat(ledger.results(SampleResults.RUN).problems()).isEmpty();
     }
 
     @Test
     void payOff_isCountedInEdits() {
         var cost = new FirstPassCost(ms(30), ms(20), 7, 100, 5000, 1, true);
-        assertThat(FirstPass.of(cost, 50, 4).editsToPayOff()).isEqualTo(3);
-        assertThat(FirstPass.of(cost, 50, -1).editsToPayOff()).isNaN();
-        assertThat(FirstPass.of(cost, 50, 4).bytesPerPixel()).isEqualTo(100);
-        assertThat(FirstPass.of(cost, 50, 4).bytesPerRow()).isEqualTo(50);
+        assertThat(FirstPassResult.of(cost, 50, 4).editsToPayOff()).isEqualTo(3);
+        assertThat(FirstPassResult.of(cost, 50, -1).editsToPayOff()).isNaN();
+        assertThat(FirstPassResult.of(cost, 50, 4).bytesPerPixel()).isEqualTo(100);
+        assertThat(FirstPassResult.of(cost, 50, 4).bytesPerRow()).isEqualTo(50);
     }
 
     private static Timing ms(double ms) {
         return new Timing(List.of(ms));
     }
 
-    private static RungResult rung(List<RungResult> rungs, Grade grade) {
-        return rungs.stream().filter(r -> r.grade() == grade).findFirst().orElseThrow();
+    private static SweepPointResult result(List<SweepPointResult> results, AccuracySetting setting) {
+        return results.stream().filter(r -> r.grade() == setting).findFirst().orElseThrow();
     }
 }

@@ -14,7 +14,8 @@ final class ResultsArbitraries {
     private static final String[] STRINGS = {"", "plain", "with, comma", "with \"quotes\"", "two\nlines", "ä → ꟻ ≥ 0", "NaN", "null"};
     /** What may be missing, by the records' own words. */
     private static final List<Class<?>> NULLABLE =
-            List.of(FirstPass.class, Peer.class, Cold.class, Cold.Rival.class, MeshPoint.Rival.class, Work.class);
+            List.of(FirstPassResult.class, PeerResult.class, ColdStart.class, ColdStart.Rival.class, MeshPoint.Rival.class,
+                    UpdateWork.class);
     private static final List<String> NULLABLE_NAMES = List.of("before", "picture", "difference", "processor", "rival");
 
     private final Random random;
@@ -23,8 +24,8 @@ final class ResultsArbitraries {
         random = new Random(seed);
     }
 
-    static Results of(long seed) {
-        return (Results) new ResultsArbitraries(seed).value(Results.class, "");
+    static BenchResults of(long seed) {
+        return (BenchResults) new ResultsArbitraries(seed).value(BenchResults.class, "");
     }
 
     private Object value(Type type, String name) {

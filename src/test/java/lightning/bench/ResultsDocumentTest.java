@@ -15,8 +15,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import lightning.bench.report.DocumentCharts;
-import lightning.bench.report.Statements;
-import lightning.bench.report.Tables;
+import lightning.bench.report.MarkdownTables;
+import lightning.bench.report.ReportStatements;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,11 +41,11 @@ class ResultsDocumentTest {
     private static final Pattern COSTS = Pattern.compile("(?s)\n## What an edit costs\n(.*?)\n## ");
 
     static List<String> names() {
-        return Tables.names();
+        return MarkdownTables.names();
     }
 
     static List<String> statements() {
-        return Statements.names();
+        return ReportStatements.names();
     }
 
     static List<Path> documents() {
@@ -54,10 +54,10 @@ class ResultsDocumentTest {
 
     @ParameterizedTest
     @MethodSource("documents")
-    void everyTableAndValue_isMadeFromTheKeptRuns(Path document) throws IOException {
-        KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
-        assertThat(kept.faults()).isEmpty();
-        String wanted = made(Files.readString(document), kept);
+    void everyTableAndValue_matchesStoredRuns(Path document) throws IOException {
+        StoredRuns kept = StoredRuns.read(StoredRuns.FOLDER);
+        assertThat(kept.findFaults()).isEmpty();
+        String wanted = regenerate(Files.readString(document), kept);
         if (Boolean.getBoolean("lightning.write")) {
             Files.writeString(document, wanted);
         }
@@ -65,21 +65,21 @@ class ResultsDocumentTest {
         assertThat(wanted).contains(kept.part("figures").run().commit());
     }
 
-    private static String made(String text, KeptRuns kept) {
-        Statements statements = new Statements(kept.part("figures"), kept.part("cold"), kept.part("meshes"));
+    private static String regenerate(String text, StoredRuns storedRuns) {
+        ReportStatements statements = new ReportStatements(storedRuns.part("figures"), storedRuns.part("cold"), storedRuns.part("meshes"));
         return MARKED.matcher(text).replaceAll(m -> Matcher.quoteReplacement(
-                m.group(1) + (m.group(2).equals("table") ? table(m.group(3), kept) : statements.of(m.group(3))) + m.group(5)));
+                m.group(1) + (m.group(2).equals("table") ? table(m.group(3), storedRuns) : statements.of(m.group(3))) + m.group(5)));
     }
 
-    private static String table(String name, KeptRuns kept) {
+    private static String table(String name, StoredRuns storedRuns) {
         Matcher other = OF_PART.matcher(name);
         if (name.equals("runs")) {
-            return Tables.runs(kept.runs());
+            return MarkdownTables.runs(storedRuns.runs());
         }
         if (other.matches()) {
-            return new Tables(kept.part(other.group(2))).of(other.group(1));
+            return new MarkdownTables(storedRuns.part(other.group(2))).of(other.group(1));
         }
-        return new Tables(kept.part(switch (name) {
+        return new MarkdownTables(storedRuns.part(switch (name) {
             case "cold", "editing" -> name;
             case "meshes", "rays" -> "meshes";
             case "effects in use", "effects absent" -> "effects";
@@ -90,15 +90,15 @@ class ResultsDocumentTest {
     /** Their bytes depend on the fonts of who made them, their numbers on the run that they name. */
     @Test
     @Slow
-    void everyChart_isOfTheKeptRun() throws IOException {
-        KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
+    void everyChart_matchesStoredRun() throws IOException {
+        StoredRuns kept = StoredRuns.read(StoredRuns.FOLDER);
         Map<String, String> charts = DocumentCharts.of(kept.part("figures"));
-        if (Boolean.getBoolean("lightning.write") && kept.faults().isEmpty()) {
+        if (Boolean.getBoolean("lightning.write") && kept.findFaults().isEmpty()) {
             for (var chart : charts.entrySet()) {
                 Files.writeString(PICTURES.resolve(chart.getKey()), chart.getValue());
             }
         }
-        Run run = kept.part("figures").run();
+        BenchRun run = kept.part("figures").run();
         assertThat(charts.keySet()).allSatisfy(name -> assertThat(PICTURES.resolve(name)).content().contains(run.commit(), run.date()));
         String text = Files.readString(RESULTS);
         try (Stream<Path> files = Files.list(PICTURES)) {
@@ -110,22 +110,23 @@ class ResultsDocumentTest {
     }
 
     @Test
-    void everyMeasuredFigureOfResults_isInATableOrMarked() throws IOException {
+    void everyMeasuredNumberOfResults_isInTableOrMarked() throws IOException {
         String text = Files.readString(RESULTS);
         String tables = MARKED.matcher(text).results().map(m -> m.group(4)).collect(Collectors.joining());
         Set<String> shown = NUMBER.matcher(tables).results().map(m -> m.group()).collect(Collectors.toSet());
-        assertThat(figures(text).filter(n -> !shown.contains(n))).as("figures in sentences that no table of the document shows").isEmpty();
+        assertThat(measuredNumbers(text).filter(n -> !shown.contains(n))).as("figures in sentences that no table of the document shows")
+                .isEmpty();
     }
 
     @Test
-    void everyMeasuredFigureOfTheReadme_isMarked() throws IOException {
+    void everyMeasuredNumberOfReadme_isMarked() throws IOException {
         Matcher costs = COSTS.matcher(Files.readString(README));
         assertThat(costs.find()).isTrue();
-        assertThat(figures(costs.group(1))).isEmpty();
+        assertThat(measuredNumbers(costs.group(1))).isEmpty();
         assertThat(MARKED.matcher(costs.group(1)).results().map(m -> m.group(3))).contains("savings in short", "build", "equal pictures");
     }
 
-    private static Stream<String> figures(String text) {
+    private static Stream<String> measuredNumbers(String text) {
         List<String> figures = new ArrayList<>();
         String plain = QUOTED.matcher(MARKED.matcher(text).replaceAll("")).replaceAll("");
         MEASURED.matcher(plain).results().map(m -> m.group(1)).forEach(figures::add);
@@ -135,40 +136,45 @@ class ResultsDocumentTest {
     /** A line that begins with a comment ends the paragraph in Markdown, and is not formatted. */
     @ParameterizedTest
     @MethodSource("documents")
-    void markOfASentence_beginsNoLine(Path document) throws IOException {
+    void markerInSentence_doesNotStartLine(Path document) throws IOException {
         assertThat(Files.readAllLines(document)).noneMatch(line -> line.stripLeading().startsWith("<!-- value:"));
     }
 
     @ParameterizedTest
     @MethodSource("names")
-    void everyTable_canBeMadeOfAnyRun(String name) {
+    void everyTable_worksForAnyRun(String name) {
         for (long seed = 0; seed < 20; seed++) {
-            assertThat(new Tables(ResultsArbitraries.of(seed)).of(name)).startsWith("| ").endsWith("|\n");
+            assertThat(new MarkdownTables(ResultsArbitraries.of(seed)).of(name)).startsWith("| ").endsWith("|\n");
         }
     }
 
     @ParameterizedTest
     @MethodSource("statements")
-    void everyStatement_isPartOfALine(String name) throws IOException {
-        KeptRuns kept = KeptRuns.read(KeptRuns.FOLDER);
-        assertThat(new Statements(kept.part("figures"), kept.part("cold"), kept.part("meshes")).of(name)).isNotEmpty().doesNotContain("\n",
+    void everyStatement_isSingleLine(String name) throws IOException {
+        StoredRuns kept = StoredRuns.read(StoredRuns.FOLDER);
+        assertThat(new ReportStatements(kept.part("figures"), kept.part("cold"), kept.part("meshes")).of(name)).isNotEmpty().doesNotContain(
+                "\n",
                 "null", "NaN", "Infinity");
     }
 
     @Test
-    void equality_isNotSaidOfAPictureThatDiffers() {
-        SceneResult scene = Sample.scene(10);
-        FirstPass first = new FirstPass(Sample.samples(3, 3, 3), Sample.samples(2, 2, 2), 50, 100, 10, 1000, 100, 1, 1);
-        Results results = new Results(Sample.RUN, List.of(new SceneResult("bird", 300, 200, 3, 10, 3, null, first, scene.edits(), List.of(),
-                null, null)), List.of(), List.of(), List.of(), List.of(), List.of());
+    void differingPicture_isNotCalledEqual() {
+        SceneResult scene = SampleResults.scene(10);
+        FirstPassResult first =
+                new FirstPassResult(SampleResults.samples(3, 3, 3), SampleResults.samples(2, 2, 2), 50, 100, 10, 1000, 100, 1, 1);
+        BenchResults results = new BenchResults(SampleResults.RUN,
+                List.of(new SceneResult("bird", 300, 200, 3, 10, 3, null, first, scene.edits(), List.of(),
+                        null, null)),
+                List.of(), List.of(), List.of(), List.of(), List.of());
         // The sample has no picture of the default grade, so nothing was compared.
-        assertThatThrownBy(() -> new Statements(results, results, results).of("equal pictures")).isInstanceOf(IllegalStateException.class)
+        assertThatThrownBy(() -> new ReportStatements(results, results, results).of("equal pictures"))
+                .isInstanceOf(IllegalStateException.class)
                 .hasMessageStartingWith("bird, color, ");
     }
 
     /** They are of many builds: a record of what was tried. */
     @Test
-    void everyTableOfTheRecord_namesItsDateAndCommit() throws IOException {
+    void everyTableOfRecord_hasDateAndCommit() throws IOException {
         List<String> lines = Files.readAllLines(Path.of("docs", "performance.md"));
         for (int i = 3; i < lines.size(); i++) {
             if (lines.get(i).matches("\\|[-|]+\\|")) {
@@ -179,9 +185,9 @@ class ResultsDocumentTest {
     }
 
     @Test
-    void unknownMarks_areRefused() {
-        assertThatThrownBy(() -> new Tables(ResultsArbitraries.of(1)).of("no such")).isInstanceOf(IllegalArgumentException.class);
-        Results any = ResultsArbitraries.of(1);
-        assertThatThrownBy(() -> new Statements(any, any, any).of("no such")).isInstanceOf(IllegalArgumentException.class);
+    void unknownMarkers_areRejected() {
+        assertThatThrownBy(() -> new MarkdownTables(ResultsArbitraries.of(1)).of("no such")).isInstanceOf(IllegalArgumentException.class);
+        BenchResults any = ResultsArbitraries.of(1);
+        assertThatThrownBy(() -> new ReportStatements(any, any, any).of("no such")).isInstanceOf(IllegalArgumentException.class);
     }
 }

@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import lightning.bench.accuracy.Grade;
+import lightning.bench.accuracy.AccuracySetting;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.lifecycle.AfterContainer;
@@ -36,13 +36,13 @@ class ResultsFileTest {
 
     @Property(tries = 100)
     void json_readsBackAsWritten(@ForAll long seed) throws IOException {
-        Results results = ResultsArbitraries.of(seed);
+        BenchResults results = ResultsArbitraries.of(seed);
         Path file = shared.resolve("results.json");
         ResultsFile.writeJson(file, results);
         assertThat(ResultsFile.readJson(file)).isEqualTo(results);
     }
 
-    private static int processes(Cold cold) {
+    private static int processes(ColdStart cold) {
         if (cold == null) {
             return 0;
         }
@@ -55,8 +55,8 @@ class ResultsFileTest {
     }
 
     @Property(tries = 30)
-    void csv_hasARowForEachMeasurementWithEveryColumn(@ForAll long seed) {
-        Results results = ResultsArbitraries.of(seed);
+    void csv_hasRowPerMeasurementWithEveryColumn(@ForAll long seed) {
+        BenchResults results = ResultsArbitraries.of(seed);
         int rows = results.scenes().stream()
                 .mapToInt(s -> (s.firstPass() == null ? 0 : 2) + (s.peer() == null ? 0 : 1) + processes(s.cold()) + s.effects().size()
                         + s.edits().stream().flatMap(e -> e.values().stream()).mapToInt(v -> v.rungs().size()).sum())
@@ -71,15 +71,15 @@ class ResultsFileTest {
     @CsvSource(quoteCharacter = '`',
             value = {"bird, bird", "=1+1, '=1+1", "+a, '+a", "-2+3, '-2+3", "@sum, '@sum", "-0.5, -0.5", "+3, +3", "'a, ''a",
                 "＝1, '＝1", "`\t=1`, `'\t=1`"})
-    void csvCell_isNothingThatASpreadsheetComputes(String text, String cell) {
+    void csvCell_isNeverAFormula(String text, String cell) {
         assertThat(CsvRow.cell(text)).isEqualTo(cell);
     }
 
     @Test
-    void csvOfASceneNamedLikeAFormula_holdsItAsText() throws IOException {
+    void csvOfSceneNamedLikeFormula_storesText() throws IOException {
         SceneResult formula =
-                new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, Sample.scene(5).edits(), List.of(), null, null);
-        Results results = new Results(Sample.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of());
+                new SceneResult("=cmd|'/c calc'!A1", 300, 200, 3, 10, 3, null, null, SampleResults.scene(5).edits(), List.of(), null, null);
+        BenchResults results = new BenchResults(SampleResults.RUN, List.of(formula), List.of(), List.of(), List.of(), List.of(), List.of());
         Path csv = folder.resolve("results.csv");
         ResultsFile.writeCsv(csv, results);
         assertThat(Files.readString(csv)).contains("edit,\"'=cmd|'/c calc'!A1\",300,");
@@ -89,10 +89,11 @@ class ResultsFileTest {
     }
 
     @Test
-    void csv_namesItsColumnsAndQuotesWhatHoldsCommas() throws IOException {
+    void csv_hasHeaderAndQuotesCommas() throws IOException {
         Path file = folder.resolve("results.csv");
         ResultsFile.writeCsv(file,
-                new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of(), List.of(), List.of()));
+                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(5)), List.of(), List.of(), List.of(), List.of(),
+                        List.of()));
         List<String> lines = Files.readAllLines(file);
         assertThat(lines.getFirst()).startsWith("kind,scene,width,height,edit,value,level,n,medianMs,lowerQuartileMs,upperQuartileMs,");
         assertThat(lines).hasSize(3);
@@ -102,16 +103,19 @@ class ResultsFileTest {
     }
 
     @Test
-    void json_holdsWhatAReaderLooksFor() throws IOException {
+    void json_hasExpectedKeys() throws IOException {
         Path file = folder.resolve("results.json");
         ResultsFile.writeJson(file,
-                new Results(Sample.RUN, List.of(Sample.scene(5)), List.of(), List.of(), List.of(), List.of(), List.of()));
-        assertThat(Files.readString(file)).contains("\"scene\" : \"bird\"", "\"level\" : \"" + Grade.EXACT + "\"", "\"median\" : 5.0",
-                "\"samples\" : [ 5.0, 3.0, 7.0 ]").doesNotContain("\"empty\"");
+                new BenchResults(SampleResults.RUN, List.of(SampleResults.scene(5)), List.of(), List.of(), List.of(), List.of(),
+                        List.of()));
+        assertThat(Files.readString(file))
+                .contains("\"scene\" : \"bird\"", "\"level\" : \"" + AccuracySetting.EXACT + "\"", "\"median\" : 5.0",
+                        "\"samples\" : [ 5.0, 3.0, 7.0 ]")
+                .doesNotContain("\"empty\"");
     }
 
     @Test
-    void otherFiles_areRefusedWithTheirPlace() throws IOException {
+    void otherFiles_areRejectedWithLocation() throws IOException {
         Path file = folder.resolve("old.json");
         Files.writeString(file, "{\n  \"run\": 5 oops }");
         assertThatThrownBy(() -> ResultsFile.readJson(file)).isInstanceOf(IOException.class)

@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -28,7 +28,7 @@ final class HandleLimitTest {
     @BeforeEach
     void makeCertificate() {
         certificate = folder.resolve("shared.p12");
-        Cli.run("node", "--make-certificate", certificate).isDone();
+        CliResult.run("node", "--make-certificate", certificate).assertSuccess();
     }
 
     private void check(String... words) throws Exception {
@@ -36,30 +36,30 @@ final class HandleLimitTest {
                 System.getProperty("java.home") + "/bin/java", "--add-modules", "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m",
                 "-cp", System.getProperty("java.class.path"), "lightning.Main"));
         line.addAll(List.of(words));
-        Path said = folder.resolve("said");
-        Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(said.toFile()).start();
+        Path output = folder.resolve("said");
+        Process process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
         try {
-            assertThat(process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)).as("the process ends").isTrue();
+            assertThat(process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).as("the process ends").isTrue();
         } finally {
             process.destroyForcibly();
         }
-        assertThat(Files.readString(said)).contains("file handles", "ulimit -n").doesNotContain("\tat ", "error of the program itself");
+        assertThat(Files.readString(output)).contains("file handles", "ulimit -n").doesNotContain("\tat ", "error of the program itself");
         assertThat(process.exitValue()).isEqualTo(ExitCode.BAD_INPUT);
     }
 
     @Test
-    void render_saysThatHandlesAreShort() throws Exception {
+    void render_withoutFileHandles_isReported() throws Exception {
         check("render", "scenes/dusk.jen", "--size", "30x20", "-o", folder.resolve("a.png").toString());
     }
 
     @Test
-    void relight_saysThatHandlesAreShort() throws Exception {
+    void relight_withoutFileHandles_isReported() throws Exception {
         check("shot", "relight", "scenes/dusk.jen", "--frames", "1-2", "--size", "30x20", "--set", "sky.on=no", "--cluster",
                 "127.0.0.1:7800", "--certificate", certificate.toString(), "-o", folder.resolve("a").toString());
     }
 
     @Test
-    void node_saysThatHandlesAreShort() throws Exception {
+    void node_withoutFileHandles_isReported() throws Exception {
         check("node", "--certificate", certificate.toString(), "--port", "17802", "--folder", folder.toString());
     }
 }

@@ -51,6 +51,6 @@ public final class HelpPages {
     }
 
     private static CommandLine commands() {
-        return Lightning.commands(new Console(System.out, System.err, false));
+        return Lightning.createCommands(new Console(System.out, System.err, false));
     }
 }

@@ -20,14 +20,14 @@ class HelpTextTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"render", "relight"})
-    void outputOfAShot_isToldAsAFolderOfPictures(String command) {
-        String help = Cli.run("shot", command, "--help").isDone().out();
+    void shotOutput_isDescribedAsFolder(String command) {
+        String help = CliResult.run("shot", command, "--help").assertSuccess().out();
         assertThat(help).contains("--output=FOLDER", "The folder of the pictures").doesNotContain("The picture:");
-        assertThat(Cli.run(command, "--help").isDone().out()).contains("--output=FILE", "The picture:");
+        assertThat(CliResult.run(command, "--help").assertSuccess().out()).contains("--output=FILE", "The picture:");
     }
 
     @Test
-    void everyCount_isMadeByTheOneFunctionThatKnowsOneFromMany() throws IOException {
+    void everyCount_usesConsoleCount() throws IOException {
         try (Stream<Path> sources = Files.list(Path.of("src/main/java/lightning/cli"))) {
             for (Path source : sources.toList()) {
                 List<String> found = UNCOUNTED.matcher(Files.readString(source)).results().map(MatchResult::group).toList();

@@ -13,9 +13,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.base.work.Wait;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -32,8 +32,8 @@ class InterruptTest {
     Path folder;
 
     @Test
-    void endedTrace_saysSoAndLeavesNoFile() throws Exception {
-        Path scene = Cli.scene(folder);
+    void interruptedTrace_isReportedAndLeavesNoFile() throws Exception {
+        Path scene = CliResult.scene(folder);
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "--add-modules", "jdk.incubator.vector", "-cp", System.getProperty("java.class.path"), "lightning.Main",
                 "relight", scene.toString(), "-o", folder.resolve("a.png").toString(), "--size", "200x200"));
@@ -48,7 +48,7 @@ class InterruptTest {
             process.toHandle().destroy();
             assertThat(out.lines().toList()).contains("lightning: cancelled");
         }
-        assertThat(process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
+        assertThat(process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
         assertThat(process.exitValue()).isEqualTo(143);
         try (var files = Files.list(folder)) {
             assertThat(files.toList()).isEqualTo(List.of(scene));
@@ -56,19 +56,19 @@ class InterruptTest {
     }
 
     @Test
-    void interruptedSave_leavesTheOldFileAndNothingElse() throws Exception {
+    void interruptedSave_leavesOnlyTheOldFile() throws Exception {
         Path file = Files.writeString(folder.resolve("a.png"), "old");
         int[] exit = new int[1];
         var err = new ByteArrayOutputStream();
         Thread command = new Thread(() -> {
             try {
-                SafeFile.write(file, out -> {
+                AtomicFile.write(file, out -> {
                     Thread.currentThread().interrupt();
                     out.write(new byte[1_000_000]);
                 });
             } catch (IOException e) {
                 var print = new PrintStream(err, true, StandardCharsets.UTF_8);
-                exit[0] = Complaint.report(new Console(print, print, false), e);
+                exit[0] = ErrorReporter.report(new Console(print, print, false), e);
             }
         });
         command.start();
@@ -81,13 +81,13 @@ class InterruptTest {
     }
 
     @Test
-    void bar_stopsTheWorkWhenItsThreadIsInterrupted() {
+    void progressBar_interruptedThread_cancels() {
         try (var bar = new ProgressBar(new Console(System.out, System.err, false), "work")) {
-            Progress silent = bar.silent();
-            assertThat(bar.isCancelled()).isFalse();
+            Progress silent = bar.cancellationOnly();
+            assertThat(bar.isCanceled()).isFalse();
             Thread.currentThread().interrupt();
-            assertThat(bar.isCancelled()).isTrue();
-            assertThat(silent.isCancelled()).isTrue();
+            assertThat(bar.isCanceled()).isTrue();
+            assertThat(silent.isCanceled()).isTrue();
         } finally {
             assertThat(Thread.interrupted()).isTrue();
         }

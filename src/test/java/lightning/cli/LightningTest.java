@@ -23,60 +23,60 @@ class LightningTest {
     }
 
     private static CommandLine commands() {
-        return Lightning.commands(new Console(System.out, System.err, false));
+        return Lightning.createCommands(new Console(System.out, System.err, false));
     }
 
     @Test
     void help_listsEveryCommand() {
-        Cli help = Cli.run("--help").isDone();
+        CliResult help = CliResult.run("--help").assertSuccess();
         assertThat(help.out()).contains(names());
         assertThat(names()).contains("render", "relight", "export", "effects", "explain", "check", "compare", "tour");
     }
 
     @ParameterizedTest
     @MethodSource("names")
-    void oneCommand_isMadeAlone(String name) {
-        CommandLine alone = Lightning.commands(new Console(System.out, System.err, false), name, "--help");
+    void singleCommand_isCreatedAlone(String name) {
+        CommandLine alone = Lightning.createCommands(new Console(System.out, System.err, false), name, "--help");
         assertThat(alone.getSubcommands()).containsOnlyKeys(name);
         assertThat(alone.getSubcommands().get(name).getUsageMessage())
                 .isEqualTo(commands().getSubcommands().get(name).getUsageMessage());
     }
 
     @Test
-    void version_namesProgramAndJava() {
-        assertThat(Cli.run("--version").isDone().out()).startsWith("Lightning ").contains("Java " + Runtime.version());
+    void version_showsProgramAndJava() {
+        assertThat(CliResult.run("--version").assertSuccess().out()).startsWith("Lightning ").contains("Java " + Runtime.version());
     }
 
     @Test
-    void unknownCommand_isRefusedWithTheKnownOnes() {
-        Cli.run("rendr", "a.jen", "-o", "b.png").isRefusedSaying("there is no command 'rendr'", "render, relight");
+    void unknownCommand_isRejectedWithList() {
+        CliResult.run("rendr", "a.jen", "-o", "b.png").assertRejected("there is no command 'rendr'", "render, relight");
     }
 
     @ParameterizedTest
     @MethodSource("names")
-    void unknownOption_isRefused(String name) {
-        Cli.run(name, "--nonsense").isRefusedSaying("lightning " + name + ": ", "Try 'lightning " + name + " --help'");
+    void unknownOption_isRejected(String name) {
+        CliResult.run(name, "--nonsense").assertRejected("lightning " + name + ": ", "Try 'lightning " + name + " --help'");
     }
 
     @Test
-    void missingScene_isRefusedByItsName() {
-        Cli.run("check", folder.resolve("no.jen")).isRefusedSaying(folder.resolve("no.jen") + ": there is no such file");
+    void missingScene_isReportedByName() {
+        CliResult.run("check", folder.resolve("no.jen")).assertRejected(folder.resolve("no.jen") + ": there is no such file");
     }
 
     @Test
-    void folderInPlaceOfAScene_isRefused() {
-        Cli.run("check", folder).isRefusedSaying(folder + ": is a folder");
+    void folderAsScene_isRejected() {
+        CliResult.run("check", folder).assertRejected(folder + ": is a folder");
     }
 
     @Test
-    void sceneWithoutACommand_takesTheTourAndSaysWhy() throws Exception {
-        Cli tour = Cli.run(Files.writeString(folder.resolve("bad.jen"), "jen 2"));
+    void sceneWithoutCommand_runsTour() throws Exception {
+        CliResult tour = CliResult.run(Files.writeString(folder.resolve("bad.jen"), "jen 2"));
         assertThat(tour.exit()).isEqualTo(2);
         assertThat(tour.err()).startsWith("The editor was not asked for a window").contains("bad.jen:1:5");
     }
 
     @Test
-    void errorsOfTheProgram_areASentenceWithExitCode2() {
+    void internalErrors_exitWithCode2() {
         var throwing = new PrintStream(PrintStream.nullOutputStream(), false, StandardCharsets.UTF_8) {
             @Override
             public void println(String line) {

@@ -28,54 +28,55 @@ class LocaleTest {
 
     @ParameterizedTest
     @MethodSource("locales")
-    void filesAndWords_areTheSameInEveryLocale(Locale locale) throws Exception {
-        Path scene = Cli.scene(folder);
-        Path here = Files.createDirectory(folder.resolve("here"));
+    void filesAndOutput_areLocaleIndependent(Locale locale) throws Exception {
+        Path scene = CliResult.scene(folder);
+        Path outputs = Files.createDirectory(folder.resolve("here"));
         Path abroad = Files.createDirectory(folder.resolve("abroad"));
-        List<String> expected = DefaultLocale.during(Locale.ROOT, () -> exactCommands(scene, here));
+        List<String> expected = DefaultLocale.during(Locale.ROOT, () -> exactCommands(scene, outputs));
         assertThat(DefaultLocale.during(locale, () -> exactCommands(scene, abroad))).isEqualTo(expected);
-        assertThat(names(here)).hasSizeGreaterThan(6).isEqualTo(names(abroad));
-        for (String file : names(here)) {
-            assertThat(abroad.resolve(file)).hasSameBinaryContentAs(here.resolve(file));
+        assertThat(names(outputs)).hasSizeGreaterThan(6).isEqualTo(names(abroad));
+        for (String file : names(outputs)) {
+            assertThat(abroad.resolve(file)).hasSameBinaryContentAs(outputs.resolve(file));
         }
     }
 
     /** What commands say that measure nothing; folders and times taken out. */
     private static List<String> exactCommands(Path scene, Path to) {
-        List<String> said = new ArrayList<>();
-        run(said, to, "check", scene);
+        List<String> output = new ArrayList<>();
+        run(output, to, "check", scene);
         for (String picture : List.of("a.xpm", "a.png", "a.pfm")) {
-            run(said, to, "render", scene, "-o", to.resolve(picture), "--antialias", "edges", "--samples", "2");
+            run(output, to, "render", scene, "-o", to.resolve(picture), "--antialias", "edges", "--samples", "2");
         }
-        run(said, to, "relight", scene, "-o", to.resolve("b.png"), "--accuracy", "ratio", "--reflections", "current", "--storage", "shapes",
+        run(output, to, "relight", scene, "-o", to.resolve("b.png"), "--accuracy", "ratio", "--reflections", "current", "--storage",
+                "shapes",
                 "--set", "lamp.intensity=0.25", "--then", "--set", "lamp.type=directional", "--verify", "--save", to.resolve("b.jen"));
-        run(said, to, "compare", to.resolve("a.png"), to.resolve("b.png"), "-o", to.resolve("d.png"));
-        run(said, to, "explain", scene, "20,20");
-        run(said, to, "export", scene, "-o", to.resolve("a.pov"));
-        assertThat(said.stream().filter(text -> !text.startsWith("0\n"))).singleElement().asString().startsWith("1\ndifferent: ");
-        run(said, to, "check", to.resolve("missing.jen"));
-        run(said, to, "RENDER");
-        run(said, to, "--help");
-        return said;
+        run(output, to, "compare", to.resolve("a.png"), to.resolve("b.png"), "-o", to.resolve("d.png"));
+        run(output, to, "explain", scene, "20,20");
+        run(output, to, "export", scene, "-o", to.resolve("a.pov"));
+        assertThat(output.stream().filter(text -> !text.startsWith("0\n"))).singleElement().asString().startsWith("1\ndifferent: ");
+        run(output, to, "check", to.resolve("missing.jen"));
+        run(output, to, "RENDER");
+        run(output, to, "--help");
+        return output;
     }
 
-    private static void run(List<String> said, Path folder, Object... arguments) {
-        Cli done = Cli.run(arguments);
-        said.add(done.exit() + "\n"
+    private static void run(List<String> output, Path folder, Object... arguments) {
+        CliResult done = CliResult.run(arguments);
+        output.add(done.exit() + "\n"
                 + (done.out() + done.err()).replace(folder.toString(), "FOLDER").replaceAll("-?\\d+\\.\\d+|-?\\d+(?= (ms|%))", "TIME"));
     }
 
     /** Egypt's digits are the ones that can be told from plain ones; {@link BenchCommandTest} asks the same of what takes longest. */
     @Test
-    void measurements_areWrittenInPlainDigits() throws Exception {
-        Path scene = Cli.scene(folder);
+    void measurements_useAsciiDigits() throws Exception {
+        Path scene = CliResult.scene(folder);
         assertThat(DefaultLocale.during(Locale.of("ar", "EG"), () -> List.of(
-                Cli.run("tour", scene, "-o", folder.resolve("tour"), "--size", "24x16", "--repetitions", "1").isDone().out(),
-                Cli.run("effects", scene, "--repetitions", "1").isDone().out())))
-                .allSatisfy(LocaleTest::assertPlainDigits);
+                CliResult.run("tour", scene, "-o", folder.resolve("tour"), "--size", "24x16", "--repetitions", "1").assertSuccess().out(),
+                CliResult.run("effects", scene, "--repetitions", "1").assertSuccess().out())))
+                .allSatisfy(LocaleTest::assertAsciiDigits);
     }
 
-    static void assertPlainDigits(String text) {
+    static void assertAsciiDigits(String text) {
         assertThat(text).containsPattern("[0-9]").doesNotContainPattern("[\\p{Nd}&&[^0-9]]");
     }
 

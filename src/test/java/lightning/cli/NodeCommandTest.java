@@ -9,48 +9,48 @@ final class NodeCommandTest {
     private Path folder;
 
     @Test
-    void missingCertificate_isRefusedSayingHowToMakeOne() {
-        Cli.run("node").isRefusedSaying("--certificate FILE is missing", "--make-certificate");
-        Cli.run("shot", "relight", "scenes/dusk.jen", "--set", "sky.on=no", "--cluster", "127.0.0.1", "-o", folder.resolve("a"))
-                .isRefusedSaying("--certificate FILE is missing");
+    void missingCertificate_isRejectedWithHint() {
+        CliResult.run("node").assertRejected("--certificate FILE is missing", "--make-certificate");
+        CliResult.run("shot", "relight", "scenes/dusk.jen", "--set", "sky.on=no", "--cluster", "127.0.0.1", "-o", folder.resolve("a"))
+                .assertRejected("--certificate FILE is missing");
     }
 
     @Test
-    void otherMachine_isRefusedWithoutAnAddressOfThisOne() {
-        Cli.run("node", "--certificate", "c.p12", "--join", "192.0.2.7:7800").isRefusedSaying("192.0.2.7 is another machine",
+    void remoteMachine_withoutBind_isRejected() {
+        CliResult.run("node", "--certificate", "c.p12", "--join", "192.0.2.7:7800").assertRejected("192.0.2.7 is another machine",
                 "--bind ADDRESS");
     }
 
     @Test
-    void bindToAllAddresses_isRefused() {
-        Cli.run("node", "--certificate", "c.p12", "--bind", "0.0.0.0").isRefusedSaying("--bind must be one address", "0.0.0.0");
+    void bindToAllAddresses_isRejected() {
+        CliResult.run("node", "--certificate", "c.p12", "--bind", "0.0.0.0").assertRejected("--bind must be one address", "0.0.0.0");
     }
 
     @Test
-    void bindToAnAddressOfAnotherMachine_isRefused_withoutASlash() {
+    void bindToForeignAddress_isRejected() {
         Path file = folder.resolve("c.p12");
-        Cli.run("node", "--make-certificate", file).isDone();
-        Cli.run("node", "--certificate", file, "--bind", "192.0.2.1", "--folder", folder)
-                .isRefusedSaying("--bind must be an address of this machine, was 192.0.2.1, which no network interface has");
+        CliResult.run("node", "--make-certificate", file).assertSuccess();
+        CliResult.run("node", "--certificate", file, "--bind", "192.0.2.1", "--folder", folder)
+                .assertRejected("--bind must be an address of this machine, was 192.0.2.1, which no network interface has");
     }
 
     @Test
-    void wordsThatAreNoMachine_areRefused() {
+    void invalidHost_isRejected() {
         for (String word : new String[] {"", "a b", "host:", "host:0", "host:70000", "a:b:c", "[::1"}) {
-            Cli.run("node", "--certificate", "c.p12", "--join", word).isRefusedSaying("expected a machine and a port from 1 to 65535");
+            CliResult.run("node", "--certificate", "c.p12", "--join", word).assertRejected("expected a machine and a port from 1 to 65535");
         }
     }
 
     @Test
-    void certificateThatIsThere_isNotWrittenOver() {
+    void existingCertificate_isNotOverwritten() {
         Path file = folder.resolve("c.p12");
-        Cli.run("node", "--make-certificate", file).isDone();
-        Cli.run("node", "--make-certificate", file).isRefusedSaying("c.p12: is there already");
+        CliResult.run("node", "--make-certificate", file).assertSuccess();
+        CliResult.run("node", "--make-certificate", file).assertRejected("c.p12: is there already");
     }
 
     @Test
-    void certificateThatIsNotThere_isMissedByItsName() {
-        Cli.run("node", "--certificate", folder.resolve("none.p12")).isRefusedSaying("none.p12: there is no such file",
+    void missingCertificateFile_isNamed() {
+        CliResult.run("node", "--certificate", folder.resolve("none.p12")).assertRejected("none.p12: there is no such file",
                 "--make-certificate");
     }
 }

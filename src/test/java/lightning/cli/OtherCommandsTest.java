@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.sample.Slow;
@@ -24,101 +24,103 @@ class OtherCommandsTest {
 
     @BeforeEach
     void write() throws Exception {
-        scene = Cli.scene(folder);
+        scene = CliResult.scene(folder);
     }
 
     private Path picture(String name, float red) throws Exception {
         Film film = Film.black(4, 3);
         film.red(0)[0] = red;
         Path file = folder.resolve(name);
-        PictureFile.write(file, film, ViewTransform.DEFAULT);
+        ImageFile.write(file, film, ViewTransform.DEFAULT);
         return file;
     }
 
     @Test
-    void check_describesASceneWithoutProblems() {
-        assertThat(Cli.run("check", scene).isDone().out()).contains("no problems", "3 shapes (1 cone, 1 plane, 1 sphere)",
+    void check_validScene_isDescribed() {
+        assertThat(CliResult.run("check", scene).assertSuccess().out()).contains("no problems", "3 shapes (1 cone, 1 plane, 1 sphere)",
                 "3 lights (1 directional, 1 point, 1 spot)", "2 materials, 0 textures", "48 x 32 pixels, depth 2");
     }
 
     @Test
-    void check_tellsEveryProblemWithItsPlace() throws Exception {
+    void check_everyProblem_hasLocation() throws Exception {
         Files.writeString(scene, "jen 1\nsphere a { scale 1 0 1 }\nlight b laser {}\n");
-        Cli refused = Cli.run("check", scene);
-        refused.isRefusedSaying(scene + ":2:", "sphere 'a': scale", scene + ":3:9: light 'b': type");
+        CliResult refused = CliResult.run("check", scene);
+        refused.assertRejected(scene + ":2:", "sphere 'a': scale", scene + ":3:9: light 'b': type");
     }
 
     @Test
-    void compareEqual_isDone() throws Exception {
-        assertThat(Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.5f)).isDone().out())
+    void compareEqual_exitsWith0() throws Exception {
+        assertThat(CliResult.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.5f)).assertSuccess().out())
                 .isEqualTo("equal: all 36 values agree in every bit\n");
     }
 
     @Test
-    void compareDifferent_endsWith1AndWritesWhere() throws Exception {
+    void compareDifferent_exitsWith1AndWritesDifference() throws Exception {
         Path where = folder.resolve("d.png");
-        Cli compared = Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.75f), "-o", where);
+        CliResult compared = CliResult.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", 0.75f), "-o", where);
         assertThat(compared.exit()).isEqualTo(1);
         assertThat(compared.out())
                 .startsWith("different: 1 of 12 pixels, 1 of 36 values\nlargest difference  0.250000 linear at pixel 0,0;");
-        Film shown = PictureFile.read(where);
+        Film shown = ImageFile.read(where);
         assertThat(shown.red(0, 0)).isPositive();
         assertThat(shown.red(1, 0)).isZero();
     }
 
     @Test
-    void compareDifferentDisplays_tellsWhatAPersonSees() throws Exception {
-        assertThat(Cli.run("compare", picture("a.png", 0), picture("b.png", 1)).out())
+    void compareDifferentDisplays_printsFlip() throws Exception {
+        assertThat(CliResult.run("compare", picture("a.png", 0), picture("b.png", 1)).out())
                 .containsPattern("PSNR \\d.*, SSIM 0\\.\\d+, FLIP 0\\.\\d+\n");
     }
 
     @Test
-    void compareOfDisplays_countsTheirLevels() throws Exception {
-        String dark = Cli.run("compare", picture("a.png", 0), picture("b.png", 1)).out();
+    void compareDisplays_countsLevels() throws Exception {
+        String dark = CliResult.run("compare", picture("a.png", 0), picture("b.png", 1)).out();
         assertThat(dark).contains("255 of 255 levels at most anywhere").doesNotContain("ulp");
-        assertThat(Cli.run("compare", picture("a.pfm", 0), picture("b.png", 1)).out()).contains("255 of 255 levels").doesNotContain("ulp");
-        assertThat(Cli.run("compare", picture("a.exr", 0), picture("b.exr", 1)).out()).contains("255 of 255 levels").doesNotContain("ulp");
+        assertThat(CliResult.run("compare", picture("a.pfm", 0), picture("b.png", 1)).out()).contains("255 of 255 levels")
+                .doesNotContain("ulp");
+        assertThat(CliResult.run("compare", picture("a.exr", 0), picture("b.exr", 1)).out()).contains("255 of 255 levels")
+                .doesNotContain("ulp");
     }
 
     @Test
-    void compareOfFloats_countsThoseBetween() throws Exception {
-        assertThat(Cli.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", Math.nextUp(0.5f))).out())
+    void compareFloats_countsUlps() throws Exception {
+        assertThat(CliResult.run("compare", picture("a.pfm", 0.5f), picture("b.pfm", Math.nextUp(0.5f))).out())
                 .contains("; 1 ulp at most anywhere").doesNotContain("levels");
     }
 
     @Test
-    void compareTrouble_endsWith2() throws Exception {
+    void compareInvalid_exitsWith2() throws Exception {
         Path a = picture("a.pfm", 0);
-        Cli.run("compare", a, folder.resolve("no.png")).isRefusedSaying("no.png: no such file");
-        Cli.run("compare", a, scene).isRefusedSaying("a.jen: a picture's name must end in");
-        Cli.run("compare", a).isRefusedSaying("b.png");
-        Cli.run("compare", a, a, "-o", folder.resolve("d.txt")).isRefusedSaying("d.txt");
+        CliResult.run("compare", a, folder.resolve("no.png")).assertRejected("no.png: no such file");
+        CliResult.run("compare", a, scene).assertRejected("a.jen: a picture's name must end in");
+        CliResult.run("compare", a).assertRejected("b.png");
+        CliResult.run("compare", a, a, "-o", folder.resolve("d.txt")).assertRejected("d.txt");
         Path small = folder.resolve("small.pfm");
-        PictureFile.write(small, Film.black(1, 1), ViewTransform.DEFAULT);
-        Cli.run("compare", a, small).isRefusedSaying("4 x 3 pixels", "1 x 1");
+        ImageFile.write(small, Film.black(1, 1), ViewTransform.DEFAULT);
+        CliResult.run("compare", a, small).assertRejected("4 x 3 pixels", "1 x 1");
         Files.writeString(small, "PF but not really");
-        Cli.run("compare", a, small).isRefusedSaying("small.pfm: ");
+        CliResult.run("compare", a, small).assertRejected("small.pfm: ");
     }
 
     @Test
-    void explain_namesShapeLightsAndMirror() {
-        String out = Cli.run("explain", scene, "24,26").isDone().out();
+    void explain_listsShapeLightsAndMirror() {
+        String out = CliResult.run("explain", scene, "24,26").assertSuccess().out();
         assertThat(out).contains("ground of material floor", "at ", "normal ", "lamp", "sun", "stage", "the mirrored ray meets", "%");
     }
 
     @Test
-    void explainedColor_isThePixelsOfRender() throws Exception {
+    void explainedColor_matchesRender() throws Exception {
         Path picture = folder.resolve("a.pfm");
-        Cli.run("render", scene, "-o", picture).isDone();
-        Film film = PictureFile.read(picture);
+        CliResult.run("render", scene, "-o", picture).assertSuccess();
+        Film film = ImageFile.read(picture);
         for (int x = 0; x < 48; x += 7) {
-            assertThat(Cli.run("explain", scene, x + ",20").isDone().out().lines().toList().getLast())
+            assertThat(CliResult.run("explain", scene, x + ",20").assertSuccess().out().lines().toList().getLast())
                     .startsWith("pixel: linear " + film.red(x, 20) + " " + film.green(x, 20) + " " + film.blue(x, 20) + ",");
         }
     }
 
     @Test
-    void explainedBumps_areToldStepByStep() throws Exception {
+    void explainedBumps_showEachStep() throws Exception {
         Files.copy(Path.of("textures/brick.png"), folder.resolve("brick.png"));
         Files.writeString(scene, """
                 jen 1
@@ -130,7 +132,7 @@ class OtherCommandsTest {
                 """);
         StringBuilder all = new StringBuilder();
         for (int x = 0; x < 48; x++) {
-            all.append(Cli.run("explain", scene, x + ",20").isDone().out());
+            all.append(CliResult.run("explain", scene, x + ",20").assertSuccess().out());
         }
         assertThat(all.toString()).contains("    the surface's own    0.00000 1.00000 0.00000\n", "    by bump, normal map  ",
                 "shadowed by floor, cosine ",
@@ -139,13 +141,13 @@ class OtherCommandsTest {
 
     /** Pixels on edges are means of several rays; the one that is explained is the centre's. */
     @Test
-    void explainedColorOnAnEdge_isToldBesideThePixelOfRender() throws Exception {
+    void explainedEdge_showsCenterAndRenderedColor() throws Exception {
         Path picture = folder.resolve("a.pfm");
-        Cli.run("render", scene, "-o", picture, "--antialias", "edges").isDone();
-        Film film = PictureFile.read(picture);
+        CliResult.run("render", scene, "-o", picture, "--antialias", "edges").assertSuccess();
+        Film film = ImageFile.read(picture);
         Set<Boolean> edges = new HashSet<>();
         for (int x = 0; x < 48; x += 3) {
-            List<String> lines = Cli.run("explain", scene, x + ",20", "--antialias", "edges").isDone().out().lines().toList();
+            List<String> lines = CliResult.run("explain", scene, x + ",20", "--antialias", "edges").assertSuccess().out().lines().toList();
             assertThat(lines.getLast())
                     .startsWith("pixel: linear " + film.red(x, 20) + " " + film.green(x, 20) + " " + film.blue(x, 20) + ",");
             edges.add(lines.get(lines.size() - 2).startsWith("center: linear "));
@@ -154,34 +156,34 @@ class OtherCommandsTest {
     }
 
     @Test
-    void explainBackground_saysSo() {
-        assertThat(Cli.run("explain", scene, "0,0").isDone().out()).contains("nothing: the background");
+    void explainBackground_isNamed() {
+        assertThat(CliResult.run("explain", scene, "0,0").assertSuccess().out()).contains("nothing: the background");
     }
 
     @Test
-    void explainOutside_isRefused() {
-        Cli.run("explain", scene, "48,0").isRefusedSaying("pixel 48,0 is outside the picture, expected 0,0 to 47,31");
-        Cli.run("explain", scene, "5").isRefusedSaying("expected X,Y as in 150,230, found '5'");
-        Cli.run("explain", scene).isRefusedSaying("X,Y");
+    void explainOutside_isRejected() {
+        CliResult.run("explain", scene, "48,0").assertRejected("pixel 48,0 is outside the picture, expected 0,0 to 47,31");
+        CliResult.run("explain", scene, "5").assertRejected("expected X,Y as in 150,230, found '5'");
+        CliResult.run("explain", scene).assertRejected("X,Y");
     }
 
     @Test
-    void export_writesTheSceneAndTellsWhatDoesNotMap() throws Exception {
+    void export_writesSceneAndListsLosses() throws Exception {
         Path pov = folder.resolve("a.pov");
-        Cli exported = Cli.run("export", scene, "-o", pov).isDone();
+        CliResult exported = CliResult.run("export", scene, "-o", pov).assertSuccess();
         assertThat(exported.err()).contains("light lamp: attenuation", "without the limit 1");
         assertThat(Files.readString(pov)).contains("// Not as in the scene: light lamp: attenuation", "max_trace_level 3", "sphere {");
     }
 
     @Test
-    void exportToAnotherName_isRefused() {
-        Cli.run("export", scene, "-o", folder.resolve("a.png")).isRefusedSaying("must end in .pov");
-        Cli.run("export", scene, "-o", folder.resolve("no/a.pov")).isRefusedSaying("there is no folder");
+    void exportToOtherExtension_isRejected() {
+        CliResult.run("export", scene, "-o", folder.resolve("a.png")).assertRejected("must end in .pov");
+        CliResult.run("export", scene, "-o", folder.resolve("no/a.pov")).assertRejected("there is no folder");
     }
 
     @Test
-    void effects_namesWhoCallsForThemAndTheirBytes() {
-        String out = Cli.run("effects", scene, "--size", "20x15", "--repetitions", "1").isDone().out();
+    void effects_listsUsersAndBytes() {
+        String out = CliResult.run("effects", scene, "--size", "20x15", "--repetitions", "1").assertSuccess().out();
         assertThat(out.lines().map(line -> line.replaceAll(" +", " ")))
                 .anyMatch(line -> line.matches("shadows( ~?-?[0-9.]+){4} lamp, sun, stage"))
                 .anyMatch(line -> line.matches("reflections( ~?-?[0-9.]+){4} up to 2 bounces: floor"))
@@ -191,46 +193,47 @@ class OtherCommandsTest {
     }
 
     @Test
-    void effectsOfASceneWithoutAPointLight_moveAnotherLight() throws Exception {
+    void effectsWithoutPointLight_moveAnotherLight() throws Exception {
         Files.writeString(scene, "jen 1\nsphere ball {}\nlight key rect { at 0 3 3  direction 0 -1 -1 }\n");
-        assertThat(Cli.run("effects", scene, "--size", "8x6", "--repetitions", "1").isDone().out())
+        assertThat(CliResult.run("effects", scene, "--size", "8x6", "--repetitions", "1").assertSuccess().out())
                 .containsPattern("; update [0-9.]+ ms: key: full recompute\n");
     }
 
     @Test
-    void effects_tellEachKindOfColumnOnce() {
-        String out = Cli.run("effects", scene, "--size", "8x6", "--repetitions", "1").isDone().out();
+    void effects_listEachColumnKindOnce() {
+        String out = CliResult.run("effects", scene, "--size", "8x6", "--repetitions", "1").assertSuccess().out();
         assertThat(out.lines().filter(line -> line.contains(" bytes ")).map(line -> line.substring(0, 30))).doesNotHaveDuplicates();
     }
 
     @Test
-    void effectsOfAnUnknownCase_isRefused() {
-        Cli.run("effects", scene, "--case", "nothing").isRefusedSaying("--case nothing: expected one of color,");
+    void effectsWithUnknownCase_isRejected() {
+        CliResult.run("effects", scene, "--case", "nothing").assertRejected("--case nothing: expected one of color,");
     }
 
     @Test
-    void tour_makesTheNamedEditsWithAPictureEach() throws Exception {
+    void tour_writesPictureForEachEdit() throws Exception {
         Path tour = folder.resolve("tour");
-        String out = Cli.run("tour", scene, "-o", tour, "--size", "40x30", "--repetitions", "1", "--threads", "2").isDone().out();
+        String out =
+                CliResult.run("tour", scene, "-o", tour, "--size", "40x30", "--repetitions", "1", "--threads", "2").assertSuccess().out();
         assertThat(out).contains("first pass", "color ", "angle-larger ", "delete ", "composite-2 ", "equal").doesNotContain(" NO");
         for (String name : new String[] {"first-pass", "color", "angle-larger", "delete", "composite-2"}) {
-            assertThat(PictureFile.read(tour.resolve(name + ".png")).width()).isEqualTo(40);
+            assertThat(ImageFile.read(tour.resolve(name + ".png")).width()).isEqualTo(40);
         }
     }
 
     @Test
-    void tour_updatesMirrorsInAStepOfTheirOwnOnlyAsIn1998() throws Exception {
+    void tour_staleReflections_updateMirrorsSeparately() throws Exception {
         String[] small = {"--size", "40x30", "--repetitions", "1", "-o", folder.resolve("tour").toString()};
-        Cli.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5], "--reflections", "stale").isDone();
+        CliResult.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5], "--reflections", "stale").assertSuccess();
         assertThat(folder.resolve("tour/position-mirrored.png")).exists();
-        String out = Cli.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5]).isDone().out();
+        String out = CliResult.run("tour", scene, small[0], small[1], small[2], small[3], small[4], small[5]).assertSuccess().out();
         assertThat(out).contains(", reflections ").doesNotContain("its mirrors", " NO");
     }
 
     @Test
-    void tourWithBadInput_isRefused() throws Exception {
-        Cli.run("tour", scene, "--repetitions", "0").isRefusedSaying("--repetitions must be from 1 to 1000, was 0");
-        Cli.run("tour", folder.resolve("no.jen")).isRefusedSaying("no.jen: there is no such file");
-        Cli.run("tour", scene, "-o", scene).isRefusedSaying("a.jen: is there already and is no folder");
+    void tourWithInvalidInput_isRejected() throws Exception {
+        CliResult.run("tour", scene, "--repetitions", "0").assertRejected("--repetitions must be from 1 to 1000, was 0");
+        CliResult.run("tour", folder.resolve("no.jen")).assertRejected("no.jen: there is no such file");
+        CliResult.run("tour", scene, "-o", scene).assertRejected("a.jen: is there already and is no folder");
     }
 }

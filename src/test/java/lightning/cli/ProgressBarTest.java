@@ -25,30 +25,30 @@ class ProgressBarTest {
     void firstSecond_showsNothing() {
         try (ProgressBar bar = bar(true)) {
             pass(0.9);
-            bar.tiles(5, 10);
+            bar.report(5, 10);
         }
         assertThat(screen.toString(StandardCharsets.UTF_8)).isEmpty();
     }
 
     @Test
-    void afterASecond_showsShareAndRemainingTime() {
+    void afterOneSecond_showsPercentAndRemainingTime() {
         ProgressBar bar = bar(true);
         pass(2);
-        bar.tiles(25, 100);
+        bar.report(25, 100);
         assertThat(screen.toString(StandardCharsets.UTF_8)).endsWith("tracing [#######-----------------------]  25 %, 6 s left");
     }
 
     @Test
-    void quickSteps_areShownTenTimesASecondAtMost() {
+    void quickSteps_updateAtMostTenTimesPerSecond() {
         ProgressBar bar = bar(true);
         pass(2);
-        bar.tiles(1, 10);
+        bar.report(1, 10);
         int once = screen.size();
         pass(0.05);
-        bar.tiles(2, 10);
+        bar.report(2, 10);
         assertThat(screen.size()).isEqualTo(once);
         pass(0.05);
-        bar.tiles(3, 10);
+        bar.report(3, 10);
         assertThat(screen.size()).isGreaterThan(once);
     }
 
@@ -56,22 +56,22 @@ class ProgressBarTest {
     void noTerminal_showsNothing() {
         try (ProgressBar bar = bar(false)) {
             pass(20);
-            bar.tiles(5, 10);
+            bar.report(5, 10);
         }
         assertThat(screen.toString(StandardCharsets.UTF_8)).isEmpty();
     }
 
     @Test
-    void closing_erasesTheLine() {
+    void close_erasesTheLine() {
         try (ProgressBar bar = bar(true)) {
             pass(2);
-            bar.tiles(5, 10);
+            bar.report(5, 10);
         }
         assertThat(screen.toString(StandardCharsets.UTF_8)).endsWith("left\r\u001b[K");
     }
 
     @Test
-    void durations_areInSecondsThenMinutes() {
+    void duration_usesSecondsThenMinutes() {
         assertThat(ProgressBar.duration(0.2)).isEqualTo("1 s");
         assertThat(ProgressBar.duration(59.5)).isEqualTo("1:00 min");
         assertThat(ProgressBar.duration(125)).isEqualTo("2:05 min");

@@ -8,14 +8,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import lightning.bench.accuracy.PaperCases;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
-import lightning.format.picture.PictureFile;
 import lightning.render.image.Difference;
 import lightning.render.image.Film;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.ClearScenes;
 import lightning.sample.Slow;
+import lightning.sample.TransparentScenes;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -35,34 +35,35 @@ class RelightCommandTest {
 
     @BeforeEach
     void write() throws Exception {
-        path = Cli.scene(folder);
+        path = CliResult.scene(folder);
         picture = folder.resolve("out.pfm");
         scene = JenReader.read(path).scene();
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"--storage=rows", "--storage=shapes"})
-    void currentReflections_writeTheReferencePictureOfTheEditedScene(String storage) throws Exception {
-        Cli.run("relight", path, "-o", picture, "--set", "lamp.at=1 3 2", "--set", "sun.color=1 0 0", "--reflections", "current",
-                storage, "--verify").isDone();
+    void currentReflections_matchReference(String storage) throws Exception {
+        CliResult.run("relight", path, "-o", picture, "--set", "lamp.at=1 3 2", "--set", "sun.color=1 0 0", "--reflections", "current",
+                storage, "--verify").assertSuccess();
         Scene edited = PropertyEdit.apply(PropertyEdit.apply(scene, "lamp.at=1 3 2"), "sun.color=1 0 0");
-        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(edited).trace())).isTrue();
+        assertThat(ImageFile.read(picture).hasSameBits(new ReferenceTracer(edited).trace())).isTrue();
     }
 
     @Test
-    void edits_reachMirrorsAtOnceUnlessAskedOtherwise() throws Exception {
-        Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3").isDone();
+    void edits_byDefault_updateMirrors() throws Exception {
+        CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3").assertSuccess();
         Film reference = new ReferenceTracer(PropertyEdit.apply(scene, "lamp.intensity=3")).trace();
-        assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
+        assertThat(ImageFile.read(picture).hasSameBits(reference)).isTrue();
     }
 
     @Test
-    void staleReflections_showTheFirstScene() throws Exception {
+    void staleReflections_showInitialScene() throws Exception {
         String out =
-                Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify").isDone().out();
+                CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify")
+                        .assertSuccess().out();
         Scene edited = PropertyEdit.apply(scene, "lamp.intensity=3");
         Film reference = new ReferenceTracer(edited, scene).trace();
-        assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
+        assertThat(ImageFile.read(picture).hasSameBits(reference)).isTrue();
         long stale = Difference.of(reference, new ReferenceTracer(edited).trace()).pixels();
         assertThat(out).contains("Verified: equal to a full trace whose mirrors show an older light in every bit",
                 stale + " pixels would change with current mirrors");
@@ -70,31 +71,32 @@ class RelightCommandTest {
     }
 
     @Test
-    void then_startsTheNextEdit() {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "stage.angle=12", "--set", "stage.dropoff=9", "--then",
-                "--delete", "sun", "--then", "--add", "fill point at=0 3 2 intensity=0.2", "--reflections", "stale").isDone().out();
+    void then_startsNextEdit() {
+        String out = CliResult.run("relight", path, "-o", picture, "--set", "stage.angle=12", "--set", "stage.dropoff=9", "--then",
+                "--delete", "sun", "--then", "--add", "fill point at=0 3 2 intensity=0.2", "--reflections", "stale").assertSuccess().out();
         assertThat(out.lines().map(line -> line.replaceAll(": \\d+ rows.*", "")).skip(1)).containsExactly(
                 "1. stage: angle remove + falloff", "2. sun: delete", "3. fill: add");
     }
 
     @Test
-    void eachEdit_isOneLineWithPlanRowsRaysTimesAndPromise() {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1").isDone().out();
+    void eachEdit_printsPlanRowsRaysTimesAndAccuracy() {
+        String out = CliResult.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1").assertSuccess().out();
         assertThat(out.lines().skip(1)).singleElement().asString().matches(
                 "1\\. sun: weight, reflections: \\d+ rows, 0 shadow rays, [\\d.]+ ms of a full trace's [\\d.]+ \\(saves -?[\\d.]+ %\\), exact");
     }
 
     @Test
-    void withoutSavings_theLineTellsItsOwnTimeAlone() {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1", "--no-savings").isDone().out();
+    void noSavings_printsOwnTimeOnly() {
+        String out = CliResult.run("relight", path, "-o", picture, "--set", "sun.intensity=0.1", "--no-savings").assertSuccess().out();
         assertThat(out.lines().skip(1)).singleElement().asString().matches(
                 "1\\. sun: weight, reflections: \\d+ rows, 0 shadow rays, [\\d.]+ ms, exact");
     }
 
     @Test
-    void setPropertyThatTheLightDoesNotUse_isRemarkedOn() {
-        Cli run = Cli.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "lamp.intensity=2", "--then", "--set",
-                "lamp.angle=20", "--no-savings").isDone();
+    void unusedProperty_isWarnedAbout() {
+        CliResult run =
+                CliResult.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "lamp.intensity=2", "--then", "--set",
+                        "lamp.angle=20", "--no-savings").assertSuccess();
         assertThat(run.err().lines()).containsExactly("sun.at has no effect: a directional light has no position",
                 "lamp.angle has no effect: a point light has no angle");
         assertThat(run.out().lines().skip(1)).hasSize(2);
@@ -102,51 +104,53 @@ class RelightCommandTest {
 
     /** The type is that after the whole edit; a material and the world have no light's properties. */
     @Test
-    void setPropertyThatTheLightUses_isNotRemarkedOn() {
-        Cli run = Cli.run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "sun.type=point", "--set", "stage.angle=20",
-                "--set", "world.intensity=2", "--set", "material:red.model=phong", "--set", "sun.name=key", "--no-savings").isDone();
+    void usedProperty_isNotWarnedAbout() {
+        CliResult run = CliResult
+                .run("relight", path, "-o", picture, "--set", "sun.at=1 2 3", "--set", "sun.type=point", "--set", "stage.angle=20",
+                        "--set", "world.intensity=2", "--set", "material:red.model=phong", "--set", "sun.name=key", "--no-savings")
+                .assertSuccess();
         assertThat(run.err()).isEmpty();
     }
 
     @Test
-    void updateReflections_bringsTheLastEditToTheMirrors() throws Exception {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify")
-                .isDone().out();
+    void updateReflections_appliesLastEditToMirrors() throws Exception {
+        String out = CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify")
+                .assertSuccess().out();
         Film reference = new ReferenceTracer(PropertyEdit.apply(scene, "lamp.intensity=3")).trace();
-        assertThat(PictureFile.read(picture).sameBits(reference)).isTrue();
+        assertThat(ImageFile.read(picture).hasSameBits(reference)).isTrue();
         assertThat(out.lines().filter(line -> line.startsWith("mirrors: reflections: "))).hasSize(1);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {ClearScenes.BALL, ClearScenes.PANE})
-    void oldLightSeenThroughClearShapes_isToldAndUpdated(String text) throws Exception {
+    @ValueSource(strings = {TransparentScenes.BALL, TransparentScenes.PANE})
+    void staleLightThroughGlass_isReportedAndUpdated(String text) throws Exception {
         Files.writeString(path, text);
         scene = JenReader.read(path).scene();
         Scene edited = PropertyEdit.apply(scene, "lamp.intensity=3");
-        String stale = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify",
-                "--no-savings").isDone().out();
+        String stale = CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "stale", "--verify",
+                "--no-savings").assertSuccess().out();
         assertThat(stale).contains("exact, reflections of an older light",
                 "Verified: equal to a full trace whose mirrors show an older light in every bit",
                 Difference.of(new ReferenceTracer(edited, scene).trace(), new ReferenceTracer(edited).trace()).pixels()
                         + " pixels would change with current mirrors");
-        String updated = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify",
-                "--no-savings").isDone().out();
+        String updated = CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--update-reflections", "--verify",
+                "--no-savings").assertSuccess().out();
         assertThat(updated.lines().filter(line -> line.startsWith("mirrors: reflections: "))).singleElement().asString()
                 .endsWith(", exact");
         assertThat(updated).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
-        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(edited).trace())).isTrue();
+        assertThat(ImageFile.read(picture).hasSameBits(new ReferenceTracer(edited).trace())).isTrue();
     }
 
     @Test
-    void updateReflectionsOfMirrorsThatAreCurrent_isRefused() {
-        Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "current", "--update-reflections")
-                .isRefusedSaying("--update-reflections updates mirrors on demand; with --reflections current they need no update");
+    void updateReflections_withCurrentMirrors_isRejected() {
+        CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=3", "--reflections", "current", "--update-reflections")
+                .assertRejected("--update-reflections updates mirrors on demand; with --reflections current they need no update");
         assertThat(picture).doesNotExist();
     }
 
     @Test
-    void caseWithSeveralScenes_rendersEach() {
-        String out = Cli.run("relight", path, "-o", picture, "--case", "undo", "--verify").isDone().out();
+    void multiSceneCase_rendersEach() {
+        String out = CliResult.run("relight", path, "-o", picture, "--case", "undo", "--verify").assertSuccess().out();
         assertThat(out.lines().filter(line -> line.matches("\\d\\. lamp: weight, reflections: .*"))).hasSize(2);
     }
 
@@ -163,46 +167,49 @@ class RelightCommandTest {
     @ParameterizedTest
     @MethodSource("casesOfAllScenes")
     @Slow
-    void everyCaseOfEveryScene_isVerified(Path file, String name) {
-        Cli relit = Cli.run("relight", file, "-o", picture, "--case", name, "--size", "18x12", "--update-reflections", "--verify",
-                "--no-savings");
-        assertThat(relit.isDone().out()).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
+    void everyCase_isVerified(Path file, String name) {
+        CliResult relit =
+                CliResult.run("relight", file, "-o", picture, "--case", name, "--size", "18x12", "--update-reflections", "--verify",
+                        "--no-savings");
+        assertThat(relit.assertSuccess().out()).contains("Verified: equal to a full trace in every bit").doesNotContain("NOT KEPT");
     }
 
     @Test
-    void ratio_tellsItsBoundAndKeepsIt() {
-        String out = Cli.run("relight", path, "-o", picture, "--set", "lamp.intensity=0.3", "--then", "--set",
-                "lamp.intensity=0.7", "--accuracy", "ratio", "--verify").isDone().out();
+    void ratio_statesAndMeetsItsBound() {
+        String out = CliResult.run("relight", path, "-o", picture, "--set", "lamp.intensity=0.3", "--then", "--set",
+                "lamp.intensity=0.7", "--accuracy", "ratio", "--verify").assertSuccess().out();
         assertThat(out).contains("off by at most", "Verified: ");
     }
 
     @Test
-    void save_keepsWhatWasNotEdited() throws Exception {
+    void save_preservesUneditedText() throws Exception {
         Path saved = folder.resolve("saved.jen");
-        Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=0.25", "--size", "20x20", "--save", saved).isDone();
-        assertThat(Files.readString(saved)).isEqualTo(Cli.SCENE.replace("intensity 0.4", "intensity 0.25"));
+        CliResult.run("relight", path, "-o", picture, "--set", "sun.intensity=0.25", "--size", "20x20", "--save", saved).assertSuccess();
+        assertThat(Files.readString(saved)).isEqualTo(CliResult.SCENE.replace("intensity 0.4", "intensity 0.25"));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"--accuracy=exact", "--accuracy=ratio"})
     @Slow
-    void materials_areEditedWithoutAPass(String accuracy) {
-        String out = Cli
+    void materialEdit_needsNoPass(String accuracy) {
+        String out = CliResult
                 .run("relight", "scenes/balls.jen", "--size", "60x40", "-o", picture, accuracy, "--verify", "--set",
                         "material:gold.shininess=5",
                         "--then", "--set", "material:gold.reflective=0 0 0", "--set", "key.intensity=1", "--then", "--set",
                         "material:jade.texture=\"wood.png\"", "--set", "material:gold.reflective=0.1 0.1 0.1", "--update-reflections")
-                .isDone().out();
+                .assertSuccess().out();
         assertThat(out.lines().filter(line -> line.matches("\\d\\. .*")).map(line -> line.replaceAll(": \\d+ rows.*", ""))).containsExactly(
                 "1. gold: specular term", "2. key: weight, gold: ceases to mirror", "3. gold: begins to mirror, jade: texture");
         assertThat(out).contains("Verified: ").doesNotContain("NOT KEPT");
     }
 
     @Test
-    void save_writesAnEditedMaterialIntoItsBlock() throws Exception {
+    void save_writesEditedMaterialInPlace() throws Exception {
         Path saved = folder.resolve("saved.jen");
-        Cli.run("relight", "scenes/balls.jen", "--size", "20x20", "-o", picture, "--set", "material:gold.shininess=91", "--save", saved)
-                .isDone();
+        CliResult
+                .run("relight", "scenes/balls.jen", "--size", "20x20", "-o", picture, "--set", "material:gold.shininess=91", "--save",
+                        saved)
+                .assertSuccess();
         assertThat(Files.readString(saved))
                 .isEqualTo(Files.readString(Path.of("scenes/balls.jen")).replace("shininess 90 ", "shininess 91 "));
     }
@@ -219,13 +226,13 @@ class RelightCommandTest {
         "--case | polish | --case polish: expected one of color, intensity",
         "--accuracy | fine | --accuracy",
         "--storage | none | --storage"})
-    void badEdit_isRefusedBeforeTheTrace(String option, String value, String sentence) {
-        Cli.run("relight", path, "-o", picture, "--set", "sun.intensity=1", option, value).isRefusedSaying(sentence);
+    void invalidEdit_isRejectedBeforeTracing(String option, String value, String sentence) {
+        CliResult.run("relight", path, "-o", picture, "--set", "sun.intensity=1", option, value).assertRejected(sentence);
         assertThat(picture).doesNotExist();
     }
 
     @Test
-    void noEdit_isRefused() {
-        Cli.run("relight", path, "-o", picture).isRefusedSaying("--set");
+    void noEdit_isRejected() {
+        CliResult.run("relight", path, "-o", picture).assertRejected("--set");
     }
 }

@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.Optional;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrReader;
+import lightning.format.image.CubeLutReader;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenReader;
-import lightning.format.picture.CubeReader;
-import lightning.format.picture.PictureFile;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -36,153 +36,156 @@ class RenderCommandTest {
 
     @BeforeEach
     void write() throws Exception {
-        scene = Cli.scene(folder);
+        scene = CliResult.scene(folder);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"--threads=1", "--threads=3", "--traditional"})
-    void pfm_holdsTheReferencePicture(String option) throws Exception {
+    void pfm_matchesReference(String option) throws Exception {
         Path picture = folder.resolve("a.pfm");
-        Cli.run("render", scene, "-o", picture, option).isDone();
-        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(JenReader.read(scene).scene()).trace())).isTrue();
+        CliResult.run("render", scene, "-o", picture, option).assertSuccess();
+        assertThat(ImageFile.read(picture).hasSameBits(new ReferenceTracer(JenReader.read(scene).scene()).trace())).isTrue();
     }
 
     @Test
-    void sizeAndDepth_replaceTheScenesOwn() throws Exception {
+    void sizeAndDepth_overrideScene() throws Exception {
         Path picture = folder.resolve("a.pfm");
-        Cli.run("render", scene, "-o", picture, "--size", "20x30", "--depth", "0").isDone();
+        CliResult.run("render", scene, "-o", picture, "--size", "20x30", "--depth", "0").assertSuccess();
         Scene read = JenReader.read(scene).scene();
-        Scene wanted = read.withPicture(read.picture().withSize(20, 30).withDepth(0));
-        assertThat(PictureFile.read(picture).sameBits(new ReferenceTracer(wanted).trace())).isTrue();
+        Scene expected = read.withPicture(read.picture().withSize(20, 30).withDepth(0));
+        assertThat(ImageFile.read(picture).hasSameBits(new ReferenceTracer(expected).trace())).isTrue();
     }
 
     @ParameterizedTest
     @CsvSource({"--threads, 0x2", "--threads, 010b", "--threads, ٣", "--threads, 2.5", "--threads, 99999999999", "--depth, '#2'",
         "--exposure, 1d",
         "--exposure, 0x1p3", "--exposure, NaN", "--threads, 1e999999999", "--threads, 1e99999999999"})
-    void optionThatIsNoNumber_isRefused(String option, String word) {
-        Cli.run("render", scene, "-o", folder.resolve("a.png"), option, word).isRefusedSaying(option, "number, found '" + word + "'");
+    void nonNumericOption_isRejected(String option, String word) {
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), option, word).assertRejected(option, "number, found '" + word + "'");
     }
 
     @Test
-    void wholeNumber_mayBeWrittenAsInAScene() throws Exception {
-        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--threads", "+2.0", "--depth", "010").isDone();
+    void integerOption_acceptsSceneNotation() throws Exception {
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--threads", "+2.0", "--depth", "010").assertSuccess();
     }
 
     @Test
-    void layers_areWrittenBesideTheVeryPicture() throws Exception {
+    void layers_areWrittenWithSamePicture() throws Exception {
         Path layers = folder.resolve("a.exr");
         Path picture = folder.resolve("a.pfm");
-        Cli.run("render", scene, "-o", layers, "--layers", "--bits", "32").isDone();
-        Cli.run("render", scene, "-o", picture).isDone();
-        Cli.run("compare", layers, picture).isDone();
+        CliResult.run("render", scene, "-o", layers, "--layers", "--bits", "32").assertSuccess();
+        CliResult.run("render", scene, "-o", picture).assertSuccess();
+        CliResult.run("compare", layers, picture).assertSuccess();
         try (ExrReader reader = new ExrReader(layers)) {
             assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("ambient.R", "reflections.G", "Z");
         }
     }
 
     @Test
-    void layersInAFormatWithoutThem_areRefused() {
-        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--layers").isRefusedSaying("layers are written to .exr");
-        Cli.run("render", scene, "-o", folder.resolve("a.exr"), "--layers", "--traditional").isRefusedSaying("keeps nothing has no layers");
-        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").isRefusedSaying("8 or 16 bits, not 12");
+    void layersInUnsupportedFormat_areRejected() {
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--layers").assertRejected("layers are written to .exr");
+        CliResult.run("render", scene, "-o", folder.resolve("a.exr"), "--layers", "--traditional")
+                .assertRejected("keeps nothing has no layers");
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--bits", "12").assertRejected("8 or 16 bits, not 12");
     }
 
     @Test
     void radiancePicture_isWrittenAndCompared() throws Exception {
         Path picture = folder.resolve("a.hdr");
-        Cli.run("render", scene, "-o", picture).isDone();
-        Cli.run("compare", picture, picture).isDone();
+        CliResult.run("render", scene, "-o", picture).assertSuccess();
+        CliResult.run("compare", picture, picture).assertSuccess();
     }
 
     @Test
     void exposure_brightensPng() throws Exception {
         Path plain = folder.resolve("plain.png");
         Path bright = folder.resolve("bright.png");
-        Cli.run("render", scene, "-o", plain).isDone();
-        Cli.run("render", scene, "-o", bright, "--exposure", "1").isDone();
-        Film a = PictureFile.read(plain);
-        Film b = PictureFile.read(bright);
+        CliResult.run("render", scene, "-o", plain).assertSuccess();
+        CliResult.run("render", scene, "-o", bright, "--exposure", "1").assertSuccess();
+        Film a = ImageFile.read(plain);
+        Film b = ImageFile.read(bright);
         assertThat(b.red(0, 0) / a.red(0, 0)).isBetween(1.9f, 2.1f);
     }
 
     @Test
-    void view1998_writesTheLinearValues() throws Exception {
+    void view1998_writesLinearValues() throws Exception {
         Path linear = folder.resolve("linear.pfm");
         Path shown = folder.resolve("shown.png");
-        Cli.run("render", scene, "-o", linear).isDone();
-        Cli.run("render", scene, "-o", shown, "--view", "1998", "--exposure", "1").isDone();
-        int[] codes = new ViewTransform(1, DisplayCurve.LINEAR).toPixels(PictureFile.read(linear));
-        assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(shown))).isEqualTo(codes);
+        CliResult.run("render", scene, "-o", linear).assertSuccess();
+        CliResult.run("render", scene, "-o", shown, "--view", "1998", "--exposure", "1").assertSuccess();
+        int[] codes = new ViewTransform(1, DisplayCurve.LINEAR).toPixels(ImageFile.read(linear));
+        assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(shown))).isEqualTo(codes);
     }
 
     @Test
-    void viewThroughATable_writesWhatItSays() throws Exception {
+    void cubeView_appliesTable() throws Exception {
         Path linear = folder.resolve("linear.pfm");
         Path table = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
-        Cli.run("render", scene, "-o", linear).isDone();
+        CliResult.run("render", scene, "-o", linear).assertSuccess();
         for (String view : List.of(table.toString(), "aces+" + table)) {
             Path shown = folder.resolve("shown.png");
-            Cli.run("render", scene, "-o", shown, "--view", view, "--exposure", "1").isDone();
+            CliResult.run("render", scene, "-o", shown, "--view", view, "--exposure", "1").assertSuccess();
             ViewTransform expected = new ViewTransform(1, view.startsWith("aces") ? DisplayCurve.ACES : DisplayCurve.SRGB)
-                    .withCube(Optional.of(CubeReader.read(table)));
-            assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(shown))).isEqualTo(expected.toPixels(PictureFile.read(linear)));
+                    .withLut(Optional.of(CubeLutReader.read(table)));
+            assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(shown))).isEqualTo(expected.toPixels(ImageFile.read(linear)));
         }
         Files.writeString(table, "LUT_1D_SIZE 2\n1 1 one\n");
-        Cli.run("render", scene, "-o", folder.resolve("a.png"), "--view", table.toString())
-                .isRefusedSaying("inverse.cube, line 2: expected three numbers from -10⁹ to 10⁹, found '1 1 one'");
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--view", table.toString())
+                .assertRejected("inverse.cube, line 2: expected three numbers from -10⁹ to 10⁹, found '1 1 one'");
     }
 
     @Test
     void xpm_isWrittenAsText() throws Exception {
         Path picture = folder.resolve("a.xpm");
-        Cli.run("render", scene, "-o", picture).isDone();
+        CliResult.run("render", scene, "-o", picture).assertSuccess();
         assertThat(Files.readString(picture)).startsWith("/* XPM */");
     }
 
     @Test
     @DisabledOnOs(OS.WINDOWS)
-    void linkAtNoRegularFile_isRefusedBeforeAnythingIsTraced() throws Exception {
+    void linkToIrregularFile_isRejectedBeforeTracing() throws Exception {
         // A socket stands for devices: a real one would be lost if this ever failed for an administrator.
         Path socket = folder.resolve("s");
         Path link = Files.createSymbolicLink(folder.resolve("a.png"), socket);
         String sentence = link + ": is a device, a pipe or a socket, expected a file";
         try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
             server.bind(UnixDomainSocketAddress.of(socket));
-            Cli.run("render", scene, "-o", link).isRefusedSaying(sentence);
-            Cli.run("relight", scene, "-o", folder.resolve("b.png"), "--set", "sun.intensity=2", "--save", link)
-                    .isRefusedSaying(sentence);
+            CliResult.run("render", scene, "-o", link).assertRejected(sentence);
+            CliResult.run("relight", scene, "-o", folder.resolve("b.png"), "--set", "sun.intensity=2", "--save", link)
+                    .assertRejected(sentence);
         }
     }
 
     @Test
     @DisabledOnOs(OS.WINDOWS)
-    void readOnlyPicture_isRefusedAndStays() throws Exception {
+    void readOnlyPicture_isRejectedAndKept() throws Exception {
         Path picture = Files.writeString(folder.resolve("a.png"), "old");
         Files.setPosixFilePermissions(picture, PosixFilePermissions.fromString("r--r--r--"));
-        Cli.run("render", scene, "-o", picture).isRefusedSaying(picture + ": is read-only");
+        CliResult.run("render", scene, "-o", picture).assertRejected(picture + ": is read-only");
         assertThat(picture).hasContent("old");
     }
 
     @Test
-    void report_tellsSizeAndRays() {
-        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png")).isDone().out())
+    void report_showsSizeAndRays() {
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png")).assertSuccess().out())
                 .contains("48 x 32 pixels, depth 2", "1536 eye rays", "shadow rays");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"--threads=1", "--traditional"})
-    void time_isToldToBeOneFromCold(String option) {
-        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png"), option).isDone().out()).contains(" ms from cold: ");
+    void coldTime_isMarked(String option) {
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), option).assertSuccess().out()).contains(" ms from cold: ");
     }
 
     /** 2⁻⁴⁰ of it is below white everywhere, 2⁴⁰ of it above wherever there is any light. */
     @Test
-    void report_tellsWhatTheDisplayCutsOff() {
-        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "40").isDone().out())
+    void report_showsClippedPixels() {
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "40").assertSuccess().out())
                 .containsPattern("a.png: \\d+ of 1536 pixels \\([\\d.]+ %\\) are cut off at white, the brightest is .+ times as bright");
-        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "-40").isDone().out()).doesNotContain("cut off");
-        assertThat(Cli.run("render", scene, "-o", folder.resolve("a.pfm"), "--exposure", "40").isDone().out()).doesNotContain("cut off");
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.png"), "--exposure", "-40").assertSuccess().out())
+                .doesNotContain("cut off");
+        assertThat(CliResult.run("render", scene, "-o", folder.resolve("a.pfm"), "--exposure", "40").assertSuccess().out())
+                .doesNotContain("cut off");
     }
 
     @ParameterizedTest
@@ -196,37 +199,37 @@ class RenderCommandTest {
         "--threads | 0 | --threads must be from 1 to 1024, was 0",
         "--view | rec709 | expected srgb, 1998, filmic, aces, false or a .cube file, found 'rec709'",
         "--exposure | 65 | --exposure must be from -64 to 64 stops, was 65"})
-    void badOption_isRefused(String option, String value, String sentence) {
-        Cli.run("render", scene, "-o", folder.resolve("a.png"), option, value).isRefusedSaying(sentence);
+    void invalidOption_isRejected(String option, String value, String sentence) {
+        CliResult.run("render", scene, "-o", folder.resolve("a.png"), option, value).assertRejected(sentence);
         assertThat(folder.resolve("a.png")).doesNotExist();
     }
 
     @Test
-    void missingOutput_isRefused() {
-        Cli.run("render", scene).isRefusedSaying("--output");
+    void missingOutput_isRejected() {
+        CliResult.run("render", scene).assertRejected("--output");
     }
 
     @Test
-    void outputThatCannotBeWritten_isRefusedBeforeTheTrace() {
-        Cli.run("render", scene, "-o", folder.resolve("a.gif")).isRefusedSaying("must end in .png, .xpm, .pfm, .exr or .hdr");
-        Cli.run("render", scene, "-o", folder.resolve("no/a.png")).isRefusedSaying("there is no folder " + folder.resolve("no"));
+    void unwritableOutput_isRejectedBeforeTracing() {
+        CliResult.run("render", scene, "-o", folder.resolve("a.gif")).assertRejected("must end in .png, .xpm, .pfm, .exr or .hdr");
+        CliResult.run("render", scene, "-o", folder.resolve("no/a.png")).assertRejected("there is no folder " + folder.resolve("no"));
     }
 
     @Test
-    void problemsOfTheScene_areOneALine() throws Exception {
+    void sceneProblems_arePrintedOnePerLine() throws Exception {
         Files.writeString(scene, "jen 1\nlight a point { intensity -1 }\nsphere b { scal 1 1 1 }\n");
-        Cli refused = Cli.run("render", scene, "-o", folder.resolve("a.png"));
-        refused.isRefusedSaying(scene + ":2:", scene + ":3:");
+        CliResult refused = CliResult.run("render", scene, "-o", folder.resolve("a.png"));
+        refused.assertRejected(scene + ":2:", scene + ":3:");
         assertThat(refused.err()).hasLineCount(2);
     }
 
     @Test
-    void interruptedTrace_leavesTheOldPictureAndNothingElse() throws Exception {
+    void interruptedTrace_leavesOnlyTheOldPicture() throws Exception {
         Path picture = Files.writeString(folder.resolve("a.png"), "old");
         int[] exit = new int[1];
         Thread command = new Thread(() -> {
             Thread.currentThread().interrupt();
-            exit[0] = Cli.run("render", scene, "-o", picture).exit();
+            exit[0] = CliResult.run("render", scene, "-o", picture).exit();
         });
         command.start();
         command.join();

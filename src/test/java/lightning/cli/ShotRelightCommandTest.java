@@ -6,10 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
-import lightning.format.picture.PictureFile;
 import lightning.render.image.Film;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Slow;
@@ -37,7 +37,7 @@ class ShotRelightCommandTest {
 
     @BeforeEach
     void write() throws Exception {
-        scene = Files.writeString(folder.resolve("a.jen"), Cli.SCENE + SHOT);
+        scene = Files.writeString(folder.resolve("a.jen"), CliResult.SCENE + SHOT);
     }
 
     private List<String> files(String name) throws Exception {
@@ -49,79 +49,85 @@ class ShotRelightCommandTest {
     private Film reference(int frame, String set) throws Exception {
         JenDocument document = JenReader.read(scene);
         Scene edited = PropertyEdit.apply(document.scene(), set, folder);
-        return new ReferenceTracer(document.shot().orElseThrow().at(edited, frame)).trace();
+        return new ReferenceTracer(document.shot().orElseThrow().sceneAt(edited, frame)).trace();
     }
 
     @Test
-    void everyFrame_isTheReferencePictureOfItsEditedScene() throws Exception {
+    void everyFrame_matchesReference() throws Exception {
         Files.createDirectory(folder.resolve("out"));
-        Cli done = Cli.run("shot", "relight", scene, "--set", "sun.intensity=0.7", "-o", folder.resolve("out/b.pfm")).isDone();
+        CliResult done =
+                CliResult.run("shot", "relight", scene, "--set", "sun.intensity=0.7", "-o", folder.resolve("out/b.pfm")).assertSuccess();
         assertThat(files("out")).containsExactly("b-0003.pfm", "b-0004.pfm", "b-0005.pfm", "b-0006.pfm", "b-0007.pfm");
         for (int frame = 3; frame <= 7; frame++) {
-            assertThat(PictureFile.read(folder.resolve("out/b-000" + frame + ".pfm")).sameBits(reference(frame, "sun.intensity=0.7")))
+            assertThat(ImageFile.read(folder.resolve("out/b-000" + frame + ".pfm")).hasSameBits(reference(frame, "sun.intensity=0.7")))
                     .as("frame " + frame).isTrue();
         }
         assertThat(done.out()).contains("5 frames traced in", "5 frames relit in", "0 of them traced again, 0 rays", "saves");
     }
 
     @Test
-    void setPropertyThatTheLightDoesNotUse_isRemarkedOn() throws Exception {
+    void unusedProperty_isWarnedAbout() throws Exception {
         Files.createDirectory(folder.resolve("out"));
-        Cli done = Cli.run("shot", "relight", scene, "--frames", "4", "--no-savings", "--size", "8x8", "--set", "sun.at=1 2 3", "-o",
-                folder.resolve("out/b.pfm")).isDone();
+        CliResult done =
+                CliResult.run("shot", "relight", scene, "--frames", "4", "--no-savings", "--size", "8x8", "--set", "sun.at=1 2 3", "-o",
+                        folder.resolve("out/b.pfm")).assertSuccess();
         assertThat(done.err()).contains("sun.at has no effect: a directional light has no position");
     }
 
     @Test
-    void framesOnDisk_areRelitWithoutARayAndLeaveNothing() throws Exception {
+    void framesOnDisk_areRelitWithoutRaysAndRemoved() throws Exception {
         Path disk = Files.createDirectory(folder.resolve("disk"));
         Files.createDirectory(folder.resolve("out"));
-        Cli done = Cli.run("shot", "relight", scene, "--memory", "0", "--disk", disk, "--no-savings", "--set", "sun.intensity=0.7", "-o",
-                folder.resolve("out/b.pfm")).isDone();
+        CliResult done =
+                CliResult.run("shot", "relight", scene, "--memory", "0", "--disk", disk, "--no-savings", "--set", "sun.intensity=0.7", "-o",
+                        folder.resolve("out/b.pfm")).assertSuccess();
         assertThat(done.out()).contains("kept: 0 frames", "and 5,", "0 of them traced again, 0 rays").doesNotContain("saves");
-        assertThat(PictureFile.read(folder.resolve("out/b-0007.pfm")).sameBits(reference(7, "sun.intensity=0.7"))).isTrue();
+        assertThat(ImageFile.read(folder.resolve("out/b-0007.pfm")).hasSameBits(reference(7, "sun.intensity=0.7"))).isTrue();
         assertThat(files("disk")).isEmpty();
     }
 
     @Test
-    void groupsOfEdits_haveAFolderEach() throws Exception {
-        Cli.run("shot", "relight", scene, "--frames", "4", "--no-savings", "--size", "8x8", "--set", "sun.intensity=0.7", "--then",
-                "--delete", "sun", "-o", folder.resolve("tries")).isDone();
+    void editGroups_haveSeparateFolders() throws Exception {
+        CliResult.run("shot", "relight", scene, "--frames", "4", "--no-savings", "--size", "8x8", "--set", "sun.intensity=0.7", "--then",
+                "--delete", "sun", "-o", folder.resolve("tries")).assertSuccess();
         assertThat(files("tries")).containsExactly("1", "2");
         assertThat(files("tries/1")).containsExactly("a-0004.png");
         assertThat(files("tries/2")).containsExactly("a-0004.png");
     }
 
     @Test
-    void whatHasKeys_isNotSet() {
-        Cli.run("shot", "relight", scene, "--set", "lamp.intensity=3", "-o", folder.resolve("x"))
-                .isRefusedSaying("light 'lamp': intensity has keys at frames 3, 5");
+    void keyedAttribute_isRejected() {
+        CliResult.run("shot", "relight", scene, "--set", "lamp.intensity=3", "-o", folder.resolve("x"))
+                .assertRejected("light 'lamp': intensity has keys at frames 3, 5");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
     @Test
     void lightWithKeys_canBeDeleted() throws Exception {
-        Cli.run("shot", "relight", scene, "--frames", "3-4", "--no-savings", "--size", "8x8", "--delete", "lamp", "-o",
-                folder.resolve("x")).isDone();
+        CliResult.run("shot", "relight", scene, "--frames", "3-4", "--no-savings", "--size", "8x8", "--delete", "lamp", "-o",
+                folder.resolve("x")).assertSuccess();
         assertThat(files("x")).hasSize(2);
     }
 
     @Test
-    void framesThatFitNowhere_areRefusedWithWhatWould() {
-        Cli.run("shot", "relight", scene, "--frames", "0-99999", "--size", "4000x4000", "--memory", "0", "--set", "sun.intensity=3", "-o",
-                folder.resolve("x")).isRefusedSaying("100000 frames of about", "on disk;", "frames would fit, or a size of", "--disk");
+    void tooLargeShot_isRejectedWithSuggestion() {
+        CliResult
+                .run("shot", "relight", scene, "--frames", "0-99999", "--size", "4000x4000", "--memory", "0", "--set", "sun.intensity=3",
+                        "-o",
+                        folder.resolve("x"))
+                .assertRejected("100000 frames of about", "on disk;", "frames would fit, or a size of", "--disk");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
     @Test
-    void diskThatIsNoFolder_isRefused() {
-        Cli.run("shot", "relight", scene, "--set", "sun.intensity=3", "-o", folder.resolve("x"), "--disk", folder.resolve("none"))
-                .isRefusedSaying("--disk", "is no folder");
+    void diskThatIsNoFolder_isRejected() {
+        CliResult.run("shot", "relight", scene, "--set", "sun.intensity=3", "-o", folder.resolve("x"), "--disk", folder.resolve("none"))
+                .assertRejected("--disk", "is no folder");
     }
 
     @Test
-    void memoryBelowNothing_isRefused() {
-        Cli.run("shot", "relight", scene, "--set", "sun.intensity=3", "-o", folder.resolve("x"), "--memory=-1")
-                .isRefusedSaying("--memory must be 0 or more, was -1");
+    void negativeMemory_isRejected() {
+        CliResult.run("shot", "relight", scene, "--set", "sun.intensity=3", "-o", folder.resolve("x"), "--memory=-1")
+                .assertRejected("--memory must be 0 or more, was -1");
     }
 }

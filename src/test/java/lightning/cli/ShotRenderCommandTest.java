@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.stream.Stream;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
-import lightning.format.picture.PictureFile;
 import lightning.render.shading.ReferenceTracer;
 import lightning.shot.movie.Ffmpeg;
 import org.junit.jupiter.api.BeforeEach;
@@ -42,7 +42,7 @@ class ShotRenderCommandTest {
 
     @BeforeEach
     void write() throws Exception {
-        scene = Files.writeString(folder.resolve("a.jen"), Cli.SCENE + SHOT);
+        scene = Files.writeString(folder.resolve("a.jen"), CliResult.SCENE + SHOT);
     }
 
     private List<String> files(String name) throws Exception {
@@ -52,14 +52,15 @@ class ShotRenderCommandTest {
     }
 
     @Test
-    void everyFrame_isTheReferencePictureOfItsScene() throws Exception {
+    void everyFrame_matchesReference() throws Exception {
         Files.createDirectory(folder.resolve("out"));
-        Cli done = Cli.run("shot", "render", scene, "-o", folder.resolve("out/b.pfm")).isDone();
+        CliResult done = CliResult.run("shot", "render", scene, "-o", folder.resolve("out/b.pfm")).assertSuccess();
         assertThat(files("out")).containsExactly("b-0003.pfm", "b-0004.pfm", "b-0005.pfm", "b-0006.pfm", "b-0007.pfm");
         JenDocument document = JenReader.read(scene);
         for (int frame = 3; frame <= 7; frame++) {
-            assertThat(PictureFile.read(folder.resolve("out/b-000" + frame + ".pfm"))
-                    .sameBits(new ReferenceTracer(document.shot().orElseThrow().at(document.scene(), frame)).trace())).as("frame " + frame)
+            assertThat(ImageFile.read(folder.resolve("out/b-000" + frame + ".pfm"))
+                    .hasSameBits(new ReferenceTracer(document.shot().orElseThrow().sceneAt(document.scene(), frame)).trace()))
+                    .as("frame " + frame)
                     .isTrue();
         }
         // The first frame and the one whose camera moved.
@@ -67,77 +68,79 @@ class ShotRenderCommandTest {
     }
 
     @Test
-    void oneFrame_isCountedAsOne() {
-        Cli done = Cli.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4").isDone();
+    void singleFrame_isCountedAsOne() {
+        CliResult done = CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4").assertSuccess();
         assertThat(done.out()).contains("\n1 frame traced in ");
-        Cli again = Cli.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4", "--resume").isDone();
+        CliResult again = CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4", "--resume").assertSuccess();
         assertThat(again.out()).isEqualTo("1 frame was there\n");
-        assertThat(Cli.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4-5", "--resume").isDone().out())
+        assertThat(CliResult.run("shot", "render", scene, "-o", folder.resolve("out"), "--frames", "4-5", "--resume").assertSuccess().out())
                 .endsWith("\n1 of 2 frames was there\n");
     }
 
     @Test
-    void outputWithoutAnEnding_isAFolderThatIsMade() throws Exception {
-        Cli.run("shot", "render", scene, "--frames", "4-5", "-o", folder.resolve("frames"), "--size", "8x8").isDone();
+    void outputWithoutExtension_createsFolder() throws Exception {
+        CliResult.run("shot", "render", scene, "--frames", "4-5", "-o", folder.resolve("frames"), "--size", "8x8").assertSuccess();
         assertThat(files("frames")).containsExactly("a-0004.png", "a-0005.png");
     }
 
     @Test
-    void resume_leavesPicturesThatAreThere() throws Exception {
+    void resume_skipsExistingPictures() throws Exception {
         Path out = Files.createDirectory(folder.resolve("frames"));
         Files.writeString(out.resolve("a-0004.png"), "mine");
-        Cli done = Cli.run("shot", "render", scene, "--resume", "--frames", "3-5", "-o", out, "--size", "8x8").isDone();
+        CliResult done = CliResult.run("shot", "render", scene, "--resume", "--frames", "3-5", "-o", out, "--size", "8x8").assertSuccess();
         assertThat(Files.readString(out.resolve("a-0004.png"))).isEqualTo("mine");
         assertThat(files("frames")).containsExactly("a-0003.png", "a-0004.png", "a-0005.png");
         assertThat(done.out()).contains("1 of 3 frames was there");
-        Cli.run("shot", "render", scene, "--frames", "4", "-o", out, "--size", "8x8").isDone();
-        assertThat(PictureFile.read(out.resolve("a-0004.png")).width()).isEqualTo(8);
+        CliResult.run("shot", "render", scene, "--frames", "4", "-o", out, "--size", "8x8").assertSuccess();
+        assertThat(ImageFile.read(out.resolve("a-0004.png")).width()).isEqualTo(8);
     }
 
     @Test
-    void sceneWithoutAShot_isRefused() throws Exception {
-        Cli.run("shot", "render", Cli.scene(folder), "-o", folder.resolve("x")).isRefusedSaying("has no shot");
+    void sceneWithoutShot_isRejected() throws Exception {
+        CliResult.run("shot", "render", CliResult.scene(folder), "-o", folder.resolve("x")).assertRejected("has no shot");
     }
 
     @Test
-    void frameThatIsNoScene_isRefusedBeforeAnythingIsWritten() throws Exception {
-        Files.writeString(scene, Cli.SCENE + "shot { frames 1 9  camera { from { 1 0 2 7  9 0 0.5 0 } } }");
-        Cli.run("shot", "render", scene, "-o", folder.resolve("x")).isRefusedSaying("frame 9: from and to must be two different points");
+    void invalidFrame_isRejectedBeforeWriting() throws Exception {
+        Files.writeString(scene, CliResult.SCENE + "shot { frames 1 9  camera { from { 1 0 2 7  9 0 0.5 0 } } }");
+        CliResult.run("shot", "render", scene, "-o", folder.resolve("x"))
+                .assertRejected("frame 9: from and to must be two different points");
         assertThat(folder.resolve("x")).doesNotExist();
     }
 
     @ParameterizedTest
     @CsvSource({"9-3", "1-200000", "x", "-1", "1-", "1-99999999999", "1.5", "1-2-3"})
-    void framesThatAreNone_areRefused(String frames) {
-        Cli.run("shot", "render", scene, "-o", folder.resolve("x"), "--frames=" + frames).isRefusedSaying("--frames",
+    void invalidFrames_areRejected(String frames) {
+        CliResult.run("shot", "render", scene, "-o", folder.resolve("x"), "--frames=" + frames).assertRejected("--frames",
                 "found '" + frames + "'");
     }
 
     @Test
-    void shotWithoutAWord_tellsTheWords() {
-        Cli.run("shot").isRefusedSaying("expected what to do with the shot", "render");
+    void shotWithoutSubcommand_listsSubcommands() {
+        CliResult.run("shot").assertRejected("expected what to do with the shot", "render");
     }
 
     @Test
-    void unknownEnding_isRefused() {
-        Cli.run("shot", "render", scene, "-o", folder.resolve("x.tiff")).isRefusedSaying(".tiff");
+    void unknownExtension_isRejected() {
+        CliResult.run("shot", "render", scene, "-o", folder.resolve("x.tiff")).assertRejected(".tiff");
     }
 
     static boolean hasFfmpeg() {
-        return Ffmpeg.installed().isPresent();
+        return Ffmpeg.find().isPresent();
     }
 
     @Test
     @EnabledIf("hasFfmpeg")
-    void film_hasAllFramesOfTheShotAndNothingBeside() throws Exception {
+    void movie_hasExactlyAllFrames() throws Exception {
         Path out = Files.createDirectory(folder.resolve("out"));
-        Cli done = Cli.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--size", "31x20", "--view", "filmic").isDone();
+        CliResult done =
+                CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--size", "31x20", "--view", "filmic").assertSuccess();
         assertThat(done.out()).contains("frame 7: ", "b.mp4: 5 frames, 24 a second");
         assertThat(files("out")).containsExactly("b.mp4");
         Process probe = new ProcessBuilder("ffprobe", "-v", "error", "-count_frames", "-show_entries",
                 "stream=width,height,r_frame_rate,nb_read_frames", "-of", "csv=p=0", out.resolve("b.mp4").toString()).start();
         assertThat(new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("32,20,24/1,5");
-        Cli.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume").isRefusedSaying("a film is made whole");
+        CliResult.run("shot", "render", scene, "-o", out.resolve("b.mp4"), "--resume").assertRejected("a film is made whole");
     }
 
     static boolean canRunJobs() {
@@ -162,14 +165,14 @@ class ShotRenderCommandTest {
     }
 
     @Test
-    void jobTemplate_callsTheCommandWithAFrame() throws Exception {
+    void jobTemplate_rendersOneFrame() throws Exception {
         JsonNode template = JsonMapper.shared().readTree(Files.readString(Path.of("docs/shot.openjd.json")));
         assertThat(template.get("specificationVersion").asString()).isEqualTo("jobtemplate-2023-09");
         JsonNode run = template.get("steps").get(0).get("script").get("actions").get("onRun");
         assertThat(run.get("command").asString()).isEqualTo("{{Param.Lightning}}");
         Object[] words = run.get("args").values().stream().map(a -> a.asString().replace("{{Param.Scene}}", scene.toString())
                 .replace("{{Param.Output}}", folder.resolve("farm").toString()).replace("{{Task.Param.Frame}}", "4")).toArray();
-        Cli.run(words).isDone();
+        CliResult.run(words).assertSuccess();
         assertThat(files("farm")).containsExactly("a-0004.png");
     }
 }

@@ -21,7 +21,7 @@ class TourTableTest {
 
     private String first(boolean warm) {
         out.reset();
-        table.first(new FirstPassCost(ms(30), ms(20), 7, 100, 5000, 1, warm), 40e6);
+        table.printFirstPass(new FirstPassCost(ms(30), ms(20), 7, 100, 5000, 1, warm), 40e6);
         return out.toString(StandardCharsets.UTF_8);
     }
 
@@ -30,7 +30,7 @@ class TourTableTest {
     }
 
     @Test
-    void costOfCodeThatIsStillCompiled_hasAWordBesideIt() {
+    void coldTime_isMarked() {
         assertThat(first(false)).contains("keeping all costs 50.0 % (not warm)");
         assertThat(first(true)).contains("keeping all costs 50.0 % (the paper").doesNotContain("warm");
     }

@@ -10,13 +10,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
-import lightning.base.text.Visible;
+import lightning.base.text.PrintableText;
 import lightning.base.work.Progress;
-import lightning.format.gltf.Gltf;
+import lightning.format.gltf.GltfFixtures;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.NamedMesh;
-import lightning.format.mesh.ply.PlyText;
-import lightning.sample.Fuzz;
+import lightning.format.mesh.ply.PlyEncoder;
+import lightning.sample.ByteFuzzer;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,11 +24,11 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Files of meshes with a few mistakes: whatever comes, the reader answers with meshes or with its own error, in one line, soon;
- * {@link Fuzz} tells the options.
+ * {@link ByteFuzzer} tells the options.
  */
 @Slow
 class MeshFuzzTest {
-    private static final int TRIES = Fuzz.tries(4_000);
+    private static final int TRIES = ByteFuzzer.tryCount(4_000);
     private static final String PLY = """
             ply
             format ascii 1.0
@@ -109,61 +109,65 @@ class MeshFuzzTest {
 
     @Test
     @Timeout(300)
-    void plyWithMistakes_isReadOrRefused() throws IOException {
-        List<byte[]> pool = Stream.of("ascii", "binary_little_endian", "binary_big_endian").map(form -> PlyText.in(form, PLY)).toList();
-        assertReadOrRefused("a.ply", pool, "end_header", "element x 2147483647\n", "property list uint double y\n",
+    void mutatedPly_isReadOrRejected() throws IOException {
+        List<byte[]> pool =
+                Stream.of("ascii", "binary_little_endian", "binary_big_endian").map(form -> PlyEncoder.encode(form, PLY)).toList();
+        assertReadOrRejected("a.ply", pool, "end_header", "element x 2147483647\n", "property list uint double y\n",
                 "format binary_big_endian 1.0\n",
                 "1000000000", "-1", "nan", "\n", "\r", " ", "\u0000\u0000\u0000\u0000", "ÿÿÿ\u007f", "1e999", "\u001B[31m");
     }
 
     @Test
     @Timeout(300)
-    void objWithMistakes_isReadOrRefused() throws IOException {
+    void mutatedObj_isReadOrRejected() throws IOException {
         List<byte[]> pool =
                 Stream.of(OBJ, OBJ.replace(" 1/1/1", " 1//1").replace("\n", "\r\n")).map(text -> text.getBytes(StandardCharsets.UTF_8))
                         .toList();
-        assertReadOrRefused("a.obj", pool, "\n", "\\\n", "f ", "s 7\n", "-9", "/", "//", "1e300", "nan", "\no \u0007\n", "g g\n", "#",
+        assertReadOrRejected("a.obj", pool, "\n", "\\\n", "f ", "s 7\n", "-9", "/", "//", "1e300", "nan", "\no \u0007\n", "g g\n", "#",
                 "99999999999",
                 "v 0 0 0\n", "\u001B[31m", " ".repeat(50));
     }
 
     @Test
     @Timeout(300)
-    void nffWithMistakes_isReadOrRefused() throws IOException {
-        assertReadOrRefused("a.nff", List.of(NFF.getBytes(StandardCharsets.UTF_8)), "\n", "\r", "p ", "pp ", "c ", "1000000000", "-1",
+    void mutatedNff_isReadOrRejected() throws IOException {
+        assertReadOrRejected("a.nff", List.of(NFF.getBytes(StandardCharsets.UTF_8)), "\n", "\r", "p ", "pp ", "c ", "1000000000", "-1",
                 "nan",
                 "1e999", "#", "f 1 1 1\n", "l 0 0 0\n", "s 0 0 0 1\n", "tess 4\n", "\u0000", "\u001B[31m", "1e300 ");
     }
 
     @Test
     @Timeout(300)
-    void gltfWithMistakes_isReadOrRefused() throws IOException {
-        List<byte[]> pool = List.of(Gltf.text(Gltf.SQUARE_JSON, Gltf.SQUARE), Gltf.binary(Gltf.SQUARE_JSON, Gltf.SQUARE));
-        assertReadOrRefused("a.gltf", pool, "{", "}", "[", "]", "\"", ",", "-1", "99999999999", "1e999", "null", "5121",
+    void mutatedGltf_isReadOrRejected() throws IOException {
+        List<byte[]> pool = List.of(GltfFixtures.text(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE),
+                GltfFixtures.binary(GltfFixtures.SQUARE_JSON, GltfFixtures.SQUARE));
+        assertReadOrRejected("a.gltf", pool, "{", "}", "[", "]", "\"", ",", "-1", "99999999999", "1e999", "null", "5121",
                 "\"count\": 60000000,",
                 "\"byteStride\": 4,", "\"mode\": 5,", "\"sparse\": {\"count\": 1},", "\u0000\u0000\u0000\u0000", "\u001B[31m",
                 "[[[[[[".repeat(50));
     }
 
-    private void assertReadOrRefused(String name, List<byte[]> pool, String... hostile) throws IOException {
-        List<byte[]> bits = Stream.of(hostile).map(bit -> bit.getBytes(StandardCharsets.ISO_8859_1)).toList();
-        List<String> refusals = new ArrayList<>();
+    private void assertReadOrRejected(String name, List<byte[]> pool, String... hostile) throws IOException {
+        List<byte[]> insertions = Stream.of(hostile).map(bit -> bit.getBytes(StandardCharsets.ISO_8859_1)).toList();
+        List<String> rejections = new ArrayList<>();
         for (int i = 0; i < TRIES; i++) {
-            SplittableRandom random = Fuzz.random(i);
-            Path file = Files.write(folder.resolve(name), Fuzz.mutated(pool, random, bits));
+            SplittableRandom random = ByteFuzzer.random(i);
+            Path file = Files.write(folder.resolve(name), ByteFuzzer.mutate(pool, random, insertions));
             try {
                 List<NamedMesh> parts = MeshFormat.meshes(file, Progress.NONE);
                 assertThat(parts).isNotEmpty();
                 assertThat(parts.stream().map(NamedMesh::name)).doesNotHaveDuplicates()
-                        .allMatch(part -> !part.isBlank() && Visible.is(part));
+                        .allMatch(part -> !part.isBlank() && PrintableText.isPrintable(part));
             } catch (MeshException e) {
-                assertThat(e.getMessage()).as("try " + i).startsWith(file + ": ").matches(Visible::is, "is visible").hasSizeLessThan(2000);
-                refusals.add(e.getMessage());
+                assertThat(e.getMessage()).as("try " + i).startsWith(file + ": ").matches(PrintableText::isPrintable, "is visible")
+                        .hasSizeLessThan(2000);
+                rejections.add(e.getMessage());
             } catch (IOException | RuntimeException | Error e) {
                 throw new AssertionError("try " + i, e);
             }
         }
-        assertThat(refusals.size()).isBetween(TRIES / 10, TRIES - 1);
-        assertThat(refusals.stream().map(m -> m.replaceAll("'.*'|[0-9]+", "")).distinct().count()).as("kinds of refusals").isGreaterThan(5);
+        assertThat(rejections.size()).isBetween(TRIES / 10, TRIES - 1);
+        assertThat(rejections.stream().map(m -> m.replaceAll("'.*'|[0-9]+", "")).distinct().count()).as("kinds of refusals")
+                .isGreaterThan(5);
     }
 }

@@ -7,18 +7,18 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Attribute;
-import lightning.scene.Bank;
 import lightning.scene.Camera;
-import lightning.scene.Group;
+import lightning.scene.Environment;
 import lightning.scene.Light;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Panorama;
+import lightning.scene.NodeGroup;
 import lightning.scene.Placement;
-import lightning.scene.Rig;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.World;
 
@@ -33,7 +33,7 @@ public sealed interface Edit {
     Scene apply(List<Scene> history);
 
     /** The same; the last scene where the edit would make it too bright, as the editor refuses it. */
-    default Scene accepted(List<Scene> history) {
+    default Scene applyIfValid(List<Scene> history) {
         try {
             return apply(history);
         } catch (IllegalArgumentException e) {
@@ -48,19 +48,19 @@ public sealed interface Edit {
         return scene.lights().get(index % scene.lights().size());
     }
 
-    private static String freshName(Scene scene, String stem) {
+    private static String unusedName(Scene scene, String stem) {
         return IntStream.iterate(0, i -> i + 1).mapToObj(i -> stem + i).filter(n -> scene.light(n).isEmpty())
                 .findFirst().orElseThrow();
     }
 
-    private static Scene with(Scene scene, int at, Light light) {
+    private static Scene insert(Scene scene, int index, Light light) {
         List<Light> lights = new ArrayList<>(scene.lights());
-        lights.add(at % (lights.size() + 1), light);
+        lights.add(index % (lights.size() + 1), light);
         return scene.withLights(lights);
     }
 
     /** An attribute of one light. */
-    record OfLight(int index, LightChange change) implements Edit {
+    record EditLight(int index, LightChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
@@ -68,26 +68,26 @@ public sealed interface Edit {
         }
     }
 
-    record Add(int at, LightSeed seed) implements Edit {
+    record AddLight(int at, LightTemplate seed) implements Edit {
         private static final int MOST = 7;
 
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
-            return scene.lights().size() >= MOST ? scene : with(scene, at, seed.in(scene, freshName(scene, "added")));
+            return scene.lights().size() >= MOST ? scene : insert(scene, at, seed.instantiate(scene, unusedName(scene, "added")));
         }
     }
 
-    record Duplicate(int index, int at) implements Edit {
+    record DuplicateLight(int index, int at) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
-            return scene.lights().isEmpty() || scene.lights().size() >= Add.MOST ? scene
-                    : with(scene, at, light(scene, index).withName(freshName(scene, "copy")));
+            return scene.lights().isEmpty() || scene.lights().size() >= AddLight.MOST ? scene
+                    : insert(scene, at, light(scene, index).withName(unusedName(scene, "copy")));
         }
     }
 
-    record Delete(int index) implements Edit {
+    record DeleteLight(int index) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
@@ -96,17 +96,17 @@ public sealed interface Edit {
         }
     }
 
-    record Rename(int index) implements Edit {
+    record RenameLight(int index) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
             return scene.lights().isEmpty() ? scene : scene.withLights(scene.lights().stream()
-                    .map(l -> l == light(scene, index) ? l.withName(freshName(scene, "renamed")) : l).toList());
+                    .map(l -> l == light(scene, index) ? l.withName(unusedName(scene, "renamed")) : l).toList());
         }
     }
 
     /** Two lights take each other's name: what they are and where they stand in the sum changes places. */
-    record SwapNames(int one, int other) implements Edit {
+    record SwapLightNames(int one, int other) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
@@ -120,7 +120,7 @@ public sealed interface Edit {
         }
     }
 
-    record Reorder(int from, int to) implements Edit {
+    record ReorderLights(int from, int to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
@@ -128,81 +128,81 @@ public sealed interface Edit {
                 return scene;
             }
             Light moved = light(scene, from);
-            return with(scene.withLights(scene.lights().stream().filter(l -> l != moved).toList()), to, moved);
+            return insert(scene.withLights(scene.lights().stream().filter(l -> l != moved).toList()), to, moved);
         }
     }
 
     /** A light joins a bank, or leaves the one it is in. */
-    record Join(int index, int bank) implements Edit {
+    record AssignLightGroup(int index, int group) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
-            List<Bank> banks = scene.rig().banks();
+            List<LightGroup> banks = scene.rig().lightGroups();
             return scene.lights().isEmpty() ? scene
-                    : scene.withLight(light(scene, index).withBank(bank < banks.size() ? banks.get(bank).name() : ""));
+                    : scene.withLight(light(scene, index).withLightGroup(group < banks.size() ? banks.get(group).name() : ""));
         }
     }
 
     /** A bank becomes this one; it is added where there are none. */
-    record OfBank(int index, Bank to) implements Edit {
+    record EditLightGroup(int index, LightGroup to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            Rig rig = history.getLast().rig();
-            return history.getLast().withRig(rig.banks().isEmpty() ? rig.plus(to)
-                    : rig.with(to.withName(rig.banks().get(index % rig.banks().size()).name())));
+            LightRig rig = history.getLast().rig();
+            return history.getLast().withRig(rig.lightGroups().isEmpty() ? rig.addLightGroup(to)
+                    : rig.with(to.withName(rig.lightGroups().get(index % rig.lightGroups().size()).name())));
         }
     }
 
     /** A bank goes, and its lights stay; or another comes. */
-    record DropBank(int index) implements Edit {
+    record DeleteLightGroup(int index) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            Rig rig = history.getLast().rig();
-            return history.getLast().withRig(rig.banks().isEmpty() ? rig.plus(Bank.of("fresh"))
-                    : rig.without(rig.banks().get(index % rig.banks().size()).name()));
+            LightRig rig = history.getLast().rig();
+            return history.getLast().withRig(rig.lightGroups().isEmpty() ? rig.addLightGroup(LightGroup.of("fresh"))
+                    : rig.removeLightGroup(rig.lightGroups().get(index % rig.lightGroups().size()).name()));
         }
     }
 
-    record RenameBank(int index) implements Edit {
+    record RenameLightGroup(int index) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            Rig rig = history.getLast().rig();
-            String bank = rig.banks().isEmpty() ? "" : rig.banks().get(index % rig.banks().size()).name();
-            return history.getLast().withRig(rig.banks().isEmpty() ? rig
-                    : rig.renamed(bank, bank.equals("named") || rig.isTaken("named") ? bank : "named"));
+            LightRig rig = history.getLast().rig();
+            String bank = rig.lightGroups().isEmpty() ? "" : rig.lightGroups().get(index % rig.lightGroups().size()).name();
+            return history.getLast().withRig(rig.lightGroups().isEmpty() ? rig
+                    : rig.renameLightGroup(bank, bank.equals("named") || rig.isNameUsed("named") ? bank : "named"));
         }
     }
 
     /** Another value of one of the world's attributes. */
-    record OfWorld<V>(Attribute<World, V> attribute, V to) implements Edit {
+    record EditWorld<V>(SceneAttribute<World, V> attribute, V to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withWorld(attribute.with(history.getLast().world(), to));
         }
     }
 
-    record Surround(Optional<Panorama> to) implements Edit {
+    record SetEnvironment(Optional<Environment> to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
-            return history.getLast().withWorld(history.getLast().world().withEnvironment(to).withLamps(5));
+            return history.getLast().withWorld(history.getLast().world().withEnvironment(to).withLightCount(5));
         }
     }
 
-    record Depth(int to) implements Edit {
+    record SetDepth(int to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withPicture(history.getLast().picture().withDepth(to));
         }
     }
 
-    record Size(int width, int height) implements Edit {
+    record Resize(int width, int height) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withPicture(history.getLast().picture().withSize(width, height));
         }
     }
 
-    record Sample(Sampling to) implements Edit {
+    record SetSampling(SamplingSettings to) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             return history.getLast().withPicture(history.getLast().picture().withSampling(to));
@@ -210,7 +210,7 @@ public sealed interface Edit {
     }
 
     /** The camera goes around what it looks at. */
-    record Orbit(double side) implements Edit {
+    record OrbitCamera(double side) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Camera c = history.getLast().camera();
@@ -227,14 +227,14 @@ public sealed interface Edit {
             if (s.nodes().isEmpty()) {
                 return s;
             }
-            List<Node> nodes = new ArrayList<>(s.nodes());
+            List<SceneNode> nodes = new ArrayList<>(s.nodes());
             nodes.remove(index % nodes.size());
             return s.withNodes(nodes);
         }
     }
 
     /** A property of one material. */
-    record OfMaterial(int index, MaterialChange change) implements Edit {
+    record EditMaterial(int index, MaterialChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
@@ -244,7 +244,7 @@ public sealed interface Edit {
     }
 
     /** A material that no shape has comes, or goes, and the others stand in another order. */
-    record UnusedMaterial() implements Edit {
+    record AddUnusedMaterial() implements Edit {
         private static final String NAME = "unused";
 
         @Override
@@ -260,7 +260,7 @@ public sealed interface Edit {
     }
 
     /** The scene's own material of the name that shapes without one have, or none again. */
-    record OwnDefault(MaterialChange change) implements Edit {
+    record OverrideDefaultMaterial(MaterialChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
@@ -273,40 +273,40 @@ public sealed interface Edit {
     }
 
     /** One shape of the first level of nodes gets another material. */
-    record Assign(int index, String material) implements Edit {
+    record AssignMaterial(int index, String material) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene s = history.getLast();
             if (s.nodes().isEmpty()) {
                 return s;
             }
-            List<Node> nodes = new ArrayList<>(s.nodes());
+            List<SceneNode> nodes = new ArrayList<>(s.nodes());
             nodes.set(index % nodes.size(), switch (nodes.get(index % nodes.size())) {
                 case Shape n -> n.withMaterial(material);
-                case Group n -> n;
+                case NodeGroup n -> n;
             });
             return s.withNodes(nodes);
         }
     }
 
     /** A property of one shape or group, which may be within others. */
-    record OfNode(int index, NodeChange change) implements Edit {
+    record EditNode(int index, NodeChange change) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene scene = history.getLast();
-            List<Node> all = new ArrayList<>();
-            collect(scene.nodes(), all);
-            if (all.isEmpty()) {
+            List<SceneNode> nodes = new ArrayList<>();
+            collect(scene.nodes(), nodes);
+            if (nodes.isEmpty()) {
                 return scene;
             }
-            Node node = all.get(index % all.size());
+            SceneNode node = nodes.get(index % nodes.size());
             return scene.withNode(node.name(), change.on(node));
         }
 
-        private static void collect(List<Node> nodes, List<Node> to) {
-            for (Node node : nodes) {
+        private static void collect(List<SceneNode> nodes, List<SceneNode> to) {
+            for (SceneNode node : nodes) {
                 to.add(node);
-                if (node instanceof Group g) {
+                if (node instanceof NodeGroup g) {
                     collect(g.children(), to);
                 }
             }
@@ -323,19 +323,19 @@ public sealed interface Edit {
             if (s.nodes().isEmpty() || s.nodes().size() >= MOST) {
                 return s;
             }
-            List<Node> nodes = new ArrayList<>(s.nodes());
-            Node copy = NodeArbitraries.named(nodes.get(index % nodes.size()), fresh(s));
+            List<SceneNode> nodes = new ArrayList<>(s.nodes());
+            SceneNode copy = NodeArbitraries.withName(nodes.get(index % nodes.size()), fresh(s));
             nodes.add(at % (nodes.size() + 1), copy);
             return s.withNodes(nodes);
         }
 
         private static String fresh(Scene scene) {
-            return IntStream.iterate(0, i -> i + 1).mapToObj(i -> "twin" + i).filter(n -> !scene.isTaken(n)).findFirst().orElseThrow();
+            return IntStream.iterate(0, i -> i + 1).mapToObj(i -> "twin" + i).filter(n -> !scene.isNameUsed(n)).findFirst().orElseThrow();
         }
     }
 
     /** A node of the first level joins a group that moves nothing, the last or the first node; where it is the group, it is dissolved. */
-    record Wrap(int index, boolean last) implements Edit {
+    record GroupNode(int index, boolean last) implements Edit {
         private static final String NAME = "wrap";
 
         @Override
@@ -344,15 +344,15 @@ public sealed interface Edit {
             if (s.nodes().isEmpty()) {
                 return s;
             }
-            List<Node> nodes = new ArrayList<>(s.nodes());
-            Node node = nodes.remove(index % nodes.size());
-            if (node instanceof Group g && g.name().equals(NAME)) {
+            List<SceneNode> nodes = new ArrayList<>(s.nodes());
+            SceneNode node = nodes.remove(index % nodes.size());
+            if (node instanceof NodeGroup g && g.name().equals(NAME)) {
                 nodes.addAll(g.children());
                 return s.withNodes(nodes);
             }
-            List<Node> children = new ArrayList<>(List.of(node));
-            nodes.removeIf(n -> n instanceof Group g && g.name().equals(NAME) && children.addAll(g.children()));
-            nodes.add(last ? nodes.size() : 0, new Group(NAME, Placement.IDENTITY, children));
+            List<SceneNode> children = new ArrayList<>(List.of(node));
+            nodes.removeIf(n -> n instanceof NodeGroup g && g.name().equals(NAME) && children.addAll(g.children()));
+            nodes.add(last ? nodes.size() : 0, new NodeGroup(NAME, Placement.IDENTITY, children));
             return s.withNodes(nodes);
         }
     }
@@ -362,7 +362,7 @@ public sealed interface Edit {
         @Override
         public Scene apply(List<Scene> history) {
             Scene s = history.getLast();
-            List<Node> nodes = new ArrayList<>(s.nodes());
+            List<SceneNode> nodes = new ArrayList<>(s.nodes());
             if (!nodes.isEmpty()) {
                 Collections.swap(nodes, one % nodes.size(), other % nodes.size());
             }
@@ -379,7 +379,7 @@ public sealed interface Edit {
     }
 
     /** Several edits at once (paper §4.9). */
-    record Together(List<Edit> edits) implements Edit {
+    record CompositeEdit(List<Edit> edits) implements Edit {
         @Override
         public Scene apply(List<Scene> history) {
             List<Scene> scenes = new ArrayList<>(history);

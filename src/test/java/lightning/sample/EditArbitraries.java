@@ -19,8 +19,8 @@ public final class EditArbitraries {
     }
 
     /** One to twelve edits of how strongly lights shine and how they fade. */
-    static Arbitrary<List<Edit>> sequencesOfScales() {
-        Arbitrary<Edit> edits = Combinators.combine(lights(), scales()).as(Edit.OfLight::new);
+    static Arbitrary<List<Edit>> scaleSequences() {
+        Arbitrary<Edit> edits = Combinators.combine(lights(), scales()).as(Edit.EditLight::new);
         return edits.list().ofMinSize(1).ofMaxSize(12);
     }
 
@@ -28,114 +28,114 @@ public final class EditArbitraries {
         return Arbitraries.oneOf(List.of(
                 LightArbitraries.colors().map(LightChange.Color::new),
                 LightArbitraries.intensities().map(LightChange.Intensity::new),
-                LightArbitraries.attenuations().map(LightChange.Fading::new),
+                LightArbitraries.attenuations().map(LightChange.SetAttenuation::new),
                 LightArbitraries.dropoffs().map(LightChange.Dropoff::new)));
     }
 
     static Arbitrary<Edit> edits() {
-        return Arbitraries.frequencyOf(Tuple.of(9, single()),
-                Tuple.of(1, single().list().ofMinSize(2).ofMaxSize(4).map(Edit.Together::new)));
+        return Arbitraries.frequencyOf(Tuple.of(9, singleEdits()),
+                Tuple.of(1, singleEdits().list().ofMinSize(2).ofMaxSize(4).map(Edit.CompositeEdit::new)));
     }
 
-    private static Arbitrary<Edit> single() {
+    private static Arbitrary<Edit> singleEdits() {
         return Arbitraries.frequencyOf(
-                Tuple.of(24, ofLights()),
-                Tuple.of(14, ofMaterials()),
-                Tuple.of(8, ofTheList()),
-                Tuple.of(5, ofBanks()),
-                Tuple.of(6, ofTheWorld()),
+                Tuple.of(24, lightEdits()),
+                Tuple.of(14, materialEdits()),
+                Tuple.of(8, lightListEdits()),
+                Tuple.of(5, lightGroupEdits()),
+                Tuple.of(6, worldEdits()),
                 Tuple.of(4, Arbitraries.integers().between(1, 6).map(Edit.Undo::new)),
-                Tuple.of(8, ofShapes()),
-                Tuple.of(1, ofTheGeometry()));
+                Tuple.of(8, shapeEdits()),
+                Tuple.of(1, geometryEdits()));
     }
 
-    private static Arbitrary<Edit> ofLights() {
-        return Combinators.combine(lights(), changes()).as(Edit.OfLight::new);
+    private static Arbitrary<Edit> lightEdits() {
+        return Combinators.combine(lights(), changes()).as(Edit.EditLight::new);
     }
 
     private static Arbitrary<LightChange> changes() {
         return Arbitraries.oneOf(List.of(
                 LightArbitraries.colors().map(LightChange.Color::new),
                 LightArbitraries.intensities().map(LightChange.Intensity::new),
-                LightArbitraries.attenuations().map(LightChange.Fading::new),
+                LightArbitraries.attenuations().map(LightChange.SetAttenuation::new),
                 LightArbitraries.angles().map(LightChange.Angle::new),
                 LightArbitraries.angles().map(LightChange.Angle::new),
                 LightArbitraries.dropoffs().map(LightChange.Dropoff::new),
-                LightArbitraries.doors().map(d -> new LightChange.Anew<>(LightAttribute.DOORS, d)),
-                LightArbitraries.gobos().map(g -> new LightChange.Anew<>(LightAttribute.GOBO, g)),
-                LightArbitraries.profiles().map(p -> new LightChange.Anew<>(LightAttribute.PROFILE, p)),
-                LightArbitraries.feathers().map(f -> new LightChange.Anew<>(LightAttribute.FEATHER, f)),
-                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.ILLUMINATES, l)),
-                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.ILLUMINATES, l)),
-                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.SHADOWED_BY, l)),
-                LightArbitraries.links().map(l -> new LightChange.Anew<>(LightAttribute.SHADOWED_BY, l)),
+                LightArbitraries.doors().map(d -> new LightChange.SetAttribute<>(LightAttribute.DOORS, d)),
+                LightArbitraries.gobos().map(g -> new LightChange.SetAttribute<>(LightAttribute.GOBO, g)),
+                LightArbitraries.profiles().map(p -> new LightChange.SetAttribute<>(LightAttribute.PROFILE, p)),
+                LightArbitraries.feathers().map(f -> new LightChange.SetAttribute<>(LightAttribute.FEATHER, f)),
+                LightArbitraries.links().map(l -> new LightChange.SetAttribute<>(LightAttribute.ILLUMINATES, l)),
+                LightArbitraries.links().map(l -> new LightChange.SetAttribute<>(LightAttribute.ILLUMINATES, l)),
+                LightArbitraries.links().map(l -> new LightChange.SetAttribute<>(LightAttribute.SHADOWED_BY, l)),
+                LightArbitraries.links().map(l -> new LightChange.SetAttribute<>(LightAttribute.SHADOWED_BY, l)),
                 LightArbitraries.types().map(LightChange.Type::new),
-                LightArbitraries.areas().map(LightChange.Size::new),
-                Arbitraries.of(new LightChange.SwitchOn()),
-                Arbitraries.of(new LightChange.SwitchOn()),
-                Arbitraries.of(new LightChange.SwitchSolo()),
+                LightArbitraries.areas().map(LightChange.SetArea::new),
+                Arbitraries.of(new LightChange.ToggleOn()),
+                Arbitraries.of(new LightChange.ToggleOn()),
+                Arbitraries.of(new LightChange.ToggleSolo()),
                 LightArbitraries.places().map(LightChange.Move::new),
-                LightArbitraries.aims().map(LightChange.Turn::new),
-                Arbitraries.of(0.5, 2.0, 1e3).map(LightChange.Lengthen::new),
+                LightArbitraries.aimPositions().map(LightChange.Turn::new),
+                Arbitraries.of(0.5, 2.0, 1e3).map(LightChange.ScaleDirection::new),
                 AttributeArbitraries.lightChanges()));
     }
 
-    private static Arbitrary<Edit> ofMaterials() {
+    private static Arbitrary<Edit> materialEdits() {
         return Arbitraries.frequencyOf(
                 Tuple.of(12, Combinators.combine(Arbitraries.integers().between(0, 3).withoutEdgeCases(), MaterialArbitraries.changes())
-                        .as(Edit.OfMaterial::new)),
-                Tuple.of(1, Arbitraries.of(new Edit.UnusedMaterial())),
-                Tuple.of(1, MaterialArbitraries.changes().map(Edit.OwnDefault::new)));
+                        .as(Edit.EditMaterial::new)),
+                Tuple.of(1, Arbitraries.of(new Edit.AddUnusedMaterial())),
+                Tuple.of(1, MaterialArbitraries.changes().map(Edit.OverrideDefaultMaterial::new)));
     }
 
-    private static Arbitrary<Edit> ofTheList() {
+    private static Arbitrary<Edit> lightListEdits() {
         return Arbitraries.oneOf(List.of(
-                Combinators.combine(lights(), LightArbitraries.lights()).as(Edit.Add::new),
-                Combinators.combine(lights(), lights()).as(Edit.Duplicate::new),
-                lights().map(Edit.Delete::new),
-                lights().map(Edit.Rename::new),
-                Combinators.combine(lights(), lights()).as(Edit.SwapNames::new),
-                Combinators.combine(lights(), lights()).as(Edit.Reorder::new)));
+                Combinators.combine(lights(), LightArbitraries.lights()).as(Edit.AddLight::new),
+                Combinators.combine(lights(), lights()).as(Edit.DuplicateLight::new),
+                lights().map(Edit.DeleteLight::new),
+                lights().map(Edit.RenameLight::new),
+                Combinators.combine(lights(), lights()).as(Edit.SwapLightNames::new),
+                Combinators.combine(lights(), lights()).as(Edit.ReorderLights::new)));
     }
 
-    private static Arbitrary<Edit> ofBanks() {
+    private static Arbitrary<Edit> lightGroupEdits() {
         return Arbitraries.oneOf(List.of(
-                Combinators.combine(lights(), Arbitraries.integers().between(0, 2)).as(Edit.Join::new),
-                Combinators.combine(lights(), LightArbitraries.banks("fresh")).as(Edit.OfBank::new),
-                Combinators.combine(lights(), LightArbitraries.banks("fresh")).as(Edit.OfBank::new),
-                lights().map(Edit.DropBank::new),
-                lights().map(Edit.RenameBank::new)));
+                Combinators.combine(lights(), Arbitraries.integers().between(0, 2)).as(Edit.AssignLightGroup::new),
+                Combinators.combine(lights(), LightArbitraries.lightGroupNames("fresh")).as(Edit.EditLightGroup::new),
+                Combinators.combine(lights(), LightArbitraries.lightGroupNames("fresh")).as(Edit.EditLightGroup::new),
+                lights().map(Edit.DeleteLightGroup::new),
+                lights().map(Edit.RenameLightGroup::new)));
     }
 
-    private static Arbitrary<Edit> ofTheWorld() {
+    private static Arbitrary<Edit> worldEdits() {
         return Arbitraries.oneOf(List.of(
-                Numbers.betweenOr(0, 1, 0.0, 1e6).map(v -> new Edit.OfWorld<>(World.AMBIENCE, v)),
-                Numbers.colors().map(v -> new Edit.OfWorld<>(World.BACKGROUND, v)),
-                SceneArbitraries.skies().map(s -> new Edit.Surround(Optional.of(s))),
-                Arbitraries.of(new Edit.Surround(Optional.empty())),
-                SceneArbitraries.rotations().map(v -> new Edit.OfWorld<>(World.ROTATION, v)),
-                SceneArbitraries.softnesses().map(v -> new Edit.OfWorld<>(World.SOFTNESS, v)),
-                Numbers.betweenOr(0, 2, 0.0, 1.0).map(v -> new Edit.OfWorld<>(World.INTENSITY, v)),
-                SceneArbitraries.depths().map(Edit.Depth::new),
-                SceneArbitraries.depths().map(Edit.Depth::new)));
+                NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1e6).map(v -> new Edit.EditWorld<>(World.AMBIENCE, v)),
+                NumberArbitraries.colors().map(v -> new Edit.EditWorld<>(World.BACKGROUND, v)),
+                SceneArbitraries.environmentMaps().map(s -> new Edit.SetEnvironment(Optional.of(s))),
+                Arbitraries.of(new Edit.SetEnvironment(Optional.empty())),
+                SceneArbitraries.rotations().map(v -> new Edit.EditWorld<>(World.ROTATION, v)),
+                SceneArbitraries.softnesses().map(v -> new Edit.EditWorld<>(World.SOFTNESS, v)),
+                NumberArbitraries.rangeOrSpecial(0, 2, 0.0, 1.0).map(v -> new Edit.EditWorld<>(World.INTENSITY, v)),
+                SceneArbitraries.depths().map(Edit.SetDepth::new),
+                SceneArbitraries.depths().map(Edit.SetDepth::new)));
     }
 
-    private static Arbitrary<Edit> ofTheGeometry() {
+    private static Arbitrary<Edit> geometryEdits() {
         return Arbitraries.oneOf(List.of(
-                Combinators.combine(sides(), sides()).as(Edit.Size::new),
-                SceneArbitraries.samplings().map(Edit.Sample::new),
-                Numbers.between(-0.3, 0.3).map(Edit.Orbit::new),
+                Combinators.combine(sides(), sides()).as(Edit.Resize::new),
+                SceneArbitraries.samplings().map(Edit.SetSampling::new),
+                NumberArbitraries.range(-0.3, 0.3).map(Edit.OrbitCamera::new),
                 nodes().map(Edit.RemoveNode::new),
-                Combinators.combine(nodes(), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.Assign::new)));
+                Combinators.combine(nodes(), Arbitraries.of(NodeArbitraries.MATERIALS)).as(Edit.AssignMaterial::new)));
     }
 
-    private static Arbitrary<Edit> ofShapes() {
+    private static Arbitrary<Edit> shapeEdits() {
         return Arbitraries.frequencyOf(
-                Tuple.of(10, Combinators.combine(nodes(), NodeArbitraries.changes()).as(Edit.OfNode::new)),
+                Tuple.of(10, Combinators.combine(nodes(), NodeArbitraries.changes()).as(Edit.EditNode::new)),
                 Tuple.of(1, nodes().map(Edit.RemoveNode::new)),
                 Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.DuplicateNode::new)),
                 Tuple.of(1, Combinators.combine(nodes(), nodes()).as(Edit.SwapNodes::new)),
-                Tuple.of(2, Combinators.combine(nodes(), Arbitraries.of(true, false)).as(Edit.Wrap::new)));
+                Tuple.of(2, Combinators.combine(nodes(), Arbitraries.of(true, false)).as(Edit.GroupNode::new)));
     }
 
     private static Arbitrary<Integer> nodes() {

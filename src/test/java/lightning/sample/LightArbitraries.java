@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Area;
+import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
-import lightning.scene.Bank;
 import lightning.scene.BarnDoors;
 import lightning.scene.Gobo;
+import lightning.scene.IesProfile;
 import lightning.scene.Light;
+import lightning.scene.LightGroup;
 import lightning.scene.LightType;
-import lightning.scene.Links;
 import lightning.scene.Photometry;
-import lightning.scene.Profile;
+import lightning.scene.ShapeLinks;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -24,7 +24,7 @@ import net.jqwik.api.Tuple;
 final class LightArbitraries {
     private LightArbitraries() {}
 
-    static Arbitrary<LightSeed> lights() {
+    static Arbitrary<LightTemplate> lights() {
         return Combinators.combine(types(), colors(), intensities(), attenuations(), angles(), dropoffs(),
                 Combinators.combine(on(), solo()).as((on, solo) -> new boolean[] {on, solo}), areas())
                 .as((type, color, intensity, attenuation, angle, dropoff, shines, area) -> Light.of("l", type).withColor(color)
@@ -32,8 +32,8 @@ final class LightArbitraries {
                         .withOn(shines[0]).withSolo(shines[1]).withArea(area))
                 .flatMap(light -> doors().map(light::withDoors)).flatMap(light -> feathers().map(light::withFeather))
                 .flatMap(light -> gobos().map(light::withGobo)).flatMap(light -> profiles().map(light::withProfile))
-                .flatMap(light -> seldom().map(light::withIlluminates)).flatMap(light -> seldom().map(light::withShadowedBy))
-                .flatMap(light -> Combinators.combine(places(), aims()).as((at, aim) -> new LightSeed(light, at, aim)));
+                .flatMap(light -> rarelyTrue().map(light::withIlluminates)).flatMap(light -> rarelyTrue().map(light::withShadowedBy))
+                .flatMap(light -> Combinators.combine(places(), aimPositions()).as((at, aim) -> new LightTemplate(light, at, aim)));
     }
 
     static Arbitrary<LightType> types() {
@@ -41,16 +41,17 @@ final class LightArbitraries {
     }
 
     static Arbitrary<Rgb> colors() {
-        return Arbitraries.frequencyOf(Tuple.of(9, Numbers.colors()), Tuple.of(1, Numbers.colors().map(c -> c.times(1000))));
+        return Arbitraries.frequencyOf(Tuple.of(9, NumberArbitraries.colors()),
+                Tuple.of(1, NumberArbitraries.colors().map(c -> c.times(1000))));
     }
 
     static Arbitrary<Double> intensities() {
-        return Arbitraries.frequencyOf(Tuple.of(6, Numbers.between(0, 3)), Tuple.of(2, Arbitraries.of(1.0)),
+        return Arbitraries.frequencyOf(Tuple.of(6, NumberArbitraries.range(0, 3)), Tuple.of(2, Arbitraries.of(1.0)),
                 Tuple.of(1, Arbitraries.of(0.0, 1e-45, 1e-300, 1e6, 1e22, 1e30)));
     }
 
     static Arbitrary<Attenuation> attenuations() {
-        Arbitrary<Double> factor = Numbers.betweenOr(0, 1, 0.0, 1.0);
+        Arbitrary<Double> factor = NumberArbitraries.rangeOrSpecial(0, 1, 0.0, 1.0);
         return Arbitraries.frequencyOf(
                 Tuple.of(2, Arbitraries.of(Attenuation.NONE, new Attenuation(0, 0, 0))),
                 Tuple.of(1, Arbitraries.of(new Attenuation(0, 1, 1), new Attenuation(0.1, 1, 0.1), new Attenuation(0, 0, 1),
@@ -59,18 +60,18 @@ final class LightArbitraries {
     }
 
     static Arbitrary<Double> angles() {
-        return Arbitraries.frequencyOf(Tuple.of(4, Numbers.between(5, 60)), Tuple.of(1, Numbers.between(0, 180)),
+        return Arbitraries.frequencyOf(Tuple.of(4, NumberArbitraries.range(5, 60)), Tuple.of(1, NumberArbitraries.range(0, 180)),
                 Tuple.of(1, Arbitraries.of(0.0, 1e-3, 90.0, 180.0)));
     }
 
     static Arbitrary<Double> dropoffs() {
-        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 12)),
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(3, NumberArbitraries.range(0, 12)),
                 Tuple.of(1, Arbitraries.of(1.0, 2.0, 0.5, 1e-9, 1e4, 1e6)));
     }
 
     /** Doors that are open, at angles within a cone, beyond its axis, and shut. */
     static Arbitrary<BarnDoors> doors() {
-        Arbitrary<Double> door = Numbers.betweenOr(-20, 40, 90.0, 90.0, 0.0, -90.0);
+        Arbitrary<Double> door = NumberArbitraries.rangeOrSpecial(-20, 40, 90.0, 90.0, 0.0, -90.0);
         return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(BarnDoors.OPEN)),
                 Tuple.of(1, Combinators.combine(door, door, door, door).as(BarnDoors::new)));
     }
@@ -81,7 +82,7 @@ final class LightArbitraries {
     }
 
     /** Profiles of all types and symmetries, with steps, and directions that get nothing. */
-    static Arbitrary<Optional<Profile>> profiles() {
+    static Arbitrary<Optional<IesProfile>> profiles() {
         Arbitrary<Photometry> measured = Arbitraries.of(Photometry.Type.values()).flatMap(type -> Arbitraries.of(type == Photometry.Type.C
                 ? List.of(new double[] {0}, new double[] {0, 90}, new double[] {0, 60, 180}, new double[] {0, 90, 200, 360},
                         new double[] {90, 180, 270})
@@ -90,44 +91,46 @@ final class LightArbitraries {
                                 .of(type == Photometry.Type.C
                                         ? List.of(new double[] {0, 20, 20.001, 90}, new double[] {0, 45, 180}, new double[] {90, 180})
                                         : List.of(new double[] {-90, 0, 90}, new double[] {0, 30, 90}))
-                                .flatMap(up -> Numbers.betweenOr(0, 9, 0.0, 1e-30).array(double[].class).ofSize(up.length * across.length)
+                                .flatMap(up -> NumberArbitraries.rangeOrSpecial(0, 9, 0.0, 1e-30).array(double[].class)
+                                        .ofSize(up.length * across.length)
                                         .filter(c -> Arrays.stream(c).max().orElse(0) > 0).map(c -> new Photometry(type, up, across, c)))));
-        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Optional.<Profile>empty())),
-                Tuple.of(1, measured.map(p -> Optional.of(new Profile("sample.ies", p)))));
+        return Arbitraries.frequencyOf(Tuple.of(3, Arbitraries.of(Optional.<IesProfile>empty())),
+                Tuple.of(1, measured.map(p -> Optional.of(new IesProfile("sample.ies", p)))));
     }
 
     static Arbitrary<Double> feathers() {
-        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(1, Numbers.betweenOr(0, 60, 1e-9, 90.0)));
+        return Arbitraries.frequencyOf(Tuple.of(2, Arbitraries.of(0.0)), Tuple.of(1, NumberArbitraries.rangeOrSpecial(0, 60, 1e-9, 90.0)));
     }
 
     /** Banks with every kind of master: dark, as the lights are, a little off, and very bright. */
-    static Arbitrary<Bank> banks(String name) {
-        Arbitrary<Double> masters = Arbitraries.frequencyOf(Tuple.of(4, Numbers.between(0, 2)),
+    static Arbitrary<LightGroup> lightGroupNames(String name) {
+        Arbitrary<Double> masters = Arbitraries.frequencyOf(Tuple.of(4, NumberArbitraries.range(0, 2)),
                 Tuple.of(2, Arbitraries.of(0.0, 1.0, 1e-300, 1000.0)));
-        Arbitrary<Rgb> gels = Arbitraries.frequencyOf(Tuple.of(3, Numbers.colors()), Tuple.of(2, Arbitraries.of(Rgb.WHITE, Rgb.BLACK)));
-        return Combinators.combine(gels, masters, on(), solo()).as((gel, master, on, solo) -> new Bank(name, gel, master, on, solo));
+        Arbitrary<Rgb> gels =
+                Arbitraries.frequencyOf(Tuple.of(3, NumberArbitraries.colors()), Tuple.of(2, Arbitraries.of(Rgb.WHITE, Rgb.BLACK)));
+        return Combinators.combine(gels, masters, on(), solo()).as((gel, master, on, solo) -> new LightGroup(name, gel, master, on, solo));
     }
 
     /** Names of shapes and groups that scenes of {@link NodeArbitraries} may have. */
-    static Arbitrary<Links> links() {
+    static Arbitrary<ShapeLinks> links() {
         Arbitrary<List<String>> names = Arbitraries.of("floor", "shell", "n0", "n1", "n1_0", "n2", "n2_1", "n3", "n4", "twin0", "wrap")
                 .list().ofMinSize(0).ofMaxSize(5);
-        return Combinators.combine(Arbitraries.of(true, false), names).as(Links::new);
+        return Combinators.combine(Arbitraries.of(true, false), names).as(ShapeLinks::new);
     }
 
-    private static Arbitrary<Links> seldom() {
-        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(Links.ALL)), Tuple.of(2, links()));
+    private static Arbitrary<ShapeLinks> rarelyTrue() {
+        return Arbitraries.frequencyOf(Tuple.of(5, Arbitraries.of(ShapeLinks.ALL)), Tuple.of(2, links()));
     }
 
     /** Half of them points. */
-    static Arbitrary<Area> areas() {
-        Arbitrary<Double> length = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 2)),
-                Tuple.of(1, Numbers.between(-9, 9).map(e -> Math.pow(10, e))));
-        Arbitrary<Double> spread = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, Numbers.between(0, 15)),
+    static Arbitrary<AreaShape> areas() {
+        Arbitrary<Double> length = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, NumberArbitraries.range(0, 2)),
+                Tuple.of(1, NumberArbitraries.range(-9, 9).map(e -> Math.pow(10, e))));
+        Arbitrary<Double> spread = Arbitraries.frequencyOf(Tuple.of(4, Arbitraries.of(0.0)), Tuple.of(3, NumberArbitraries.range(0, 15)),
                 Tuple.of(1, Arbitraries.of(1e-9, 90.0)));
         Arbitrary<Vec3> up = Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.Y, new Vec3(0, -1, 0))),
-                Tuple.of(1, Numbers.vectors(-2, 2).filter(v -> v.maxAbs() > 1e-3)));
-        return Combinators.combine(length, spread, length, length, up, samples()).as(Area::new);
+                Tuple.of(1, NumberArbitraries.vectors(-2, 2).filter(v -> v.maxAbs() > 1e-3)));
+        return Combinators.combine(length, spread, length, length, up, samples()).as(AreaShape::new);
     }
 
     static Arbitrary<Integer> samples() {
@@ -142,27 +145,28 @@ final class LightArbitraries {
         return Arbitraries.frequency(Tuple.of(19, false), Tuple.of(1, true));
     }
 
-    static Arbitrary<Place> places() {
-        Arbitrary<Place> above = Numbers.vectors(Numbers.between(-4, 4), Numbers.between(1, 6), Numbers.between(-4, 4))
-                .map(Place.Near::new);
+    static Arbitrary<RelativePosition> places() {
+        Arbitrary<RelativePosition> above =
+                NumberArbitraries.vectors(NumberArbitraries.range(-4, 4), NumberArbitraries.range(1, 6), NumberArbitraries.range(-4, 4))
+                        .map(RelativePosition.Near::new);
         return Arbitraries.frequencyOf(
                 Tuple.of(8, above),
-                Tuple.of(1, Numbers.vectors(-15, 15).map(Place.Near::new)),
-                Tuple.of(1, Arbitraries.integers().between(0, 9).map(Place.InShape::new)),
+                Tuple.of(1, NumberArbitraries.vectors(-15, 15).map(RelativePosition.Near::new)),
+                Tuple.of(1, Arbitraries.integers().between(0, 9).map(RelativePosition.InShape::new)),
                 Tuple.of(1, rows()));
     }
 
-    static Arbitrary<Place> aims() {
+    static Arbitrary<RelativePosition> aimPositions() {
         return Arbitraries.frequencyOf(
-                Tuple.of(5, Numbers.vectors(-2, 2).map(Place.Near::new)),
-                Tuple.of(1, Arbitraries.of(new Place.Near(Vec3.ZERO))),
-                Tuple.of(1, Numbers.vectors(-20, 20).map(Place.Near::new)),
-                Tuple.of(1, Arbitraries.integers().between(0, 9).map(Place.InShape::new)),
+                Tuple.of(5, NumberArbitraries.vectors(-2, 2).map(RelativePosition.Near::new)),
+                Tuple.of(1, Arbitraries.of(new RelativePosition.Near(Vec3.ZERO))),
+                Tuple.of(1, NumberArbitraries.vectors(-20, 20).map(RelativePosition.Near::new)),
+                Tuple.of(1, Arbitraries.integers().between(0, 9).map(RelativePosition.InShape::new)),
                 Tuple.of(1, rows()));
     }
 
-    private static Arbitrary<Place> rows() {
+    private static Arbitrary<RelativePosition> rows() {
         return Combinators.combine(Arbitraries.integers().between(0, 39), Arbitraries.integers().between(0, 39))
-                .as(Place.OnRow::new);
+                .as(RelativePosition.OnRow::new);
     }
 }

@@ -1,7 +1,7 @@
 package lightning.sample;
 
 import lightning.base.math.Rgb;
-import lightning.scene.Area;
+import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -28,7 +28,7 @@ sealed interface LightChange {
         }
     }
 
-    record Fading(Attenuation to) implements LightChange {
+    record SetAttenuation(Attenuation to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withAttenuation(to);
@@ -56,43 +56,43 @@ sealed interface LightChange {
         }
     }
 
-    record Size(Area to) implements LightChange {
+    record SetArea(AreaShape to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withArea(to);
         }
     }
 
-    record SwitchOn() implements LightChange {
+    record ToggleOn() implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withOn(!light.on());
         }
     }
 
-    record SwitchSolo() implements LightChange {
+    record ToggleSolo() implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withSolo(!light.solo());
         }
     }
 
-    record Move(Place to) implements LightChange {
+    record Move(RelativePosition to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withPosition(to.in(scene));
         }
     }
 
-    record Turn(Place to) implements LightChange {
+    record Turn(RelativePosition to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
-            return light.withDirection(LightSeed.direction(light.position(), to.in(scene)));
+            return light.withDirection(LightTemplate.direction(light.position(), to.in(scene)));
         }
     }
 
     /** Another length of the direction, which no picture shows. */
-    record Lengthen(double factor) implements LightChange {
+    record ScaleDirection(double factor) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
             return light.withDirection(light.direction().normalized().times(factor));
@@ -100,12 +100,12 @@ sealed interface LightChange {
     }
 
     /** Any attribute that the table has. */
-    record Anew<V>(LightAttribute<V> attribute, V to) implements LightChange {
+    record SetAttribute<V>(LightAttribute<V> attribute, V to) implements LightChange {
         @Override
         public Light on(Light light, Scene scene) {
-            Light anew = attribute.with(light, to);
-            return anew.withIlluminates(anew.illuminates().within(scene.stage()::hasNode))
-                    .withShadowedBy(anew.shadowedBy().within(scene.stage()::hasNode));
+            Light changed = attribute.with(light, to);
+            return changed.withIlluminates(changed.illuminates().retain(scene.stage()::hasNode))
+                    .withShadowedBy(changed.shadowedBy().retain(scene.stage()::hasNode));
         }
     }
 }

@@ -2,14 +2,14 @@ package lightning.sample;
 
 import java.util.Optional;
 import lightning.base.math.Rgb;
-import lightning.scene.Clarity;
-import lightning.scene.Cutout;
+import lightning.scene.AlphaCutout;
+import lightning.scene.BumpMapping;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
-import lightning.scene.Relief;
-import lightning.scene.ShadowsThrown;
-import lightning.scene.SurfaceModel;
+import lightning.scene.ShadingModel;
+import lightning.scene.ShadowCasting;
 import lightning.scene.TextureMap;
+import lightning.scene.Transmission;
 
 /** A new value for one of a material's properties, or for all. */
 sealed interface MaterialChange {
@@ -45,7 +45,7 @@ sealed interface MaterialChange {
         }
     }
 
-    record Model(SurfaceModel to) implements MaterialChange {
+    record Model(ShadingModel to) implements MaterialChange {
         @Override
         public Material on(Material material) {
             return material.withModel(to);
@@ -87,70 +87,70 @@ sealed interface MaterialChange {
         }
     }
 
-    record Textured(Optional<TextureMap> to) implements MaterialChange {
+    record SetTexture(Optional<TextureMap> to) implements MaterialChange {
         @Override
         public Material on(Material material) {
             return material.withTexture(to);
         }
     }
 
-    record Relieved(Relief to) implements MaterialChange {
+    record SetBumpMapping(BumpMapping to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withRelief(to);
+            return material.withBumpMapping(to);
         }
     }
 
-    record Cleared(Clarity to) implements MaterialChange {
+    record SetTransmission(Transmission to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withClarity(to);
+            return material.withTransmission(to);
         }
     }
 
-    record Clear(Rgb to) implements MaterialChange {
+    record SetTransmissionColor(Rgb to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withClarity(material.clarity().withClear(to));
+            return material.withTransmission(material.transmission().withColor(to));
         }
     }
 
     record Ior(double to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withClarity(material.clarity().withIor(to));
+            return material.withTransmission(material.transmission().withIor(to));
         }
     }
 
     record Thin(boolean to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withClarity(material.clarity().withThin(to));
+            return material.withTransmission(material.transmission().withThin(to));
         }
     }
 
     record Tint(Rgb to, double distance) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withClarity(material.clarity().withTint(to).withTintDistance(distance));
+            return material.withTransmission(material.transmission().withTint(to).withTintDistance(distance));
         }
     }
 
-    record Shadows(ShadowsThrown to) implements MaterialChange {
+    record Shadows(ShadowCasting to) implements MaterialChange {
         @Override
         public Material on(Material material) {
-            return material.withClarity(material.clarity().withShadows(to));
+            return material.withTransmission(material.transmission().withShadows(to));
         }
     }
 
-    record Cut(Cutout to) implements MaterialChange {
+    record SetCutout(AlphaCutout to) implements MaterialChange {
         @Override
         public Material on(Material material) {
             return material.withCutout(to);
         }
     }
 
-    record Everything(Material to) implements MaterialChange {
+    record ReplaceMaterial(Material to) implements MaterialChange {
         @Override
         public Material on(Material material) {
             return to.withName(material.name());
@@ -158,7 +158,7 @@ sealed interface MaterialChange {
     }
 
     /** Any attribute that the table has. */
-    record Anew<V>(MaterialAttribute<V> attribute, V to) implements MaterialChange {
+    record SetAttribute<V>(MaterialAttribute<V> attribute, V to) implements MaterialChange {
         @Override
         public Material on(Material material) {
             return attribute.with(material, to);

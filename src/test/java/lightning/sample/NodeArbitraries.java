@@ -3,9 +3,9 @@ package lightning.sample;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Vec3;
-import lightning.scene.Group;
-import lightning.scene.Node;
+import lightning.scene.NodeGroup;
 import lightning.scene.Placement;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import net.jqwik.api.Arbitraries;
@@ -24,23 +24,24 @@ final class NodeArbitraries {
     private NodeArbitraries() {}
 
     /** A floor in most cases, perhaps a shell around everything, and up to eight more nodes. */
-    static Arbitrary<List<Node>> nodes() {
-        Arbitrary<List<Node>> free = Arbitraries.frequencyOf(Tuple.of(5, shapes()), Tuple.of(1, groups()))
+    static Arbitrary<List<SceneNode>> nodes() {
+        Arbitrary<List<SceneNode>> free = Arbitraries.frequencyOf(Tuple.of(5, shapes()), Tuple.of(1, groups()))
                 .list().ofMinSize(0).ofMaxSize(8);
         return Combinators.combine(free, Arbitraries.of(false, false, true), Arbitraries.of(false, true, true, true, true),
                 Arbitraries.of(MATERIALS), Arbitraries.of(MATERIALS)).as(NodeArbitraries::assemble);
     }
 
-    private static List<Node> assemble(List<Node> free, boolean shell, boolean floor, String floorMaterial, String shellMaterial) {
-        List<Node> nodes = new ArrayList<>();
+    private static List<SceneNode> assemble(List<SceneNode> free, boolean shell, boolean floor, String floorMaterial,
+            String shellMaterial) {
+        List<SceneNode> nodes = new ArrayList<>();
         if (floor) {
             nodes.add(new Shape(Solid.PLANE, "floor", floorMaterial, placement(new Vec3(0, -1, 0), new Vec3(14, 1, 14))));
         }
         if (shell) {
             nodes.add(new Shape(Solid.SPHERE, "shell", shellMaterial, placement(Vec3.ZERO, new Vec3(12, 11, 13))));
         }
-        for (Node node : free) {
-            nodes.add(named(node, "n" + nodes.size()));
+        for (SceneNode node : free) {
+            nodes.add(withName(node, "n" + nodes.size()));
         }
         return nodes;
     }
@@ -50,30 +51,30 @@ final class NodeArbitraries {
     }
 
     /** A node with another name; the children of a group get names made from it. */
-    static Node named(Node node, String name) {
+    static SceneNode withName(SceneNode node, String name) {
         return switch (node) {
             case Shape s -> s.withName(name);
-            case Group g -> {
-                List<Node> children = new ArrayList<>();
-                for (Node child : g.children()) {
-                    children.add(named(child, name + "_" + children.size()));
+            case NodeGroup g -> {
+                List<SceneNode> children = new ArrayList<>();
+                for (SceneNode child : g.children()) {
+                    children.add(withName(child, name + "_" + children.size()));
                 }
-                yield new Group(name, g.placement(), children, g.visible());
+                yield new NodeGroup(name, g.placement(), children, g.visible());
             }
         };
     }
 
-    private static Arbitrary<Node> shapes() {
+    private static Arbitrary<SceneNode> shapes() {
         return Combinators.combine(SolidArbitraries.solids(), Arbitraries.of(MATERIALS), placements(), visible())
                 .as((solid, material, placement, visible) -> new Shape(solid, "n", material, placement, visible));
     }
 
-    private static Arbitrary<Node> groups() {
+    private static Arbitrary<SceneNode> groups() {
         return Combinators.combine(placements(), shapes().list().ofMinSize(0).ofMaxSize(3), visible())
                 .as((placement, children, visible) -> {
-                    List<Node> inner = new ArrayList<>();
-                    children.forEach(c -> inner.add(named(c, "n" + inner.size())));
-                    return new Group("n", placement, inner, visible);
+                    List<SceneNode> inner = new ArrayList<>();
+                    children.forEach(c -> inner.add(withName(c, "n" + inner.size())));
+                    return new NodeGroup("n", placement, inner, visible);
                 });
     }
 
@@ -83,34 +84,35 @@ final class NodeArbitraries {
 
     /** Steps and turns of every size, from what moves no bit of a picture to what leaves it. */
     static Arbitrary<NodeChange> changes() {
-        Arbitrary<Double> step = Arbitraries.oneOf(List.of(Numbers.between(-2, 2), Arbitraries.of(0.0, 1e-12, 1e-3, -50.0, 1e3)));
+        Arbitrary<Double> step = Arbitraries.oneOf(List.of(NumberArbitraries.range(-2, 2), Arbitraries.of(0.0, 1e-12, 1e-3, -50.0, 1e3)));
         return Arbitraries.frequencyOf(
-                Tuple.of(5, Numbers.vectors(step, step, step).map(NodeChange.Move::new)),
+                Tuple.of(5, NumberArbitraries.vectors(step, step, step).map(NodeChange.Move::new)),
                 Tuple.of(2, rotations().map(NodeChange.Turn::new)),
                 Tuple.of(2, scales().map(NodeChange.Scale::new)),
-                Tuple.of(4, Arbitraries.of(new NodeChange.Show())),
-                Tuple.of(2, Arbitraries.of(new NodeChange.Tint())),
-                Tuple.of(2, Arbitraries.of(MATERIALS).map(NodeChange.Paint::new)),
-                Tuple.of(1, SolidArbitraries.solids().map(NodeChange.Become::new)));
+                Tuple.of(4, Arbitraries.of(new NodeChange.ToggleVisible())),
+                Tuple.of(2, Arbitraries.of(new NodeChange.ToggleVertexColors())),
+                Tuple.of(2, Arbitraries.of(MATERIALS).map(NodeChange.AssignMaterial::new)),
+                Tuple.of(1, SolidArbitraries.solids().map(NodeChange.ReplaceSolid::new)));
     }
 
     private static Arbitrary<Placement> placements() {
-        return Combinators.combine(Numbers.vectors(Numbers.between(-2, 2), Numbers.between(-1, 2), Numbers.between(-2, 2)),
+        return Combinators.combine(
+                NumberArbitraries.vectors(NumberArbitraries.range(-2, 2), NumberArbitraries.range(-1, 2), NumberArbitraries.range(-2, 2)),
                 rotations(), scales()).as(Placement::new);
     }
 
     private static Arbitrary<Vec3> rotations() {
-        Arbitrary<Double> angle = Numbers.betweenOr(-360, 360, 0.0, 90.0, 180.0, 1e6);
-        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.ZERO)), Tuple.of(3, Numbers.vectors(angle, angle, angle)));
+        Arbitrary<Double> angle = NumberArbitraries.rangeOrSpecial(-360, 360, 0.0, 90.0, 180.0, 1e6);
+        return Arbitraries.frequencyOf(Tuple.of(1, Arbitraries.of(Vec3.ZERO)), Tuple.of(3, NumberArbitraries.vectors(angle, angle, angle)));
     }
 
     private static Arbitrary<Vec3> scales() {
-        Arbitrary<Double> ordinary = Numbers.between(0.3, 1.5);
+        Arbitrary<Double> ordinary = NumberArbitraries.range(0.3, 1.5);
         Arbitrary<Double> extreme = Arbitraries.of(1e-3, -1.0, 1e-2, 50.0, 1e3);
         return Arbitraries.frequencyOf(
                 Tuple.of(3, ordinary.map(s -> new Vec3(s, s, s))),
-                Tuple.of(6, Numbers.vectors(ordinary, ordinary, ordinary)),
-                Tuple.of(1, Numbers.vectors(extreme, ordinary, ordinary)),
-                Tuple.of(1, Numbers.vectors(ordinary, extreme, extreme)));
+                Tuple.of(6, NumberArbitraries.vectors(ordinary, ordinary, ordinary)),
+                Tuple.of(1, NumberArbitraries.vectors(extreme, ordinary, ordinary)),
+                Tuple.of(1, NumberArbitraries.vectors(ordinary, extreme, extreme)));
     }
 }

@@ -4,20 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import lightning.scene.Attribute;
-import lightning.scene.Bank;
-import lightning.scene.Choice;
-import lightning.scene.Keying;
+import lightning.scene.ChoiceKind;
+import lightning.scene.KeyframeSupport;
 import lightning.scene.Light;
-import lightning.scene.Quantity;
+import lightning.scene.LightGroup;
+import lightning.scene.NumericKind;
 import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
 import lightning.scene.ValueKind;
-import lightning.scene.shot.Key;
-import lightning.scene.shot.Passage;
-import lightning.scene.shot.Setting;
+import lightning.scene.shot.Interpolation;
+import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
-import lightning.scene.shot.Target;
 import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -31,50 +31,51 @@ public final class ShotArbitraries {
 
     public static Arbitrary<Shot> shots(Scene scene) {
         List<Arbitrary<Track>> all = targets(scene).stream().flatMap(t -> t.attributes(scene).stream()
-                .filter(a -> a.kind().keying() != Keying.NONE).map(a -> tracks(t, a))).toList();
+                .filter(a -> a.kind().keyframeSupport() != KeyframeSupport.NONE).map(a -> tracks(t, a))).toList();
         Arbitrary<Shot> shot = Arbitraries.of(all).flatMap(t -> t).list().ofMaxSize(6).map(tracks -> {
             List<Track> once = new ArrayList<>();
             tracks.stream().filter(t -> once.stream().noneMatch(o -> o.target().equals(t.target()) && o.attribute().equals(t.attribute())))
                     .forEach(once::add);
             return new Shot(0, LAST, 24, once);
         });
-        return Combinators.combine(shot, Arbitraries.integers().between(0, LAST), Numbers.between(Shot.MIN_RATE, Shot.MAX_RATE))
+        return Combinators.combine(shot, Arbitraries.integers().between(0, LAST), NumberArbitraries.range(Shot.MIN_RATE, Shot.MAX_RATE))
                 .as((s, first, rate) -> new Shot(first, LAST, rate, s.tracks()));
     }
 
-    private static List<Target> targets(Scene scene) {
-        Stream<Target> nodes = scene.nodes().stream().map(n -> Target.node(n.name()));
-        return Stream.of(Stream.of(Target.CAMERA), scene.lights().stream().map(Light::name).map(Target::light),
-                scene.rig().banks().stream().map(Bank::name).map(Target::bank), nodes).flatMap(s -> s).toList();
+    private static List<TrackTarget> targets(Scene scene) {
+        Stream<TrackTarget> nodes = scene.nodes().stream().map(n -> TrackTarget.node(n.name()));
+        return Stream.of(Stream.of(TrackTarget.CAMERA), scene.lights().stream().map(Light::name).map(TrackTarget::light),
+                scene.rig().lightGroups().stream().map(LightGroup::name).map(TrackTarget::bank), nodes).flatMap(s -> s).toList();
     }
 
-    private static Arbitrary<Track> tracks(Target target, Attribute<?, ?> attribute) {
+    private static Arbitrary<Track> tracks(TrackTarget target, SceneAttribute<?, ?> attribute) {
         return Arbitraries.integers().between(0, LAST).list().ofMinSize(1).ofMaxSize(5).map(TreeSet::new)
-                .flatMap(frames -> Combinators.combine(settings(attribute.kind()).list().ofSize(frames.size()),
-                        passages(attribute.kind()).list().ofSize(frames.size())).as((settings, passages) -> {
-                            List<Key> keys = new ArrayList<>();
+                .flatMap(frames -> Combinators.combine(keyframeValues(attribute.kind()).list().ofSize(frames.size()),
+                        interpolations(attribute.kind()).list().ofSize(frames.size())).as((settings, passages) -> {
+                            List<Keyframe> keys = new ArrayList<>();
                             for (int frame : frames) {
-                                keys.add(new Key(frame, settings.get(keys.size()), passages.get(keys.size())));
+                                keys.add(new Keyframe(frame, settings.get(keys.size()), passages.get(keys.size())));
                             }
                             return new Track(target, attribute.name(), keys);
                         }));
     }
 
-    private static Arbitrary<Passage> passages(ValueKind<?> kind) {
-        return kind.keying() == Keying.HOLDS ? Arbitraries.just(Passage.STEPPED) : Arbitraries.of(Passage.values());
+    private static Arbitrary<Interpolation> interpolations(ValueKind<?> kind) {
+        return kind.keyframeSupport() == KeyframeSupport.STEPPED ? Arbitraries.just(Interpolation.STEPPED)
+                : Arbitraries.of(Interpolation.values());
     }
 
-    private static <V> Arbitrary<Setting> settings(ValueKind<V> kind) {
+    private static <V> Arbitrary<KeyframeValue> keyframeValues(ValueKind<V> kind) {
         return switch (kind) {
-            case Quantity<V> q -> AttributeArbitraries.numbers(q).filter(v -> isAllowed(q, v))
-                    .map(v -> new Setting.Numbers(q.split().apply(v)));
-            case Choice<V> c -> Arbitraries.of(c.words()).map(Setting.Word::new);
-            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ ->
+            case NumericKind<V> q -> AttributeArbitraries.numbers(q).filter(v -> isAllowed(q, v))
+                    .map(v -> new KeyframeValue.Numbers(q.components().apply(v)));
+            case ChoiceKind<V> c -> Arbitraries.of(c.words()).map(KeyframeValue.Word::new);
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
                     throw new IllegalArgumentException("no keys");
         };
     }
 
-    private static <V> boolean isAllowed(Quantity<V> q, V value) {
+    private static <V> boolean isAllowed(NumericKind<V> q, V value) {
         try {
             q.check("value", value);
             return true;

@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Area;
+import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
@@ -27,8 +27,8 @@ public final class StudioScene {
 
     /** The scene, 30 × 24 pixels, depth 2, with a light of the given type. */
     public static Scene of(LightType type) {
-        return new Scene(new Picture(30, 24, 2), new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), World.DEFAULT,
-                List.of(material("matt", Rgb.BLACK), material("glass", Rgb.grey(0.5))), nodes(), List.of(key(type)));
+        return new Scene(new PictureSettings(30, 24, 2), new Camera(new Vec3(0, 2, 7), Vec3.ZERO, Vec3.Y, 40), World.DEFAULT,
+                List.of(material("matt", Rgb.BLACK), material("glass", Rgb.gray(0.5))), nodes(), List.of(key(type)));
     }
 
     /** The studio with a spot, two point lights and a directional one, at a size. */
@@ -45,15 +45,15 @@ public final class StudioScene {
     public static Light key(LightType type) {
         return Light.of(KEY, type).withPosition(new Vec3(2, 4, 2)).withDirection(new Vec3(-2, -4.5, -2.2))
                 .withAttenuation(new Attenuation(0.1, 0.2, 0.01)).withAngle(20).withDropoff(2)
-                .withArea(Area.DEFAULT.withWidth(0).withHeight(0));
+                .withArea(AreaShape.DEFAULT.withWidth(0).withHeight(0));
     }
 
     private static Material material(String name, Rgb reflective) {
-        return Material.of(name).withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.grey(0.7)).withSpecular(Rgb.grey(0.2)).withShininess(8)
+        return Material.of(name).withAmbient(Rgb.gray(0.1)).withDiffuse(Rgb.gray(0.7)).withSpecular(Rgb.gray(0.2)).withShininess(8)
                 .withReflective(reflective);
     }
 
-    private static List<Node> nodes() {
+    private static List<SceneNode> nodes() {
         return List.of(new Shape(Solid.PLANE, "floor", "glass", placement(new Vec3(0, -1, 0), new Vec3(9, 1, 9))),
                 new Shape(Solid.SPHERE, "ball", "matt", placement(Vec3.ZERO, Vec3.ONE)),
                 new Shape(Solid.SPHERE, "mirror", "glass", placement(new Vec3(-2, 0, -1), Vec3.ONE)));

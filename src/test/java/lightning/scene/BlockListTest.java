@@ -18,14 +18,14 @@ import org.junit.jupiter.api.Test;
 /** A list in blocks is the list that a plain one would be, and shares what an edit left alone. */
 @Slow
 class BlockListTest {
-    private static final int MANY = 5 * BlockList.MOST;
+    private static final int MANY = 5 * BlockList.BLOCK_SIZE;
 
     private static List<Integer> upTo(int size) {
         return IntStream.range(0, size).boxed().toList();
     }
 
     @Property(tries = 200)
-    void editsOfAnyPlace_areThoseOfAPlainList(@ForAll @IntRange(max = 2 * MANY) int size, @ForAll @IntRange(min = 1, max = 60) int edits,
+    void splices_matchPlainList(@ForAll @IntRange(max = 2 * MANY) int size, @ForAll @IntRange(min = 1, max = 60) int edits,
             @ForAll @IntRange(max = 3) int bias, @ForAll long seed) {
         var random = new Random(seed);
         List<Integer> plain = new ArrayList<>(upTo(size));
@@ -34,15 +34,15 @@ class BlockListTest {
             int from = random.nextInt(plain.size() + 1);
             // Cuts of all lengths, most short; the bias lets lists shrink or grow.
             int to = Math.min(plain.size(), from + random.nextInt(1 << random.nextInt(4 * (bias + 1))));
-            List<Integer> by = random.ints(random.nextInt(1 << random.nextInt(4 * (4 - bias)))).boxed().toList();
+            List<Integer> replacement = random.ints(random.nextInt(1 << random.nextInt(4 * (4 - bias)))).boxed().toList();
             List<Integer> before = blocks;
-            blocks = BlockList.spliced(blocks, from, to, by);
+            blocks = BlockList.splice(blocks, from, to, replacement);
             int start = BlockList.sharedStart(before, blocks);
             int end = BlockList.sharedEnd(before, blocks);
             assertThat(blocks.subList(0, start)).isEqualTo(before.subList(0, start));
             assertThat(blocks.subList(blocks.size() - end, blocks.size())).isEqualTo(before.subList(before.size() - end, before.size()));
             plain.subList(from, to).clear();
-            plain.addAll(from, by);
+            plain.addAll(from, replacement);
         }
         assertThat(blocks).hasSameSizeAs(plain);
         assertThat(new ArrayList<>(blocks)).isEqualTo(plain);
@@ -55,51 +55,51 @@ class BlockListTest {
     }
 
     @Property(tries = 50)
-    void listOfEqualElements_isEqual(@ForAll @IntRange(min = 1, max = MANY) int size, @ForAll @IntRange(max = MANY - 1) int place) {
-        List<Integer> all = BlockList.copyOf(upTo(size));
-        int at = place % size;
-        List<Integer> same = BlockList.spliced(all, at, at + 1, List.of(at));
-        List<Integer> other = BlockList.spliced(all, at, at + 1, List.of(-1));
-        assertThat(same).isEqualTo(all);
-        assertThat(other).isNotEqualTo(all);
-        assertThat(BlockList.spliced(other, at, at + 1, List.of(at))).isEqualTo(all);
+    void equalElements_makeEqualLists(@ForAll @IntRange(min = 1, max = MANY) int size, @ForAll @IntRange(max = MANY - 1) int index) {
+        List<Integer> elements = BlockList.copyOf(upTo(size));
+        int at = index % size;
+        List<Integer> same = BlockList.splice(elements, at, at + 1, List.of(at));
+        List<Integer> other = BlockList.splice(elements, at, at + 1, List.of(-1));
+        assertThat(same).isEqualTo(elements);
+        assertThat(other).isNotEqualTo(elements);
+        assertThat(BlockList.splice(other, at, at + 1, List.of(at))).isEqualTo(elements);
     }
 
     @Test
-    void editOfOneElement_sharesAllBlocksButItsOwn() {
-        List<Integer> all = BlockList.copyOf(upTo(MANY));
-        for (List<Integer> by : List.of(List.<Integer>of(), List.of(-1), List.of(-1, -2))) {
-            List<Integer> edited = BlockList.spliced(all, MANY / 2, MANY / 2 + 1, by);
-            assertThat(BlockList.sharedStart(all, edited)).isBetween(MANY / 2 - BlockList.MOST, MANY / 2);
-            assertThat(BlockList.sharedEnd(all, edited)).isBetween(MANY / 2 - BlockList.MOST, MANY / 2);
+    void singleEdit_sharesOtherBlocks() {
+        List<Integer> list = BlockList.copyOf(upTo(MANY));
+        for (List<Integer> replacement : List.of(List.<Integer>of(), List.of(-1), List.of(-1, -2))) {
+            List<Integer> edited = BlockList.splice(list, MANY / 2, MANY / 2 + 1, replacement);
+            assertThat(BlockList.sharedStart(list, edited)).isBetween(MANY / 2 - BlockList.BLOCK_SIZE, MANY / 2);
+            assertThat(BlockList.sharedEnd(list, edited)).isBetween(MANY / 2 - BlockList.BLOCK_SIZE, MANY / 2);
         }
     }
 
     @Test
-    void manyDeletions_leaveFewBlocks() {
-        List<Integer> all = BlockList.copyOf(upTo(MANY));
-        for (int place = 0; all.size() > MANY / 4; place = (place + 2) % (all.size() - 1)) {
-            all = BlockList.spliced(all, place, place + 1, List.of());
+    void manyDeletions_mergeBlocks() {
+        List<Integer> list = BlockList.copyOf(upTo(MANY));
+        for (int index = 0; list.size() > MANY / 4; index = (index + 2) % (list.size() - 1)) {
+            list = BlockList.splice(list, index, index + 1, List.of());
         }
-        List<Integer> edited = BlockList.spliced(all, 0, 1, List.of(-1));
+        List<Integer> edited = BlockList.splice(list, 0, 1, List.of(-1));
         // What is not shared is the first block, and what was joined to it.
-        assertThat(all.size() - BlockList.sharedEnd(all, edited)).isGreaterThanOrEqualTo(BlockList.MOST / 4);
+        assertThat(list.size() - BlockList.sharedEnd(list, edited)).isGreaterThanOrEqualTo(BlockList.BLOCK_SIZE / 4);
     }
 
     @Test
-    void listInBlocks_isNotCopied() {
-        List<Integer> all = BlockList.copyOf(upTo(MANY));
-        assertThat(BlockList.copyOf(all)).isSameAs(all);
+    void copyOfBlockList_isSameInstance() {
+        List<Integer> list = BlockList.copyOf(upTo(MANY));
+        assertThat(BlockList.copyOf(list)).isSameAs(list);
     }
 
     @Test
-    void list_isImmutableAndHasNoNull() {
+    void list_isImmutableAndRejectsNull() {
         List<Integer> source = new ArrayList<>(upTo(MANY));
-        List<Integer> all = BlockList.copyOf(source);
+        List<Integer> list = BlockList.copyOf(source);
         source.set(0, -1);
-        assertThat(all.getFirst()).isZero();
-        assertThatThrownBy(() -> all.set(0, 1)).isInstanceOf(UnsupportedOperationException.class);
-        assertThatThrownBy(() -> all.get(MANY)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThat(list.getFirst()).isZero();
+        assertThatThrownBy(() -> list.set(0, 1)).isInstanceOf(UnsupportedOperationException.class);
+        assertThatThrownBy(() -> list.get(MANY)).isInstanceOf(IndexOutOfBoundsException.class);
         Integer[] holes = new Integer[MANY];
         assertThatNullPointerException().isThrownBy(() -> BlockList.copyOf(Arrays.asList(holes)));
     }

@@ -14,20 +14,20 @@ class SceneTest {
     private final Scene scene = StudioScene.of(LightType.SPOT);
 
     @Test
-    void lightsMaterialsAndDepth_showTheSameShapes() {
+    void lightsMaterialsAndDepth_keepShapes() {
         for (Scene other : List.of(scene, scene.withLights(List.of()), scene.withPicture(scene.picture().withDepth(7)),
                 scene.withWorld(scene.world().withAmbience(0.5)),
                 scene.withMaterials(scene.materials().stream().map(m -> m.withDiffuse(Rgb.BLACK)).toList()))) {
-            assertThat(scene.showsSameShapes(other)).isTrue();
+            assertThat(scene.hasSameShapes(other)).isTrue();
         }
     }
 
     /** Of an edited light and of other shapes, names are looked at again only where they may be others. */
     @Test
-    void lightWithTheNameOfAShape_isRefusedAfterEditsToo() {
+    void lightNamedLikeShape_isRejected() {
         Light light = scene.lights().getFirst();
         Scene edited = scene.withLight(light.withIntensity(0.25));
-        List<Node> nodes = List.of(new Shape(Solid.SPHERE, light.name(), Material.DEFAULT.name(), Placement.IDENTITY));
+        List<SceneNode> nodes = List.of(new Shape(Solid.SPHERE, light.name(), Material.DEFAULT.name(), Placement.IDENTITY));
         String reason = "light " + Quote.of(light.name()) + ": the name is already taken";
         assertThatThrownBy(() -> edited.withNodes(nodes)).hasMessage(reason);
         assertThatThrownBy(() -> scene.withNodes(nodes)).hasMessage(reason);
@@ -37,18 +37,18 @@ class SceneTest {
     }
 
     @Test
-    void anotherCameraSizeOrShape_showsOthers() {
+    void cameraSizeOrShapeEdit_changesShapes() {
         Camera c = scene.camera();
         for (Scene other : List.of(scene.withCamera(new Camera(c.from().plus(Vec3.Y), c.to(), c.up(), c.fov())),
                 scene.withPicture(scene.picture().withSize(scene.picture().width(), 3)),
                 scene.withPicture(scene.picture().withSize(3, scene.picture().height())),
                 scene.withNodes(scene.nodes().subList(1, scene.nodes().size())))) {
-            assertThat(scene.showsSameShapes(other)).isFalse();
+            assertThat(scene.hasSameShapes(other)).isFalse();
         }
     }
 
     @Test
-    void otherShapes_haveTheSameView() {
+    void shapeEdit_keepsView() {
         assertThat(scene.hasSameView(scene.withNodes(List.of()))).isTrue();
         assertThat(scene.hasSameView(scene.withPicture(scene.picture().withSize(3, scene.picture().height())))).isFalse();
     }

@@ -15,17 +15,17 @@ class StageTest {
         return new Shape(Solid.SPHERE, name, Material.DEFAULT.name(), Placement.IDENTITY);
     }
 
-    private static Group group(String name, Node... children) {
-        return new Group(name, Placement.IDENTITY, List.of(children));
+    private static NodeGroup group(String name, SceneNode... children) {
+        return new NodeGroup(name, Placement.IDENTITY, List.of(children));
     }
 
-    private static Scene lit(Light... lights) {
-        return new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, STAGE, Rig.of(List.of(lights)));
+    private static Scene activeLights(Light... lights) {
+        return new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, STAGE, LightRig.of(List.of(lights)));
     }
 
     @Test
     void editedLight_sharesTheStage() {
-        Scene scene = lit(Light.of("key", LightType.POINT));
+        Scene scene = activeLights(Light.of("key", LightType.POINT));
         assertThat(scene.withLight(Light.of("key", LightType.SPOT)).stage()).isSameAs(STAGE);
     }
 
@@ -35,7 +35,7 @@ class StageTest {
     }
 
     @Test
-    void sameMaterials_areTheSameStage() {
+    void sameMaterials_returnSameStage() {
         assertThat(STAGE.withMaterials(List.of())).isSameAs(STAGE);
     }
 
@@ -45,20 +45,20 @@ class StageTest {
     }
 
     @Test
-    void groupsAndShapes_areKnownByName() {
+    void groupsAndShapes_areFoundByName() {
         assertThat(List.of("g", "a", "b", "c")).allMatch(STAGE::hasNode);
         assertThat(STAGE.hasNode("d")).isFalse();
     }
 
     @Test
-    void shapeOfATakenName_isRefused() {
+    void duplicateShapeName_isRejected() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> STAGE.withNodes(List.of(group("g", sphere("a")), sphere("a"))))
                 .withMessage("shape 'a': the name is already taken");
     }
 
     @Test
-    void materialThatAShapeHas_cannotGo() {
+    void usedMaterial_cannotBeDeleted() {
         Material wood = Material.of("wood").withAmbient(GOLD.ambient()).withDiffuse(GOLD.diffuse()).withSpecular(GOLD.specular())
                 .withShininess(1).withReflective(GOLD.reflective()).withTexture(GOLD.texture());
         Stage wooden = new Stage(List.of(wood), List.of(new Shape(Solid.CONE, "hat", "wood", Placement.IDENTITY)));
@@ -67,30 +67,30 @@ class StageTest {
     }
 
     @Test
-    void lightOfAShapesName_isRefused() {
-        assertThatIllegalArgumentException().isThrownBy(() -> lit(Light.of("b", LightType.POINT)))
+    void lightNamedLikeShape_isRejected() {
+        assertThatIllegalArgumentException().isThrownBy(() -> activeLights(Light.of("b", LightType.POINT)))
                 .withMessage("light 'b': the name is already taken");
     }
 
     @Test
-    void twoLightsOfOneName_areRefused() {
+    void duplicateLightName_isRejected() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> lit(Light.of("key", LightType.POINT), Light.of("key", LightType.SPOT)))
+                .isThrownBy(() -> activeLights(Light.of("key", LightType.POINT), Light.of("key", LightType.SPOT)))
                 .withMessage("light 'key': the name is already taken");
     }
 
     @Test
-    void soloLight_darkensTheOthers() {
+    void soloLight_turnsOffOthers() {
         Light solo = Light.of("solo", LightType.POINT).withSolo(true);
         Light plain = Light.of("plain", LightType.POINT);
-        assertThat(lit(solo, plain).shines(solo)).isTrue();
-        assertThat(lit(solo, plain).shines(plain)).isFalse();
+        assertThat(activeLights(solo, plain).isActive(solo)).isTrue();
+        assertThat(activeLights(solo, plain).isActive(plain)).isFalse();
     }
 
     @Test
-    void soloLightThatIsOff_darkensNobody() {
+    void soloLightOff_hasNoEffect() {
         Light solo = Light.of("solo", LightType.POINT).withSolo(true).withOn(false);
         Light plain = Light.of("plain", LightType.POINT);
-        assertThat(lit(solo, plain).shines(plain)).isTrue();
+        assertThat(activeLights(solo, plain).isActive(plain)).isTrue();
     }
 }

@@ -1,15 +1,15 @@
 package lightning.shot;
 
-import static lightning.model.Schedules.explore;
-import static lightning.model.Schedules.law;
+import static lightning.modelcheck.ScheduleExplorer.check;
+import static lightning.modelcheck.ScheduleExplorer.explore;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.editor.document.Desk;
-import lightning.model.Schedules;
+import lightning.editor.document.DeskScene;
+import lightning.modelcheck.ScheduleExplorer;
 import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -17,33 +17,34 @@ import org.junit.jupiter.api.Test;
 /** From an edit to the films of all frames, over the threads of their keepers. */
 @Tag("model")
 class FrameQueueModelTest {
-    private static final Take FIRST = new Take(Desk.scene(), Shot.DEFAULT);
-    private static final Take SECOND = new Take(Desk.done(Desk.dial("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);
+    private static final ShotRevision FIRST = new ShotRevision(DeskScene.scene(), Shot.DEFAULT);
+    private static final ShotRevision SECOND =
+            new ShotRevision(DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);
     private static final int LAST = 2;
 
     /** Frames of one tile, each known by the take that it shows. */
-    private static final class Tiles extends FilmlessKeeper {
-        private final Take[] kept = new Take[LAST + 1];
+    private static final class FakeHost extends FilmlessHost {
+        private final ShotRevision[] kept = new ShotRevision[LAST + 1];
         private final boolean[] inWork = new boolean[LAST + 1];
         /** The frame that it is asked for when it goes away; −1 for never. */
         private final int leavesAt;
         private boolean gone;
 
-        Tiles(int leavesAt) {
+        FakeHost(int leavesAt) {
             this.leavesAt = leavesAt;
         }
 
         @Override
-        public FrameUpdate bring(int frame, Take take, Progress progress) throws KeeperGoneException {
+        public FrameUpdate update(int frame, ShotRevision take, Progress progress) throws HostLostException {
             synchronized (this) {
                 gone |= frame == leavesAt;
                 if (gone) {
-                    throw new KeeperGoneException("gone", null);
+                    throw new HostLostException("gone", null);
                 }
-                law(!inWork[frame], "nobody else is at the frame");
+                check(!inWork[frame], "nobody else is at the frame");
                 inWork[frame] = true;
             }
-            boolean stopped = progress.isCancelled();
+            boolean stopped = progress.isCanceled();
             synchronized (this) {
                 inWork[frame] = false;
                 if (stopped) {
@@ -55,97 +56,97 @@ class FrameQueueModelTest {
             }
         }
 
-        synchronized Take kept(int frame) {
+        synchronized ShotRevision shownRevision(int frame) {
             return kept[frame];
         }
     }
 
     /** A queue of frames 1 and 2, the lanes of its keepers, and what was told. */
-    private static final class Stage implements ShotListener {
+    private static final class TestShot implements ShotListener {
         final FrameQueue queue = new FrameQueue(1, LAST);
         final List<Integer> made = Collections.synchronizedList(new ArrayList<>());
-        final List<Schedules.Beside> lanes = new ArrayList<>();
+        final List<ScheduleExplorer.ConcurrentRun> lanes = new ArrayList<>();
         private final List<Throwable> problems = Collections.synchronizedList(new ArrayList<>());
 
-        Tiles keeper(int leavesAt) {
-            Tiles keeper = new Tiles(leavesAt);
-            int number = queue.join();
+        FakeHost host(int leavesAt) {
+            FakeHost keeper = new FakeHost(leavesAt);
+            int number = queue.addHost();
             for (FrameQueue.Lane lane : FrameQueue.Lane.values()) {
-                lanes.add(Schedules.beside(new KeeperTurns(queue, number, lane, keeper, this)::run));
+                lanes.add(ScheduleExplorer.startConcurrently(new FrameWorker(queue, number, lane, keeper, this)::run));
             }
             return keeper;
         }
 
         @Override
-        public void updated(FrameUpdate update, FrameState state) {
+        public void frameUpdated(FrameUpdate update, FrameState state) {
             made.add(update.frame());
         }
 
         @Override
-        public void failed(int frame, Throwable problem) {
+        public void frameFailed(int frame, Throwable problem) {
             problems.add(problem);
         }
 
         void close() throws InterruptedException {
             queue.close();
-            for (Schedules.Beside lane : lanes) {
+            for (ScheduleExplorer.ConcurrentRun lane : lanes) {
                 lane.end();
             }
-            law(problems.isEmpty(), "no frame fails");
+            check(problems.isEmpty(), "no frame fails");
         }
     }
 
     @Test
-    void newestEdit_isShownByAllFramesInTheEnd() {
+    void newestEdit_reachesAllFrames() {
         explore(() -> {
-            var stage = new Stage();
-            Tiles keeper = stage.keeper(-1);
-            stage.queue.edit(FIRST);
+            var stage = new TestShot();
+            FakeHost keeper = stage.host(-1);
+            stage.queue.setRevision(FIRST);
             stage.queue.focus(2);
-            stage.queue.edit(SECOND);
+            stage.queue.setRevision(SECOND);
             stage.queue.awaitIdle();
             for (int frame = 1; frame <= LAST; frame++) {
-                law(keeper.kept(frame) == SECOND, "the newest edit is shown");
-                law(stage.queue.state(frame) == FrameState.CURRENT, "it is known to be");
+                check(keeper.shownRevision(frame) == SECOND, "the newest edit is shown");
+                check(stage.queue.state(frame) == FrameState.CURRENT, "it is known to be");
             }
             stage.close();
         });
     }
 
     @Test
-    void frameInFocus_isMadeBeforeTheOthers() {
+    void focusedFrame_isProcessedFirst() {
         explore(() -> {
-            var stage = new Stage();
+            var stage = new TestShot();
             stage.queue.focus(2);
-            stage.queue.edit(FIRST);
-            stage.keeper(-1);
+            stage.queue.setRevision(FIRST);
+            stage.host(-1);
             stage.queue.awaitIdle();
-            law(stage.made.equals(List.of(2, 1)), "the one that is looked at comes first");
+            check(stage.made.equals(List.of(2, 1)), "the one that is looked at comes first");
             stage.close();
         });
     }
 
     @Test
-    void keeperThatGoesAway_leavesNoFrameBehind() {
+    void removedHost_framesAreReassigned() {
         explore(() -> {
-            var stage = new Stage();
-            stage.keeper(2);
-            stage.queue.edit(FIRST);
-            Tiles other = stage.keeper(-1);
-            stage.queue.edit(SECOND);
+            var stage = new TestShot();
+            stage.host(2);
+            stage.queue.setRevision(FIRST);
+            FakeHost other = stage.host(-1);
+            stage.queue.setRevision(SECOND);
             stage.queue.awaitIdle();
-            law(stage.queue.state(1) == FrameState.CURRENT && stage.queue.state(2) == FrameState.CURRENT, "all frames are current");
-            law(other.kept(2) == SECOND, "the other traces what was lost");
+            check(stage.queue.state(1) == FrameState.CURRENT && stage.queue.state(2) == FrameState.CURRENT, "all frames are current");
+            check(other.shownRevision(2) == SECOND, "the other traces what was lost");
             stage.close();
         });
     }
 
     @Test
-    void closedWhileWorking_endsAllLanes() {
+    void close_whileWorking_endsAllLanes() {
         explore(() -> {
-            var stage = new Stage();
-            stage.keeper(-1);
-            stage.queue.edit(FIRST);
+            var stage = new TestShot();
+            stage.host(-1);
+            stage.queue.setRevision(FIRST);
             stage.close();
         });
     }

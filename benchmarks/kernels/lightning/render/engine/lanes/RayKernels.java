@@ -8,14 +8,13 @@ import java.util.concurrent.TimeUnit;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenReader;
-import lightning.render.engine.Agreement;
+import lightning.render.engine.KernelAgreement;
 import lightning.render.trace.CameraRays;
-import lightning.render.trace.Eye;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
-import lightning.render.trace.tree.Beam;
-import lightning.render.trace.tree.Candidates;
-import lightning.scene.Picture;
+import lightning.render.trace.tree.CandidateList;
+import lightning.render.trace.tree.RayBeam;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -48,11 +47,11 @@ public class RayKernels {
     public String scene;
 
     /** The shadow rays of one tile towards the first light with a position. */
-    private record ShadowTile(Beam beam, List<Ray> rays) {}
+    private record ShadowTile(RayBeam beam, List<Ray> rays) {}
 
-    private final RayPacket p = new RayPacket();
-    private final Beam beam = new Beam();
-    private final Candidates candidates = new Candidates();
+    private final RayPacket packet = new RayPacket();
+    private final RayBeam beam = new RayBeam();
+    private final CandidateList candidates = new CandidateList();
     private final List<ShadowTile> shadows = new ArrayList<>();
     private final int[] nearest = new int[EYE_RAYS];
     private final boolean[] blocked = new boolean[SHADOW_RAYS];
@@ -66,19 +65,19 @@ public class RayKernels {
     public void prepare() throws Exception {
         Scene read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
         geometry = new Geometry(read);
-        camera = new CameraRays(read.camera(), new Picture(SIZE, SIZE, 0));
+        camera = new CameraRays(read.camera(), new PictureSettings(SIZE, SIZE, 0));
         tracer = new PacketTracer(geometry);
         light = geometry.toRenderSpace(read.lights().stream().filter(l -> l.type().hasPosition()).findFirst().orElseThrow().position());
         primary();
         for (int i = 0; i < EYE_RAYS; i++) {
-            Agreement.require(nearest[i] == geometry.nearestOfAll(camera.through(i % SIZE, i / SIZE)), "primary ray", i);
+            KernelAgreement.requireEqual(nearest[i] == geometry.nearestBruteForce(camera.pixelRay(i % SIZE, i / SIZE)), "primary ray", i);
         }
         collectShadowRays();
         shadow();
         int at = 0;
         for (ShadowTile tile : shadows) {
             for (Ray ray : tile.rays) {
-                Agreement.require(blocked[at] == geometry.blockedByAny(ray, 1), "shadow ray", at++);
+                KernelAgreement.requireEqual(blocked[at] == geometry.isBlockedBruteForce(ray, 1), "shadow ray", at++);
             }
         }
     }
@@ -86,17 +85,17 @@ public class RayKernels {
     private void collectShadowRays() {
         int count = 0;
         for (int tile = 0; tile < EYE_RAYS / (TILE * TILE) && count < SHADOW_RAYS; tile++) {
-            ShadowTile rays = new ShadowTile(new Beam(), new ArrayList<>());
+            ShadowTile rays = new ShadowTile(new RayBeam(), new ArrayList<>());
             for (int i = 0; i < TILE * TILE && count < SHADOW_RAYS; i++) {
                 int x = tile % (SIZE / TILE) * TILE + i % TILE;
                 int y = tile / (SIZE / TILE) * TILE + i / TILE;
                 if (nearest[y * SIZE + x] >= 0) {
-                    SurfacePoint point = geometry.surface(nearest[y * SIZE + x], camera.through(x, y));
+                    SurfacePoint point = geometry.surface(nearest[y * SIZE + x], camera.pixelRay(x, y));
                     Vec3 from = new Vec3(point.px(), point.py(), point.pz());
-                    Vec3 way = light.minus(from);
-                    if (way.dot(new Vec3(point.nx(), point.ny(), point.nz())) > 0) {
-                        rays.rays.add(new Ray(from, way));
-                        rays.beam.origin(from.x(), from.y(), from.z());
+                    Vec3 shadowRay = light.minus(from);
+                    if (shadowRay.dot(new Vec3(point.nx(), point.ny(), point.nz())) > 0) {
+                        rays.rays.add(new Ray(from, shadowRay));
+                        rays.beam.addOrigin(from.x(), from.y(), from.z());
                         count++;
                     }
                 }
@@ -114,13 +113,13 @@ public class RayKernels {
     public int[] primary() {
         for (int top = 0; top < SIZE; top += TILE) {
             for (int left = 0; left < SIZE; left += TILE) {
-                camera.sweep(beam, left, top, TILE, TILE);
+                camera.boundBeam(beam, left, top, TILE, TILE);
                 candidates.collect(geometry.bvh(), beam);
                 for (int y = top; y < top + TILE; y++) {
                     for (int x = left; x < left + TILE; x += W) {
                         eye(camera, x, y);
-                        tracer.nearest(p, W, candidates);
-                        System.arraycopy(p.primitive, 0, nearest, y * SIZE + x, W);
+                        tracer.findNearest(packet, W, candidates);
+                        System.arraycopy(packet.primitive, 0, nearest, y * SIZE + x, W);
                     }
                 }
             }
@@ -128,11 +127,11 @@ public class RayKernels {
         return nearest;
     }
 
-    private void eye(CameraRays camera, int x, int y) {
-        Arrays.fill(p.ox, 0);
-        Arrays.fill(p.oy, 0);
-        Arrays.fill(p.oz, 0);
-        EyeLanes.through(camera, x, y, p.dx, p.dy, p.dz, 0);
+    private void eye(CameraRays camera, int column, int line) {
+        Arrays.fill(packet.ox, 0);
+        Arrays.fill(packet.oy, 0);
+        Arrays.fill(packet.oz, 0);
+        CameraRayLanes.pixelRays(camera, column, line, packet.dx, packet.dy, packet.dz, 0);
     }
 
     /** Whether anything is between a row and the light; loading the rays included. */
@@ -141,14 +140,14 @@ public class RayKernels {
     public boolean[] shadow() {
         int at = 0;
         for (ShadowTile tile : shadows) {
-            tile.beam.towards(light);
+            tile.beam.aimAt(light);
             candidates.collect(geometry.bvh(), tile.beam);
             for (int i = 0; i < tile.rays.size(); i += W) {
                 int live = Math.min(W, tile.rays.size() - i);
                 for (int lane = 0; lane < live; lane++) {
-                    Packets.set(p, lane, tile.rays.get(i + lane), 1);
+                    PacketRays.setRay(packet, lane, tile.rays.get(i + lane), 1);
                 }
-                int mask = candidates.isEmpty() ? 0 : tracer.blocked(p, live, candidates);
+                int mask = candidates.isEmpty() ? 0 : tracer.findBlocked(packet, live, candidates);
                 for (int lane = 0; lane < live; lane++) {
                     blocked[at++] = (mask >>> lane & 1) != 0;
                 }

@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import lightning.base.math.Vec3;
-import lightning.render.engine.Agreement;
+import lightning.render.engine.KernelAgreement;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.solid.SolidGeometry;
 import lightning.scene.Camera;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
@@ -48,7 +48,7 @@ public class ShapeKernels {
     public Kind kind;
 
     private final RayPacket[] packets = new RayPacket[RAYS / W];
-    private SolidLanes solid;
+    private PrimitiveLanes solid;
 
     /** Aims a small picture at the shape, and refuses a kernel that does not agree with the readable code. */
     @Setup
@@ -56,28 +56,28 @@ public class ShapeKernels {
         String name = kind.name().toLowerCase(Locale.ROOT);
         String material = Material.DEFAULT.name();
         Placement placement = new Placement(Vec3.ZERO, new Vec3(30, 20, 10), new Vec3(1, 1.5, 0.8));
-        Node node = switch (kind) {
+        SceneNode node = switch (kind) {
             case SPHERE -> new Shape(Solid.SPHERE, name, material, placement);
             case CONE -> new Shape(Solid.CONE, name, material, placement);
             case CYLINDER -> new Shape(Solid.CYLINDER, name, material, placement);
             case PLANE -> new Shape(Solid.PLANE, name, material, placement);
         };
         Camera eye = new Camera(new Vec3(0.5, 1, 4), new Vec3(0, 0.5, 0), Vec3.Y, 30);
-        Geometry geometry = new Geometry(new Scene(Picture.DEFAULT, eye, World.DEFAULT, List.of(), List.of(node), List.of()));
-        CameraRays camera = new CameraRays(eye, new Picture(SIZE, SIZE, 0));
-        solid = new SolidLanes(geometry.primitives());
+        Geometry geometry = new Geometry(new Scene(PictureSettings.DEFAULT, eye, World.DEFAULT, List.of(), List.of(node), List.of()));
+        CameraRays camera = new CameraRays(eye, new PictureSettings(SIZE, SIZE, 0));
+        solid = new PrimitiveLanes(geometry.primitives());
         for (int i = 0; i < RAYS; i++) {
             if (i % W == 0) {
                 packets[i / W] = new RayPacket();
             }
-            Packets.set(packets[i / W], i % W, camera.through(i % SIZE, i / SIZE), Double.POSITIVE_INFINITY);
+            PacketRays.setRay(packets[i / W], i % W, camera.pixelRay(i % SIZE, i / SIZE), Double.POSITIVE_INFINITY);
         }
         nearest();
         int hits = 0;
         for (int i = 0; i < RAYS; i++) {
-            double t = geometry.distance(0, camera.through(i % SIZE, i / SIZE));
-            Agreement.require(packets[i / W].t[i % W] == t, name, i);
-            hits += t < Form.MISS ? 1 : 0;
+            double t = geometry.distance(0, camera.pixelRay(i % SIZE, i / SIZE));
+            KernelAgreement.requireEqual(packets[i / W].t[i % W] == t, name, i);
+            hits += t < SolidGeometry.MISS ? 1 : 0;
         }
         if (hits < RAYS / 10) {
             throw new IllegalStateException("only " + hits + " rays hit the " + name);
@@ -89,9 +89,9 @@ public class ShapeKernels {
     @OperationsPerInvocation(RAYS)
     public RayPacket[] nearest() {
         for (RayPacket p : packets) {
-            solid.begin(p);
-            solid.nearer(p, 0, -1 >>> -W);
-            solid.write(p);
+            solid.resetHits(p);
+            solid.updateNearest(p, 0, -1 >>> -W);
+            solid.writePrimitives(p);
         }
         return packets;
     }

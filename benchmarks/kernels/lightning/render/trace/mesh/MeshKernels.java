@@ -2,11 +2,11 @@ package lightning.render.trace.mesh;
 
 import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
-import lightning.bench.mesh.BumpyBall;
+import lightning.bench.mesh.BumpySphere;
 import lightning.bench.mesh.RaySet;
-import lightning.bench.mesh.RaySets;
-import lightning.render.engine.Agreement;
-import lightning.render.trace.solid.Rays;
+import lightning.bench.mesh.RaySetGenerator;
+import lightning.render.engine.KernelAgreement;
+import lightning.render.trace.solid.RayBatch;
 import lightning.scene.Mesh;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -31,8 +31,8 @@ import org.openjdk.jmh.annotations.Warmup;
 public class MeshKernels {
     private static final int RAYS = 1 << 14;
     private static final int SIZE = 256;
-    private static final int GROUP = MeshPackets.PACKETS * Rays.WIDTH;
-    private static final double[] SAME = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    private static final int GROUP = MeshPacketTraversal.PACKETS * RayBatch.WIDTH;
+    private static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
     @Param({"10000", "1000000"})
     public int triangles;
@@ -40,42 +40,42 @@ public class MeshKernels {
     @Param
     public RaySet.Kind kind;
 
-    private final MeshPackets packets = new MeshPackets();
-    private final Rays[] rays = new Rays[RAYS / Rays.WIDTH];
-    private final double[] limits = new double[Rays.WIDTH];
-    private final int[] met = new int[RAYS];
+    private final MeshPacketTraversal packets = new MeshPacketTraversal();
+    private final RayBatch[] rays = new RayBatch[RAYS / RayBatch.WIDTH];
+    private final double[] limits = new double[RayBatch.WIDTH];
+    private final int[] hitFlags = new int[RAYS];
     private MeshSolid solid;
-    private boolean any;
+    private boolean anyHit;
 
     /** Takes rays from the middle of a picture, and refuses a kernel that does not agree with a ray alone. */
     @Setup
     public void prepare() {
-        Mesh mesh = BumpyBall.of(triangles);
+        Mesh mesh = BumpySphere.of(triangles);
         solid = new MeshSolid(mesh);
-        RaySet set = new RaySets(solid, SIZE, SIZE).of(kind);
+        RaySet set = new RaySetGenerator(solid, SIZE, SIZE).of(kind);
         int first = (set.count() - RAYS) / 2 / GROUP * GROUP;
         if (first < 0) {
             throw new IllegalStateException("only " + set.count() + " rays");
         }
-        any = kind == RaySet.Kind.SHADOW;
-        Arrays.fill(limits, any ? 1 : Double.POSITIVE_INFINITY);
+        anyHit = kind == RaySet.Kind.SHADOW;
+        Arrays.fill(limits, anyHit ? 1 : Double.POSITIVE_INFINITY);
         double[] r = new double[6];
         for (int i = 0; i < RAYS; i++) {
             for (int k = 0; k < 6; k++) {
-                r[k] = set.column()[k][first + i];
+                r[k] = set.columns()[k][first + i];
             }
-            put(i, r);
+            addRay(i, r);
         }
         search();
-        MeshProbe probe = new MeshProbe();
+        MeshRayQuery probe = new MeshRayQuery();
         int hits = 0;
         for (int i = 0; i < RAYS; i++) {
-            Rays p = rays[i / Rays.WIDTH];
-            int k = i % Rays.WIDTH;
-            probe.enter(solid, p.ox[k], p.oy[k], p.oz[k], p.dx[k], p.dy[k], p.dz[k]);
+            RayBatch p = rays[i / RayBatch.WIDTH];
+            int k = i % RayBatch.WIDTH;
+            probe.setRay(solid, p.ox[k], p.oy[k], p.oz[k], p.dx[k], p.dy[k], p.dz[k]);
             int expected =
-                    any ? (probe.blocked(1) ? 0 : -1) : probe.nearest(Double.POSITIVE_INFINITY) < MeshRay.MISS ? probe.triangle() : -1;
-            Agreement.require(met[i] == expected, kind.label(), i);
+                    anyHit ? (probe.isBlocked(1) ? 0 : -1) : probe.nearest(Double.POSITIVE_INFINITY) < MeshRay.MISS ? probe.triangle() : -1;
+            KernelAgreement.requireEqual(hitFlags[i] == expected, kind.label(), i);
             hits += expected < 0 ? 0 : 1;
         }
         if (hits == 0 || hits == RAYS) {
@@ -83,12 +83,12 @@ public class MeshKernels {
         }
     }
 
-    private void put(int i, double[] r) {
-        if (i % Rays.WIDTH == 0) {
-            rays[i / Rays.WIDTH] = new Rays();
+    private void addRay(int i, double[] r) {
+        if (i % RayBatch.WIDTH == 0) {
+            rays[i / RayBatch.WIDTH] = new RayBatch();
         }
-        Rays p = rays[i / Rays.WIDTH];
-        int k = i % Rays.WIDTH;
+        RayBatch p = rays[i / RayBatch.WIDTH];
+        int k = i % RayBatch.WIDTH;
         p.ox[k] = r[0];
         p.oy[k] = r[1];
         p.oz[k] = r[2];
@@ -102,21 +102,21 @@ public class MeshKernels {
     @OperationsPerInvocation(RAYS)
     public int[] search() {
         for (int n = 0; n < RAYS; n += GROUP) {
-            packets.begin(solid, SAME, 0);
-            for (int i = n; i < n + GROUP; i += Rays.WIDTH) {
-                packets.add(rays[i / Rays.WIDTH], -1 >>> -Rays.WIDTH, limits);
+            packets.beginGroup(solid, IDENTITY, 0);
+            for (int i = n; i < n + GROUP; i += RayBatch.WIDTH) {
+                packets.addPacket(rays[i / RayBatch.WIDTH], -1 >>> -RayBatch.WIDTH, limits);
             }
-            if (any) {
-                packets.blocked();
+            if (anyHit) {
+                packets.findBlocked();
             } else {
-                packets.nearest();
+                packets.findNearest();
             }
             for (int i = 0; i < GROUP; i++) {
-                int k = i / Rays.WIDTH;
-                boolean there = (packets.met(k) >>> i % Rays.WIDTH & 1) != 0;
-                met[n + i] = !there ? -1 : any ? 0 : packets.triangle(k, i % Rays.WIDTH);
+                int k = i / RayBatch.WIDTH;
+                boolean there = (packets.hitMask(k) >>> i % RayBatch.WIDTH & 1) != 0;
+                hitFlags[n + i] = !there ? -1 : anyHit ? 0 : packets.triangle(k, i % RayBatch.WIDTH);
             }
         }
-        return met;
+        return hitFlags;
     }
 }

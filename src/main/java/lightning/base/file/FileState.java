@@ -20,58 +20,59 @@ import java.util.HexFormat;
  */
 public record FileState(FileTime modified, long size, String content) {
     /** No file. */
-    public static final FileState NONE = new FileState(FileTime.fromMillis(0), -1, "");
+    public static final FileState MISSING = new FileState(FileTime.fromMillis(0), -1, "");
 
     /** Larger files are compared by time and size alone: reading them at each look would take too long. */
-    private static final long MOST_BYTES = 64L << 20;
+    private static final long MAX_HASHED_BYTES = 64L << 20;
 
     /**
-     * What a file holds now; {@link #NONE} if there is none.
+     * What a file holds now; {@link #MISSING} if there is none.
      *
      * @throws IOException if it cannot be read
      */
     public static FileState of(Path file) throws IOException {
-        FileState seen = look(file);
-        return seen.size < 0 || seen.size > MOST_BYTES || !Files.isRegularFile(file) ? seen : read(file, seen.modified);
+        FileState metadata = readMetadata(file);
+        return metadata.size < 0 || metadata.size > MAX_HASHED_BYTES || !Files.isRegularFile(file) ? metadata
+                : read(file, metadata.modified);
     }
 
     /** Time and size alone, which takes no reading. */
-    public static FileState look(Path file) throws IOException {
+    public static FileState readMetadata(Path file) throws IOException {
         if (!Files.exists(file)) {
-            return NONE;
+            return MISSING;
         }
         var attributes = Files.readAttributes(file, BasicFileAttributes.class);
         return new FileState(attributes.lastModifiedTime(), attributes.size(), "");
     }
 
     FileState withContent(byte[] bytes) {
-        return new FileState(modified, size, size > MOST_BYTES ? "" : HexFormat.of().formatHex(sha256().digest(bytes)));
+        return new FileState(modified, size, size > MAX_HASHED_BYTES ? "" : HexFormat.of().formatHex(sha256().digest(bytes)));
     }
 
     /** Whether time and size are the same. */
-    public boolean looksLike(FileState other) {
+    public boolean hasSameMetadata(FileState other) {
         return modified.equals(other.modified) && size == other.size;
     }
 
     /** Whether both stand for the same content. */
-    public boolean holdsTheSameAs(FileState other) {
+    public boolean hasSameContent(FileState other) {
         return size == other.size
-                && (content.isEmpty() || other.content.isEmpty() ? looksLike(other) : content.equals(other.content));
+                && (content.isEmpty() || other.content.isEmpty() ? hasSameMetadata(other) : content.equals(other.content));
     }
 
     /** Whether a file is there that holds anything else. */
-    boolean isOverwrittenIn(Path file) throws IOException {
-        return Files.exists(file) && !holdsTheSameAs(of(file));
+    boolean differsFrom(Path file) throws IOException {
+        return Files.exists(file) && !hasSameContent(of(file));
     }
 
     /** The size is that of what was read: another program may write meanwhile. */
     private static FileState read(Path file, FileTime modified) throws IOException {
         MessageDigest digest = sha256();
-        byte[] part = new byte[1 << 16];
+        byte[] buffer = new byte[1 << 16];
         long size = 0;
         try (InputStream in = Files.newInputStream(file)) {
-            for (int n = in.read(part); n >= 0 && size < MOST_BYTES; n = in.read(part)) {
-                digest.update(part, 0, n);
+            for (int n = in.read(buffer); n >= 0 && size < MAX_HASHED_BYTES; n = in.read(buffer)) {
+                digest.update(buffer, 0, n);
                 size += n;
             }
         }

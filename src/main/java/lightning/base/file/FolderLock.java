@@ -30,15 +30,15 @@ public final class FolderLock implements AutoCloseable {
     public static Optional<FolderLock> tryLock(Path folder) throws IOException {
         FileChannel channel = FileChannel.open(folder.resolve(FILE), StandardOpenOption.CREATE, StandardOpenOption.WRITE,
                 LinkOption.NOFOLLOW_LINKS);
-        boolean held = false;
+        boolean locked = false;
         try {
             FileLock lock = channel.tryLock();
-            held = lock != null;
-            return held ? Optional.of(new FolderLock(channel)) : Optional.empty();
+            locked = lock != null;
+            return locked ? Optional.of(new FolderLock(channel)) : Optional.empty();
         } catch (OverlappingFileLockException e) {
             return Optional.empty();
         } finally {
-            if (!held) {
+            if (!locked) {
                 channel.close();
             }
         }

@@ -23,7 +23,7 @@ final class NamedChannel implements SeekableByteChannel {
         try {
             return file.write(bytes);
         } catch (IOException e) {
-            throw named(e);
+            throw withName(e);
         }
     }
 
@@ -32,11 +32,11 @@ final class NamedChannel implements SeekableByteChannel {
         try {
             file.force(true);
         } catch (IOException e) {
-            throw named(e);
+            throw withName(e);
         }
     }
 
-    private IOException named(IOException e) {
+    private IOException withName(IOException e) {
         if (e.getClass() != IOException.class) {
             return e;
         }
@@ -56,8 +56,8 @@ final class NamedChannel implements SeekableByteChannel {
     }
 
     @Override
-    public NamedChannel position(long place) throws IOException {
-        file.position(place);
+    public NamedChannel position(long offset) throws IOException {
+        file.position(offset);
         return this;
     }
 

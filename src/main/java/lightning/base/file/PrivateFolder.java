@@ -12,13 +12,13 @@ public final class PrivateFolder {
      *
      * @throws IOException if it cannot be made, or is there and is no folder
      */
-    public static void make(Path folder) throws IOException {
-        Permissions.OWNERS_FOLDER.createFolders(folder);
+    public static void create(Path folder) throws IOException {
+        FilePermissions.OWNER_ONLY_FOLDER.createDirectories(folder);
     }
 
     /** The same, and one that was open to others is closed to them: for folders that hold nothing but the program's own. */
-    public static void close(Path folder) throws IOException {
-        make(folder);
-        Permissions.OWNERS_FOLDER.giveTo(folder);
+    public static void restrict(Path folder) throws IOException {
+        create(folder);
+        FilePermissions.OWNER_ONLY_FOLDER.applyTo(folder);
     }
 }

@@ -25,13 +25,13 @@ import lightning.base.text.Quote;
  * still uses a folder is told by a lock, which the system gives up with the process.
  */
 public final class ScratchFolder implements AutoCloseable {
-    private static final Pattern OURS = Pattern.compile("lightning-scratch-[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
-    private static final String LOCK = "in-use";
+    private static final Pattern NAME_PATTERN = Pattern.compile("lightning-scratch-[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}");
+    private static final String LOCK_FILE = "in-use";
     /** A folder without a lock is one that is just being made, or was not made to its end. */
-    private static final Duration HALF_MADE = Duration.ofHours(1);
+    private static final Duration CREATION_GRACE = Duration.ofHours(1);
 
     /** Those of this process: where their locks are only looked at, POSIX gives them up with the stream that looked. */
-    private static final Set<Path> OWN = ConcurrentHashMap.newKeySet();
+    private static final Set<Path> OPEN_FOLDERS = ConcurrentHashMap.newKeySet();
 
     private final Path folder;
     private final FileChannel lock;
@@ -46,25 +46,25 @@ public final class ScratchFolder implements AutoCloseable {
      *
      * @throws IOException if it cannot be made; a sentence that begins with {@code parent}
      */
-    public static ScratchFolder in(Path parent) throws IOException {
+    public static ScratchFolder createIn(Path parent) throws IOException {
         if (!Files.isDirectory(parent)) {
             throw new IOException(Quote.path(parent) + ": is no folder");
         }
-        removeLeftIn(parent);
+        removeStaleIn(parent);
         Path folder = parent.resolve("lightning-scratch-" + UUID.randomUUID());
-        OWN.add(folder.getFileName());
+        OPEN_FOLDERS.add(folder.getFileName());
         try {
-            PrivateFolder.make(folder);
-            Path lock = folder.resolve(LOCK + ".new");
-            Permissions.OWNER_ONLY.create(lock);
+            PrivateFolder.create(folder);
+            Path lock = folder.resolve(LOCK_FILE + ".new");
+            FilePermissions.OWNER_ONLY.create(lock);
             FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE);
             channel.lock();
             // Under its name it is always locked.
-            Files.move(lock, folder.resolve(LOCK), StandardCopyOption.ATOMIC_MOVE);
+            Files.move(lock, folder.resolve(LOCK_FILE), StandardCopyOption.ATOMIC_MOVE);
             return new ScratchFolder(folder, channel);
         } catch (FileSystemException e) {
             remove(folder);
-            OWN.remove(folder.getFileName());
+            OPEN_FOLDERS.remove(folder.getFileName());
             throw new IOException(Quote.path(parent) + ": no folder can be made in it ("
                     + (e.getReason() == null ? e.getClass().getSimpleName() : e.getReason()) + ")", e);
         }
@@ -80,14 +80,14 @@ public final class ScratchFolder implements AutoCloseable {
      *
      * @throws IOException if it cannot be written, or {@code content} throws; there is then no such file
      */
-    public void write(Path file, SafeFile.Anywhere content) throws IOException {
-        Permissions.OWNER_ONLY.create(file);
-        boolean whole = false;
+    public void write(Path file, AtomicFile.RandomAccessContent content) throws IOException {
+        FilePermissions.OWNER_ONLY.create(file);
+        boolean complete = false;
         try (var channel = new NamedChannel(FileChannel.open(file, StandardOpenOption.WRITE), file)) {
             content.writeTo(channel);
-            whole = true;
+            complete = true;
         } finally {
-            if (!whole) {
+            if (!complete) {
                 Files.deleteIfExists(file);
             }
         }
@@ -102,13 +102,13 @@ public final class ScratchFolder implements AutoCloseable {
         } catch (IOException e) {
             // It is given up with the process.
         }
-        OWN.remove(folder.getFileName());
+        OPEN_FOLDERS.remove(folder.getFileName());
     }
 
-    private static void removeLeftIn(Path parent) {
-        try (DirectoryStream<Path> ours = Files.newDirectoryStream(parent, ScratchFolder::isOurs)) {
-            for (Path folder : ours) {
-                if (isLeft(folder)) {
+    private static void removeStaleIn(Path parent) {
+        try (DirectoryStream<Path> folders = Files.newDirectoryStream(parent, ScratchFolder::isScratchFolder)) {
+            for (Path folder : folders) {
+                if (isStale(folder)) {
                     remove(folder);
                 }
             }
@@ -117,16 +117,16 @@ public final class ScratchFolder implements AutoCloseable {
         }
     }
 
-    private static boolean isOurs(Path folder) {
-        return OURS.matcher(folder.getFileName().toString()).matches() && !OWN.contains(folder.getFileName())
+    private static boolean isScratchFolder(Path folder) {
+        return NAME_PATTERN.matcher(folder.getFileName().toString()).matches() && !OPEN_FOLDERS.contains(folder.getFileName())
                 && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS);
     }
 
-    private static boolean isLeft(Path folder) {
-        Path lock = folder.resolve(LOCK);
+    private static boolean isStale(Path folder) {
+        Path lock = folder.resolve(LOCK_FILE);
         try {
             if (!Files.isRegularFile(lock, LinkOption.NOFOLLOW_LINKS)) {
-                return Files.getLastModifiedTime(folder).toInstant().plus(HALF_MADE).isBefore(Instant.now());
+                return Files.getLastModifiedTime(folder).toInstant().plus(CREATION_GRACE).isBefore(Instant.now());
             }
             try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
                     FileLock free = channel.tryLock()) {
@@ -142,11 +142,11 @@ public final class ScratchFolder implements AutoCloseable {
     private static void remove(Path folder) {
         try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
             for (Path file : files) {
-                if (!file.getFileName().toString().equals(LOCK)) {
+                if (!file.getFileName().toString().equals(LOCK_FILE)) {
                     Files.deleteIfExists(file);
                 }
             }
-            Files.deleteIfExists(folder.resolve(LOCK));
+            Files.deleteIfExists(folder.resolve(LOCK_FILE));
             Files.deleteIfExists(folder);
         } catch (IOException | DirectoryIteratorException e) {
             // Perhaps somebody else's.

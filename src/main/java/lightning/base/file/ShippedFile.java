@@ -14,7 +14,7 @@ public final class ShippedFile {
      * Returns the file that a name means. Where the working directory has no folder {@code scenes}, a name as
      * {@code scenes/bird.jen} is that of a shipped scene, so that what the help shows works from any directory.
      */
-    public static Path find(Path name) {
+    public static Path resolve(Path name) {
         String home = System.getProperty("lightning.home");
         if (home == null || !name.startsWith(SCENES) || Files.isDirectory(SCENES)) {
             return name;

@@ -24,54 +24,54 @@ import java.util.regex.Pattern;
  * looked up, if it was not written for 30 days. A folder of many pictures is not listed for each of them.
  */
 final class TemporaryFile {
-    private static final Duration LEFT_BEHIND = Duration.ofHours(1);
-    private static final Duration OWNER_UNKNOWN = Duration.ofDays(30);
+    private static final Duration STALE_AFTER = Duration.ofHours(1);
+    private static final Duration UNKNOWN_OWNER_STALE_AFTER = Duration.ofDays(30);
 
     /** With an owner, or as older releases wrote it. */
-    private static final Pattern OURS = Pattern.compile("\\.lightning-(?:([0-9a-f]{8})-(" + ProcessStart.FORM
+    private static final Pattern NAME_PATTERN = Pattern.compile("\\.lightning-(?:([0-9a-f]{8})-(" + ProcessIdentity.REGEX
             + ")-[0-9a-f]{16}|[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12})\\.tmp");
-    private static final Map<Path, Instant> LOOKED = new ConcurrentHashMap<>();
+    private static final Map<Path, Instant> LAST_SCANS = new ConcurrentHashMap<>();
 
     private TemporaryFile() {}
 
     /**
      * A process that writes a temporary file.
      *
-     * @param realm   the machine and user, as {@link ProcessRealm} names them
+     * @param realm   the machine and user, as {@link ProcessNamespace} names them
      * @param process its number there
      */
-    record Owner(String realm, ProcessStart process) {
-        static final Owner ME = new Owner(ProcessRealm.NAME, ProcessStart.ofThisProcess());
+    record Owner(String realm, ProcessIdentity process) {
+        static final Owner SELF = new Owner(ProcessNamespace.NAME, ProcessIdentity.current());
 
         /** A name in a folder that no file has. */
-        Path in(Path folder) {
+        Path newPath(Path folder) {
             String random = UUID.randomUUID().toString().replace("-", "").substring(16);
             return folder.resolve(".lightning-" + realm + "-" + process + "-" + random + ".tmp");
         }
 
         boolean isKnown() {
-            return realm.equals(ME.realm);
+            return realm.equals(SELF.realm);
         }
     }
 
     /** A name in a folder that no file has, of a file of this process. */
-    static Path in(Path folder) {
-        return Owner.ME.in(folder);
+    static Path newPath(Path folder) {
+        return Owner.SELF.newPath(folder);
     }
 
     /** Removes what was left behind, unless the folder was looked through within the hour. Never fails. */
-    static void removeLeftIn(Path folder) {
+    static void removeStaleIn(Path folder) {
         Instant now = Instant.now();
-        Instant before = LOOKED.get(folder);
-        if (before != null && now.isBefore(before.plus(LEFT_BEHIND))) {
+        Instant lastScan = LAST_SCANS.get(folder);
+        if (lastScan != null && now.isBefore(lastScan.plus(STALE_AFTER))) {
             return;
         }
-        LOOKED.put(folder, now);
-        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
-            for (Path file : all) {
-                Matcher ours = OURS.matcher(file.getFileName().toString());
-                if (ours.matches() && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
-                    removeIfLeft(file, owner(ours), now);
+        LAST_SCANS.put(folder, now);
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+            for (Path file : files) {
+                Matcher matcher = NAME_PATTERN.matcher(file.getFileName().toString());
+                if (matcher.matches() && Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+                    removeIfStale(file, owner(matcher), now);
                 }
             }
         } catch (IOException | DirectoryIteratorException e) {
@@ -80,15 +80,15 @@ final class TemporaryFile {
     }
 
     /** The owner that a name tells, if it is one that can be looked up here. */
-    private static Optional<Owner> owner(Matcher name) {
-        return Optional.ofNullable(name.group(1))
-                .flatMap(realm -> ProcessStart.parse(name.group(2)).map(process -> new Owner(realm, process))).filter(Owner::isKnown);
+    private static Optional<Owner> owner(Matcher matcher) {
+        return Optional.ofNullable(matcher.group(1))
+                .flatMap(realm -> ProcessIdentity.parse(matcher.group(2)).map(process -> new Owner(realm, process))).filter(Owner::isKnown);
     }
 
-    private static void removeIfLeft(Path file, Optional<Owner> owner, Instant now) {
+    private static void removeIfStale(Path file, Optional<Owner> owner, Instant now) {
         try {
-            Instant written = Files.getLastModifiedTime(file).toInstant();
-            if (written.plus(owner.isPresent() ? LEFT_BEHIND : OWNER_UNKNOWN).isBefore(now)
+            Instant lastModified = Files.getLastModifiedTime(file).toInstant();
+            if (lastModified.plus(owner.isPresent() ? STALE_AFTER : UNKNOWN_OWNER_STALE_AFTER).isBefore(now)
                     && owner.filter(known -> known.process().isRunning()).isEmpty()) {
                 Files.deleteIfExists(file);
             }

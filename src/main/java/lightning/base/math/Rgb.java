@@ -6,7 +6,7 @@ public record Rgb(double r, double g, double b) {
     public static final Rgb WHITE = new Rgb(1, 1, 1);
 
     /** The neutral colour with all three channels at {@code v}. */
-    public static Rgb grey(double v) {
+    public static Rgb gray(double v) {
         return new Rgb(v, v, v);
     }
 

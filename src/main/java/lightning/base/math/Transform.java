@@ -45,7 +45,7 @@ public record Transform(
     }
 
     /** This map without its translation. */
-    public Transform linear() {
+    public Transform linearPart() {
         return new Transform(m00, m01, m02, 0, m10, m11, m12, 0, m20, m21, m22, 0);
     }
 
@@ -102,7 +102,7 @@ public record Transform(
                 m20 * o.t0 + m21 * o.t1 + m22 * o.t2 + t2);
     }
 
-    public Vec3 point(Vec3 p) {
+    public Vec3 transformPoint(Vec3 p) {
         return new Vec3(
                 m00 * p.x() + m01 * p.y() + m02 * p.z() + t0,
                 m10 * p.x() + m11 * p.y() + m12 * p.z() + t1,
@@ -110,7 +110,7 @@ public record Transform(
     }
 
     /** The map of a direction: without the translation. */
-    public Vec3 vector(Vec3 v) {
+    public Vec3 transformVector(Vec3 v) {
         return new Vec3(
                 m00 * v.x() + m01 * v.y() + m02 * v.z(),
                 m10 * v.x() + m11 * v.y() + m12 * v.z(),

@@ -7,15 +7,15 @@ import java.math.MathContext;
 /**
  * A rational number, exact: what is typed into a field is reckoned with these, so that the only rounding is the last one.
  *
- * @param over  the numerator
- * @param under the denominator, above 0
+ * @param numerator  the numerator
+ * @param denominator the denominator, above 0
  */
-record Fraction(BigInteger over, BigInteger under) {
+record Fraction(BigInteger numerator, BigInteger denominator) {
     static final Fraction ZERO = new Fraction(BigInteger.ZERO, BigInteger.ONE);
     static final Fraction HUNDRED = new Fraction(BigInteger.valueOf(100), BigInteger.ONE);
     /**
      * Two values that differ, one a double or the middle between two, the other one of these, are at least 1 / (under · 2^1075) apart; a
-     * double is below 10^309, and 2^1075 below 10^324. So many digits beside those of {@code under} tell them apart.
+     * double is below 10^309, and 2^1075 below 10^324. So many digits beside those of {@code denominator} tell them apart.
      */
     private static final int DIGITS = 640;
 
@@ -26,36 +26,36 @@ record Fraction(BigInteger over, BigInteger under) {
     }
 
     Fraction plus(Fraction b) {
-        return shortest(over.multiply(b.under).add(b.over.multiply(under)), under.multiply(b.under));
+        return reduce(numerator.multiply(b.denominator).add(b.numerator.multiply(denominator)), denominator.multiply(b.denominator));
     }
 
     Fraction minus(Fraction b) {
-        return plus(new Fraction(b.over.negate(), b.under));
+        return plus(new Fraction(b.numerator.negate(), b.denominator));
     }
 
     Fraction times(Fraction b) {
-        return shortest(over.multiply(b.over), under.multiply(b.under));
+        return reduce(numerator.multiply(b.numerator), denominator.multiply(b.denominator));
     }
 
     /** @throws ArithmeticException if {@code b} is 0 */
-    Fraction by(Fraction b) {
-        BigInteger below = under.multiply(b.over);
-        BigInteger above = over.multiply(b.under);
-        return below.signum() < 0 ? shortest(above.negate(), below.negate()) : shortest(above, below);
+    Fraction divide(Fraction b) {
+        BigInteger below = denominator.multiply(b.numerator);
+        BigInteger above = numerator.multiply(b.denominator);
+        return below.signum() < 0 ? reduce(above.negate(), below.negate()) : reduce(above, below);
     }
 
     boolean isZero() {
-        return over.signum() == 0;
+        return numerator.signum() == 0;
     }
 
     /** The nearest double, ties to even; infinite where it is beyond 1.8e308. */
     double toDouble() {
-        int digits = DIGITS + under.bitLength();
-        return new BigDecimal(over).divide(new BigDecimal(under), new MathContext(digits)).doubleValue();
+        int digits = DIGITS + denominator.bitLength();
+        return new BigDecimal(numerator).divide(new BigDecimal(denominator), new MathContext(digits)).doubleValue();
     }
 
-    private static Fraction shortest(BigInteger over, BigInteger under) {
-        BigInteger common = over.gcd(under);
-        return new Fraction(over.divide(common), under.divide(common));
+    private static Fraction reduce(BigInteger numerator, BigInteger denominator) {
+        BigInteger common = numerator.gcd(denominator);
+        return new Fraction(numerator.divide(common), denominator.divide(common));
     }
 }

@@ -9,25 +9,25 @@ public enum Language {
     GERMAN("Deutsch", "de", Locale.GERMAN, "german.texts");
 
     private final String name;
-    private final String letters;
+    private final String code;
     private final Locale locale;
     private final String bundle;
 
-    Language(String name, String letters, Locale locale, String bundle) {
+    Language(String name, String code, Locale locale, String bundle) {
         this.name = name;
-        this.letters = letters;
+        this.code = code;
         this.locale = locale;
         this.bundle = bundle;
     }
 
     /** The language of a system by its two letters, {@code de}: English where the editor does not speak it. */
-    public static Language ofSystem(String letters) {
-        return letters.equals(GERMAN.letters) ? GERMAN : ENGLISH;
+    public static Language forSystem(String code) {
+        return code.equals(GERMAN.code) ? GERMAN : ENGLISH;
     }
 
     /** Its two letters, {@code de}. */
     public String letters() {
-        return letters;
+        return code;
     }
 
     /** How numbers and times are written on the screen. */

@@ -9,18 +9,18 @@ import java.util.Collection;
  */
 public final class Quote {
     /** Code points that are shown; every name that a scene may hold is shown whole. */
-    private static final int LONGEST = 100;
-    private static final String REST = "…";
+    private static final int MAX_LENGTH = 100;
+    private static final String ELLIPSIS = "…";
     /** Characters of the names of files; more than any folder or file may have by itself. */
-    private static final int LONGEST_PATH = 500;
-    private static final int START_OF_PATH = 150;
+    private static final int MAX_PATH_LENGTH = 500;
+    private static final int PATH_HEAD_LENGTH = 150;
 
     private Quote() {}
 
     /** What was found, in quotes, shortened where it has more than 100 characters. */
-    public static String of(String found) {
-        String shown = shortened(found);
-        return Visible.is(shown) ? "'" + shown + "'" : escaped(shown);
+    public static String of(String text) {
+        String shown = shorten(text);
+        return PrintableText.isPrintable(shown) ? "'" + shown + "'" : escape(shown);
     }
 
     /**
@@ -29,20 +29,21 @@ public final class Quote {
      */
     public static String path(String name) {
         String shown = name;
-        if (name.length() > LONGEST_PATH) {
-            int[] all = name.codePoints().toArray();
-            int left = LONGEST_PATH - START_OF_PATH - REST.length();
-            shown = all.length <= LONGEST_PATH ? name
-                    : new String(all, 0, START_OF_PATH) + REST + new String(all, all.length - left, left);
+        if (name.length() > MAX_PATH_LENGTH) {
+            int[] codePoints = name.codePoints().toArray();
+            int tailLength = MAX_PATH_LENGTH - PATH_HEAD_LENGTH - ELLIPSIS.length();
+            shown = codePoints.length <= MAX_PATH_LENGTH ? name
+                    : new String(codePoints, 0, PATH_HEAD_LENGTH) + ELLIPSIS
+                            + new String(codePoints, codePoints.length - tailLength, tailLength);
         }
-        return Visible.is(shown) && !shown.startsWith("\"") ? shown : escaped(shown);
+        return PrintableText.isPrintable(shown) && !shown.startsWith("\"") ? shown : escape(shown);
     }
 
     /** A sentence in which each of some words is shortened where it has more than 100 characters. */
-    public static String shortenedIn(String sentence, Collection<String> words) {
+    public static String shortenWords(String sentence, Collection<String> words) {
         String shown = sentence;
         for (String word : words) {
-            shown = shown.replace(word, shortened(word));
+            shown = shown.replace(word, shorten(word));
         }
         return shown;
     }
@@ -53,17 +54,17 @@ public final class Quote {
     }
 
     /** The first 100 characters; a surrogate pair is never cut in two. */
-    public static String shortened(String text) {
+    public static String shorten(String text) {
         // Most text is short, and only so much of the longest is looked at.
-        if (text.length() <= LONGEST) {
+        if (text.length() <= MAX_LENGTH) {
             return text;
         }
-        String start = text.substring(0, Math.min(text.length(), 2 * LONGEST + 2));
-        return start.codePointCount(0, start.length()) <= LONGEST ? text
-                : start.substring(0, start.offsetByCodePoints(0, LONGEST - REST.length())) + REST;
+        String start = text.substring(0, Math.min(text.length(), 2 * MAX_LENGTH + 2));
+        return start.codePointCount(0, start.length()) <= MAX_LENGTH ? text
+                : start.substring(0, start.offsetByCodePoints(0, MAX_LENGTH - ELLIPSIS.length())) + ELLIPSIS;
     }
 
-    private static String escaped(String text) {
-        return '"' + Visible.escaped(text.replace("\\", "\\\\").replace("\"", "\\\"")) + '"';
+    private static String escape(String text) {
+        return '"' + PrintableText.escape(text.replace("\\", "\\\\").replace("\"", "\\\"")) + '"';
     }
 }

@@ -1,8 +1,8 @@
 package lightning.bench.accuracy;
 
 import java.util.List;
-import lightning.render.shading.TraceCounts;
-import lightning.scene.effects.Effect;
+import lightning.render.shading.RayCounts;
+import lightning.scene.effects.RenderEffect;
 
 /**
  * What an effect takes, found by rendering with it and without it in turns: where the scene calls for it, by hiding it;
@@ -20,8 +20,8 @@ import lightning.scene.effects.Effect;
  * @param bytes      by how much it makes the picture's cache larger; below 0 where other columns are needed without it
  * @param rays       how many more rays the first pass casts
  */
-public record EffectCost(Effect effect, List<String> callers, boolean measured, double firstMs, double updateMs, double firstNoise,
-        double updateNoise, long bytes, TraceCounts rays) {
+public record EffectCost(RenderEffect effect, List<String> callers, boolean measured, double firstMs, double updateMs, double firstNoise,
+        double updateNoise, long bytes, RayCounts rays) {
     public EffectCost {
         callers = List.copyOf(callers);
     }

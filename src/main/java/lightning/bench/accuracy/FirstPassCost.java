@@ -9,17 +9,17 @@ package lightning.bench.accuracy;
  * @param rows        hit rows kept
  * @param bytes       bytes kept, the film left out
  * @param bandwidthMs milliseconds that memory needs to write those bytes
- * @param warm        whether Java's compilers rested while it was timed: else its times say little
+ * @param isWarm        whether Java's compilers rested while it was timed: else its times say little
  */
 public record FirstPassCost(Timing first, Timing full, long fullRays, long rows, long bytes, double bandwidthMs,
-        boolean warm) {
+        boolean isWarm) {
     /** By how many percent the first pass is slower. */
     public double percentSlower() {
         return 100 * (first.median() / full.median() - 1);
     }
 
     /** By how many percent it would be slower if only memory set the limit. */
-    public double percentFloor() {
+    public double percentAtMemoryLimit() {
         return 100 * bandwidthMs / full.median();
     }
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
 import lightning.scene.Scene;
-import lightning.scene.SceneChange;
+import lightning.scene.SceneDiff;
 
 /**
  * A named edit, or a sequence of edits, of one scene.
@@ -25,7 +25,7 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
     }
 
     /** A case that the paper does not have, from a scene by some steps. */
-    static PaperCase further(String name, Scene before, Scene... steps) {
+    static PaperCase unprinted(String name, Scene before, Scene... steps) {
         return new PaperCase(name, "", Double.NaN, Stream.concat(Stream.of(before), Stream.of(steps)).toList());
     }
 
@@ -41,7 +41,7 @@ public record PaperCase(String name, String figure, double paperSaving, List<Sce
 
     /** What the last step changes to what, as in {@code sun: color 1 1 1 → 1 0 0}. */
     public String value() {
-        return SceneChange.text(scenes.get(scenes.size() - 2), after());
+        return SceneDiff.describe(scenes.get(scenes.size() - 2), after());
     }
 
     /** Whether the paper prints this edit. */

@@ -12,8 +12,8 @@ import lightning.base.math.Vec3;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Limits;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 
 /**
  * The paper's printed edits (§4.1–4.9) and a few more, of materials and shapes too, for any scene.
@@ -28,20 +28,20 @@ public final class PaperCases {
     public static final int VALUES = 3;
 
     private static final Rgb RED = new Rgb(1, 0, 0);
-    private static final Attenuation PRINTED_BEFORE = new Attenuation(0.1, 1, 0.1);
-    private static final Attenuation PRINTED_AFTER = new Attenuation(0, 1, 1);
+    private static final Attenuation PRINTED_ATTENUATION = new Attenuation(0.1, 1, 0.1);
+    private static final Attenuation PRINTED_NEW_ATTENUATION = new Attenuation(0, 1, 1);
 
     private static final LightType[] TYPES = {LightType.DIRECTIONAL, LightType.POINT, LightType.SPOT};
 
     private final List<PaperCase> cases = new ArrayList<>();
     private final Scene scene;
-    private final Framing framing;
+    private final CameraFraming framing;
     /** Which of the {@link #VALUES} values edits take. */
     private final int value;
 
     private PaperCases(Scene scene, int value) {
         this.scene = scene;
-        this.framing = Framing.of(scene.camera());
+        this.framing = CameraFraming.of(scene.camera());
         this.value = value;
     }
 
@@ -58,65 +58,65 @@ public final class PaperCases {
      */
     public static List<PaperCase> of(Scene scene, int value) {
         PaperCases builder = new PaperCases(scene, value);
-        builder.printed();
-        builder.further();
+        builder.addPrinted();
+        builder.addUnprinted();
         builder.cases.addAll(MaterialCases.of(scene, value));
         builder.cases.addAll(ShapeCases.of(scene, value));
         return List.copyOf(builder.cases);
     }
 
     /** The edit that moves a light, with its first value; where none has a place, the one that turns a directional light. */
-    public static Optional<PaperCase> moved(Scene scene) {
+    public static Optional<PaperCase> moveCase(Scene scene) {
         List<PaperCase> cases = of(scene);
         return Stream.of("position", "direction").flatMap(name -> cases.stream().filter(c -> c.name().equals(name))).findFirst();
     }
 
-    private void printed() {
-        edit("color", "Fig. 6", 98, LightType.DIRECTIONAL, l -> l.withColor(pick(RED, new Rgb(0.3, 0.6, 1), new Rgb(1, 0.8, 0.3))));
-        edit("intensity", "Fig. 6", 98, LightType.DIRECTIONAL, this::dimmed);
-        edit("attenuation", "Fig. 8", 98, LightType.POINT, this::faded);
-        edit("angle-smaller", "Fig. 10", 97, LightType.SPOT, l -> l.withAngle(l.angle() * pick(0.6, 0.8, 0.4)));
-        edit("angle-larger", "Fig. 10", 81, LightType.SPOT,
-                l -> l.withAngle(Math.min(l.angle() * pick(1.5, 1.2, 1.8), Limits.MAX_ANGLE)));
-        edit("dropoff", "Fig. 13", 95, LightType.SPOT, this::steeper);
-        edit("position", "Fig. 15", 82, shining(LightType.POINT).or(() -> shining(l -> l.type().hasPosition())),
+    private void addPrinted() {
+        addEdit("color", "Fig. 6", 98, LightType.DIRECTIONAL, l -> l.withColor(pick(RED, new Rgb(0.3, 0.6, 1), new Rgb(1, 0.8, 0.3))));
+        addEdit("intensity", "Fig. 6", 98, LightType.DIRECTIONAL, this::dimmed);
+        addEdit("attenuation", "Fig. 8", 98, LightType.POINT, this::attenuated);
+        addEdit("angle-smaller", "Fig. 10", 97, LightType.SPOT, l -> l.withAngle(l.angle() * pick(0.6, 0.8, 0.4)));
+        addEdit("angle-larger", "Fig. 10", 81, LightType.SPOT,
+                l -> l.withAngle(Math.min(l.angle() * pick(1.5, 1.2, 1.8), SceneLimits.MAX_ANGLE)));
+        addEdit("dropoff", "Fig. 13", 95, LightType.SPOT, this::steeper);
+        addEdit("position", "Fig. 15", 82, firstShining(LightType.POINT).or(() -> firstShining(l -> l.type().hasPosition())),
                 l -> l.withPosition(pick(framing.point(0, -0.3, 2.1), framing.point(0.6, 0.3, 1.6), framing.point(-0.7, 0.6, 1.2))));
-        edit("direction", "Fig. 15", 83, LightType.DIRECTIONAL,
+        addEdit("direction", "Fig. 15", 83, LightType.DIRECTIONAL,
                 l -> l.withDirection(pick(framing.vector(1, -1, 0.7), framing.vector(-1, -1, 0.3), framing.vector(0.3, -1, -0.6))));
-        edit("type", "Fig. 15", 82, pick(LightType.DIRECTIONAL, LightType.DIRECTIONAL, LightType.POINT), this::retyped);
-        shining(TYPES[value]).ifPresent(l -> add("delete", "Fig. 17", 95, without(l)));
-        if (scene.lights().size() < Limits.MAX_LIGHTS) {
-            add("add", "Fig. 19", 71, with(Light.of(freshName(), TYPES[value]).withIntensity(0.3).withPosition(framing.point(-1, 2, 1))
+        addEdit("type", "Fig. 15", 82, pick(LightType.DIRECTIONAL, LightType.DIRECTIONAL, LightType.POINT), this::withOtherType);
+        firstShining(TYPES[value]).ifPresent(l -> add("delete", "Fig. 17", 95, removeLight(l)));
+        if (scene.lights().size() < SceneLimits.MAX_LIGHTS) {
+            add("add", "Fig. 19", 71, addLight(Light.of(freeName(), TYPES[value]).withIntensity(0.3).withPosition(framing.point(-1, 2, 1))
                     .withDirection(framing.vector(0.8, -1, -0.8))));
         }
         add("ambience", "Fig. 21", 98, scene.withWorld(scene.world().withAmbience(
-                Math.min(scene.world().ambience() * pick(0.1, 0.5, 2.0), Limits.MAX_AMBIENCE))));
-        edit("position-feet", "Fig. 23", 82, LightType.POINT,
+                Math.min(scene.world().ambience() * pick(0.1, 0.5, 2.0), SceneLimits.MAX_AMBIENCE))));
+        addEdit("position-feet", "Fig. 23", 82, LightType.POINT,
                 l -> l.withPosition(pick(framing.point(0.2, -0.4, 1.2), framing.point(-0.3, -0.35, 1), framing.point(0.4, -0.45, 0.8))));
-        edit("composite-1", "Fig. 24", 98, LightType.POINT,
-                l -> faded(dimmed(l)).withColor(pick(new Rgb(0.4, 1, 0.5), new Rgb(1, 0.6, 0.4), new Rgb(0.5, 0.6, 1))));
-        edit("composite-2", "Fig. 24", 82, LightType.SPOT,
-                l -> steeper(dimmed(aimed(l, pick(framing.point(0, 0.4, 0), framing.point(0.3, 0.2, 0), framing.point(-0.3, 0, 0.2)))
+        addEdit("composite-1", "Fig. 24", 98, LightType.POINT,
+                l -> attenuated(dimmed(l)).withColor(pick(new Rgb(0.4, 1, 0.5), new Rgb(1, 0.6, 0.4), new Rgb(0.5, 0.6, 1))));
+        addEdit("composite-2", "Fig. 24", 82, LightType.SPOT,
+                l -> steeper(dimmed(aimedAt(l, pick(framing.point(0, 0.4, 0), framing.point(0.3, 0.2, 0), framing.point(-0.3, 0, 0.2)))
                         .withAngle(l.angle() * pick(0.7, 0.85, 0.5)))));
     }
 
-    private void further() {
+    private void addUnprinted() {
         scene.lights().stream().filter(this::isShining).skip(value).findFirst().ifPresent(l -> {
             Scene off = scene.withLight(l.withOn(false));
             add("off", "", Double.NaN, off);
             add("on", "", Double.NaN, off, scene);
             add("solo", "", Double.NaN, scene.withLight(l.withSolo(!l.solo())));
-            add("rename", "", Double.NaN, replaced(l, l.withName(freshName())));
+            add("rename", "", Double.NaN, replace(l, l.withName(freeName())));
             add("undo", "", Double.NaN, scene.withLight(dimmed(l)), scene);
         });
         int depth = scene.picture().depth();
         add("depth-less", "", Double.NaN, scene.withPicture(scene.picture().withDepth(Math.max(depth - 1 - value, 0))));
         add("depth-more", "", Double.NaN,
-                scene.withPicture(scene.picture().withDepth(Math.min(depth + 1 + value, Limits.MAX_DEPTH))));
-        edit("spot-turned", "", Double.NaN, LightType.SPOT,
-                l -> aimed(l, pick(framing.point(0.4, 0, 0.3), framing.point(-0.3, 0.1, 0), framing.point(0, -0.2, 0.5))));
-        edit("point-to-spot", "", Double.NaN, LightType.POINT,
-                l -> aimed(l, pick(framing.focus(), framing.point(0.3, 0, 0), framing.point(-0.3, 0.2, 0))).withType(LightType.SPOT));
+                scene.withPicture(scene.picture().withDepth(Math.min(depth + 1 + value, SceneLimits.MAX_DEPTH))));
+        addEdit("spot-turned", "", Double.NaN, LightType.SPOT,
+                l -> aimedAt(l, pick(framing.point(0.4, 0, 0.3), framing.point(-0.3, 0.1, 0), framing.point(0, -0.2, 0.5))));
+        addEdit("point-to-spot", "", Double.NaN, LightType.POINT,
+                l -> aimedAt(l, pick(framing.focus(), framing.point(0.3, 0, 0), framing.point(-0.3, 0.2, 0))).withType(LightType.SPOT));
     }
 
     @SafeVarargs
@@ -129,45 +129,47 @@ public final class PaperCases {
     }
 
     private Light steeper(Light light) {
-        return light.withDropoff(Math.min(light.dropoff() * pick(3, 2, 4) + pick(8, 4, 16), Limits.MAX_DROPOFF));
+        return light.withDropoff(Math.min(light.dropoff() * pick(3, 2, 4) + pick(8, 4, 16), SceneLimits.MAX_DROPOFF));
     }
 
     /** The printed change where the printed value stands; else the light at one reach fades by two further terms. */
-    private Light faded(Light light) {
+    private Light attenuated(Light light) {
         Attenuation a = light.attenuation();
-        double more = pick(1.0, 0.5, 2.0);
-        return light.withAttenuation(a.equals(PRINTED_BEFORE)
-                ? new Attenuation(PRINTED_AFTER.constant(), more * PRINTED_AFTER.linear(), more * PRINTED_AFTER.quadratic())
-                : new Attenuation(a.constant(), within(a.linear() + more * 0.5 / framing.reach()),
-                        within(a.quadratic() + more * 0.5 / (framing.reach() * framing.reach()))));
+        double factor = pick(1.0, 0.5, 2.0);
+        return light.withAttenuation(a.equals(PRINTED_ATTENUATION)
+                ? new Attenuation(PRINTED_NEW_ATTENUATION.constant(), factor * PRINTED_NEW_ATTENUATION.linear(),
+                        factor * PRINTED_NEW_ATTENUATION.quadratic())
+                : new Attenuation(a.constant(), clamped(a.linear() + factor * 0.5 / framing.extent()),
+                        clamped(a.quadratic() + factor * 0.5 / (framing.extent() * framing.extent()))));
     }
 
-    private static double within(double attenuation) {
-        return Math.min(attenuation, Limits.MAX_ATTENUATION);
+    private static double clamped(double attenuation) {
+        return Math.min(attenuation, SceneLimits.MAX_ATTENUATION);
     }
 
     /** Directional to point, directional to spot, point to directional. */
-    private Light retyped(Light light) {
-        return pick(placed(light).withType(LightType.POINT), placed(light).withType(LightType.SPOT), light.withType(LightType.DIRECTIONAL));
+    private Light withOtherType(Light light) {
+        return pick(withPosition(light).withType(LightType.POINT), withPosition(light).withType(LightType.SPOT),
+                light.withType(LightType.DIRECTIONAL));
     }
 
     /** A directional light that was never given a place gets one on its way to the focus. */
-    private Light placed(Light light) {
+    private Light withPosition(Light light) {
         return light.withPosition(light.position().equals(Vec3.ZERO)
-                ? framing.focus().minus(light.direction().normalized().times(3 * framing.reach())) : light.position());
+                ? framing.focus().minus(light.direction().normalized().times(3 * framing.extent())) : light.position());
     }
 
     /** The light turned towards a point; as it is where it stands in that very point. */
-    private static Light aimed(Light light, Vec3 target) {
-        Vec3 way = target.minus(light.position());
-        return way.equals(Vec3.ZERO) ? light : light.withDirection(way);
+    private static Light aimedAt(Light light, Vec3 target) {
+        Vec3 direction = target.minus(light.position());
+        return direction.equals(Vec3.ZERO) ? light : light.withDirection(direction);
     }
 
-    private void edit(String name, String figure, double saving, LightType type, UnaryOperator<Light> edit) {
-        edit(name, figure, saving, shining(type), edit);
+    private void addEdit(String name, String figure, double saving, LightType type, UnaryOperator<Light> edit) {
+        addEdit(name, figure, saving, firstShining(type), edit);
     }
 
-    private void edit(String name, String figure, double saving, Optional<Light> light, UnaryOperator<Light> edit) {
+    private void addEdit(String name, String figure, double saving, Optional<Light> light, UnaryOperator<Light> edit) {
         light.ifPresent(l -> add(name, figure, saving, scene.withLight(edit.apply(l))));
     }
 
@@ -179,36 +181,36 @@ public final class PaperCases {
         }
     }
 
-    private Optional<Light> shining(LightType type) {
-        return shining(l -> l.type() == type);
+    private Optional<Light> firstShining(LightType type) {
+        return firstShining(l -> l.type() == type);
     }
 
-    private Optional<Light> shining(Predicate<Light> which) {
-        return scene.lights().stream().filter(l -> which.test(l) && isShining(l)).findFirst();
+    private Optional<Light> firstShining(Predicate<Light> condition) {
+        return scene.lights().stream().filter(l -> condition.test(l) && isShining(l)).findFirst();
     }
 
     private boolean isShining(Light light) {
-        return scene.shines(light) && light.intensity() > 0 && !light.color().isBlack();
+        return scene.isActive(light) && light.intensity() > 0 && !light.color().isBlack();
     }
 
-    private Scene replaced(Light light, Light other) {
-        return scene.withLights(scene.lights().stream().map(l -> l == light ? other : l).toList());
+    private Scene replace(Light light, Light replacement) {
+        return scene.withLights(scene.lights().stream().map(l -> l == light ? replacement : l).toList());
     }
 
-    private Scene without(Light light) {
+    private Scene removeLight(Light light) {
         return scene.withLights(scene.lights().stream().filter(l -> l != light).toList());
     }
 
-    private Scene with(Light light) {
+    private Scene addLight(Light light) {
         List<Light> lights = new ArrayList<>(scene.lights());
         lights.add(light);
         return scene.withLights(lights);
     }
 
     /** A name that neither a light nor a node has. */
-    private String freshName() {
+    private String freeName() {
         String name = "light_new";
-        for (int i = 2; scene.isTaken(name); i++) {
+        for (int i = 2; scene.isNameUsed(name); i++) {
             name = "light_new_" + i;
         }
         return name;

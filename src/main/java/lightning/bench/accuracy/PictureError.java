@@ -28,7 +28,7 @@ public record PictureError(long values, long of, long maxUlp, double maxAbsolute
      */
     public static PictureError of(Film film, Film reference) {
         long of = 3L * reference.width() * reference.height();
-        if (film.sameBits(reference)) {
+        if (film.hasSameBits(reference)) {
             return new PictureError(0, of, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0);
         }
         Difference d = Difference.of(film, reference);

@@ -5,7 +5,7 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.engine.choice.Engines;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -30,7 +30,7 @@ public record PreviewCost(double lightMs, double cameraMs) {
     public static PreviewCost of(Scene scene, int threads, Progress progress) {
         Scene square = scene.withPicture(scene.picture().withSize(SIZE, SIZE));
         try (Renderer preview =
-                new Renderer(Options.DEFAULT.withThreads(threads).withView(ViewEffects.PREVIEW).withEngines(Engines.FASTEST))) {
+                new Renderer(RenderOptions.DEFAULT.withThreads(threads).withView(ViewEffects.PREVIEW).withEngines(Engines.FASTEST))) {
             double camera = median(i -> preview.render(square.withCamera(moved(square.camera(), i)), progress).milliseconds());
             preview.render(square, progress);
             double slowest = 0;
@@ -41,22 +41,22 @@ public record PreviewCost(double lightMs, double cameraMs) {
         }
     }
 
-    private static double median(java.util.function.IntToDoubleFunction frame) {
+    private static double median(java.util.function.IntToDoubleFunction render) {
         double[] times = new double[REPETITIONS];
         for (int i = -WARM_UPS; i < REPETITIONS; i++) {
-            times[Math.max(i, 0)] = frame.applyAsDouble(i);
+            times[Math.max(i, 0)] = render.applyAsDouble(i);
         }
         Arrays.sort(times);
         return times[REPETITIONS / 2];
     }
 
     private static Camera moved(Camera camera, int i) {
-        Vec3 way = camera.to().minus(camera.from()).times(1e-3 * i);
-        return new Camera(camera.from().plus(way), camera.to(), camera.up(), camera.fov());
+        Vec3 offset = camera.to().minus(camera.from()).times(1e-3 * i);
+        return new Camera(camera.from().plus(offset), camera.to(), camera.up(), camera.fov());
     }
 
     private static Light moved(Light light, int i) {
-        Vec3 way = new Vec3(1e-3 * i, 0, 0);
-        return light.withPosition(light.position().plus(way)).withDirection(light.direction().plus(way));
+        Vec3 offset = new Vec3(1e-3 * i, 0, 0);
+        return light.withPosition(light.position().plus(offset)).withDirection(light.direction().plus(offset));
     }
 }

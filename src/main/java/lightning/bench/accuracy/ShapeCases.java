@@ -27,33 +27,33 @@ final class ShapeCases {
      */
     static List<PaperCase> of(Scene scene, int value) {
         var builder = new ShapeCases(scene);
-        Framing framing = Framing.of(scene.camera());
+        CameraFraming framing = CameraFraming.of(scene.camera());
         scene.placedShapes().stream().filter(shape -> !(shape.shape().solid() instanceof Solid.Plane))
-                .sorted(Comparator.comparingDouble(shape -> middle(shape).minus(framing.focus()).length())).skip(value).findFirst()
-                .ifPresent(shape -> builder.edits(shape.shape(), framing.reach() / 10));
+                .sorted(Comparator.comparingDouble(shape -> center(shape).minus(framing.focus()).length())).skip(value).findFirst()
+                .ifPresent(shape -> builder.addEdits(shape.shape(), framing.extent() / 10));
         return builder.cases;
     }
 
-    private static Vec3 middle(PlacedShape shape) {
-        return shape.toWorld().point(Vec3.ZERO);
+    private static Vec3 center(PlacedShape shape) {
+        return shape.toWorld().transformPoint(Vec3.ZERO);
     }
 
     /** @param step how far it is moved */
-    private void edits(Shape shape, double step) {
+    private void addEdits(Shape shape, double step) {
         Placement p = shape.placement();
-        add("shape-moved", placed(shape, new Placement(p.at().plus(new Vec3(step, 0, 0)), p.rotate(), p.scale())));
-        add("shape-turned", placed(shape, new Placement(p.at(), p.rotate().plus(new Vec3(0, 15, 0)), p.scale())));
-        add("shape-scaled", placed(shape, new Placement(p.at(), p.rotate(), p.scale().times(0.8))));
+        add("shape-moved", withPlacement(shape, new Placement(p.position().plus(new Vec3(step, 0, 0)), p.rotation(), p.scale())));
+        add("shape-turned", withPlacement(shape, new Placement(p.position(), p.rotation().plus(new Vec3(0, 15, 0)), p.scale())));
+        add("shape-scaled", withPlacement(shape, new Placement(p.position(), p.rotation(), p.scale().times(0.8))));
         Scene hidden = scene.withNode(shape.name(), shape.withVisible(false));
         add("shape-hidden", hidden);
         add("shape-shown", hidden, scene);
     }
 
-    private Scene placed(Shape shape, Placement placement) {
+    private Scene withPlacement(Shape shape, Placement placement) {
         return scene.withNode(shape.name(), shape.withPlacement(placement));
     }
 
     private void add(String name, Scene... steps) {
-        cases.add(PaperCase.further(name, scene, steps));
+        cases.add(PaperCase.unprinted(name, scene, steps));
     }
 }

@@ -36,17 +36,17 @@ public record Timing(List<Double> milliseconds) {
         return quantile(0.75);
     }
 
-    /** How much of a work of {@code whole} milliseconds this one saves, in percent; negative where it takes longer. */
-    public double savingOf(double whole) {
-        return 100 * (1 - median() / whole);
+    /** How much of a work of {@code totalMs} milliseconds this one saves, in percent; negative where it takes longer. */
+    public double percentSavedOf(double totalMs) {
+        return 100 * (1 - median() / totalMs);
     }
 
     /** Between two samples it is interpolated (definition 7 of Hyndman and Fan, Sample Quantiles, 1996). */
-    private double quantile(double share) {
+    private double quantile(double fraction) {
         List<Double> sorted = milliseconds.stream().sorted().toList();
-        double at = share * (sorted.size() - 1);
-        int below = (int) at;
+        double position = fraction * (sorted.size() - 1);
+        int below = (int) position;
         int above = Math.min(below + 1, sorted.size() - 1);
-        return sorted.get(below) + (at - below) * (sorted.get(above) - sorted.get(below));
+        return sorted.get(below) + (position - below) * (sorted.get(above) - sorted.get(below));
     }
 }

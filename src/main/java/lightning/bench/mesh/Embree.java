@@ -33,14 +33,14 @@ public final class Embree implements AutoCloseable {
 
     private final Path folder;
     private final Process process;
-    private final Writer asks;
-    private final BufferedReader answers;
+    private final Writer requests;
+    private final BufferedReader responses;
 
     private Embree(Path folder, Process process) {
         this.folder = folder;
         this.process = process;
-        asks = new OutputStreamWriter(process.getOutputStream(), StandardCharsets.UTF_8);
-        answers = process.inputReader(StandardCharsets.UTF_8);
+        requests = new OutputStreamWriter(process.getOutputStream(), StandardCharsets.UTF_8);
+        responses = process.inputReader(StandardCharsets.UTF_8);
     }
 
     /** Whether Embree's headers and a C compiler are installed. */
@@ -66,49 +66,49 @@ public final class Embree implements AutoCloseable {
         }
         Path folder = Files.createTempDirectory("lightning-embree");
         try {
-            return Optional.of(new Embree(folder, started(folder, compiler().orElseThrow())));
+            return Optional.of(new Embree(folder, compileAndStart(folder, compiler().orElseThrow())));
         } catch (IOException | InterruptedException e) {
             delete(folder);
             throw e;
         }
     }
 
-    private static Process started(Path folder, Path compiler) throws IOException, InterruptedException {
+    private static Process compileAndStart(Path folder, Path compiler) throws IOException, InterruptedException {
         try (InputStream source = Embree.class.getResourceAsStream("embree.c")) {
             Files.copy(source, folder.resolve("embree.c"));
         }
         Path log = folder.resolve("log");
-        Process translation =
+        Process compilation =
                 new ProcessBuilder(compiler.toString(), "-O3", "-march=native", "-o", "embree", "embree.c", "-lembree3", "-lm")
                         .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(log.toFile()).start();
         try {
-            if (translation.waitFor() != 0) {
+            if (compilation.waitFor() != 0) {
                 String last = Files.readString(log, StandardCharsets.ISO_8859_1).lines().filter(line -> !line.isBlank())
                         .reduce("nothing", (_, line) -> line);
                 throw new IOException("Embree's program cannot be translated; the compiler ended with: " + last.strip());
             }
         } finally {
-            translation.destroy();
+            compilation.destroy();
         }
         return new ProcessBuilder(folder.resolve("embree").toString()).directory(folder.toFile())
                 .redirectError(ProcessBuilder.Redirect.DISCARD).start();
     }
 
-    private String ask(String what) throws IOException {
-        asks.write(what + "\n");
-        asks.flush();
-        String answer = answers.readLine();
-        if (answer == null || answer.startsWith("cannot")) {
-            throw new IOException("Embree's program " + (answer == null ? "ended" : answer) + " when it was asked: " + what);
+    private String request(String command) throws IOException {
+        requests.write(command + "\n");
+        requests.flush();
+        String response = responses.readLine();
+        if (response == null || response.startsWith("cannot")) {
+            throw new IOException("Embree's program " + (response == null ? "ended" : response) + " when it was asked: " + command);
         }
-        return answer;
+        return response;
     }
 
     /** A tree, and how long it took. */
-    public record Tree(double ms, long bytes) {}
+    public record TreeBuild(double ms, long bytes) {}
 
     /** Hands a mesh over. */
-    public void mesh(Mesh mesh) throws IOException {
+    public void setMesh(Mesh mesh) throws IOException {
         Path file = folder.resolve("mesh");
         try (FileChannel to = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
                 StandardOpenOption.TRUNCATE_EXISTING)) {
@@ -123,17 +123,17 @@ public final class Embree implements AutoCloseable {
                 write(to, bytes, part.remaining(), b -> b.asIntBuffer().put(part));
             }
         }
-        ask("mesh " + file);
+        request("mesh " + file);
         Files.delete(file);
     }
 
-    private interface Filling {
+    private interface BufferFiller {
         void fill(ByteBuffer bytes);
     }
 
-    private static void write(FileChannel to, ByteBuffer bytes, int numbers, Filling filling) throws IOException {
+    private static void write(FileChannel to, ByteBuffer bytes, int numbers, BufferFiller filler) throws IOException {
         bytes.clear();
-        filling.fill(bytes);
+        filler.fill(bytes);
         bytes.limit(Integer.BYTES * numbers);
         while (bytes.hasRemaining()) {
             to.write(bytes);
@@ -141,30 +141,30 @@ public final class Embree implements AutoCloseable {
     }
 
     /** Builds the tree of the mesh. */
-    public Tree build(int threads) throws IOException {
-        String[] answer = ask("build " + threads).split(" ");
-        return new Tree(1e3 * Double.parseDouble(answer[0]), Long.parseLong(answer[1]));
+    public TreeBuild build(int threads) throws IOException {
+        String[] response = request("build " + threads).split(" ");
+        return new TreeBuild(1e3 * Double.parseDouble(response[0]), Long.parseLong(response[1]));
     }
 
     /** Hands rays over. */
-    public void rays(RaySet set) throws IOException {
+    public void setRays(RaySet set) throws IOException {
         Path file = folder.resolve("rays");
         set.write(file);
-        ask("rays " + file);
+        request("rays " + file);
         Files.delete(file);
     }
 
     /** What tracing all rays took and found. */
-    public record Traced(double ms, int hits) {}
+    public record TraceResult(double ms, int hits) {}
 
     /** Traces the rays that were handed over last, of a kind, on one thread; milliseconds of its processor time. */
-    public Traced trace(RaySet.Kind kind) throws IOException {
-        String[] answer = ask(switch (kind) {
+    public TraceResult trace(RaySet.Kind kind) throws IOException {
+        String[] response = request(switch (kind) {
             case EYE, MIRRORED -> "nearest16";
             case SHADOW -> "blocked16";
             case SINGLE -> "nearest1";
         }).split(" ");
-        return new Traced(1e3 * Double.parseDouble(answer[0]), Integer.parseInt(answer[1]));
+        return new TraceResult(1e3 * Double.parseDouble(response[0]), Integer.parseInt(response[1]));
     }
 
     /**
@@ -175,7 +175,7 @@ public final class Embree implements AutoCloseable {
      */
     public void nearest(float[] distance, int[] triangle) throws IOException {
         Path file = folder.resolve("answers");
-        ask("write " + file);
+        request("write " + file);
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
         Files.delete(file);
         for (int i = 0; i < distance.length; i++) {

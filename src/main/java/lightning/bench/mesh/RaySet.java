@@ -12,9 +12,9 @@ import java.nio.file.StandardOpenOption;
  *
  * @param kind   what they are
  * @param count  how many, a multiple of {@link #PACKET}; rays that go together are beside each other
- * @param column x, y, z of origins, then of directions: {@code float[6][count]}; not to be written
+ * @param columns x, y, z of origins, then of directions: {@code float[6][count]}; not to be written
  */
-public record RaySet(Kind kind, int count, float[][] column) {
+public record RaySet(Kind kind, int count, float[][] columns) {
     /** As many rays as go together in the narrowest form that programs trace. */
     public static final int PACKET = 16;
 
@@ -46,7 +46,7 @@ public record RaySet(Kind kind, int count, float[][] column) {
         try (FileChannel to = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE,
                 StandardOpenOption.TRUNCATE_EXISTING)) {
             to.write(ByteBuffer.allocate(Integer.BYTES).order(ByteOrder.LITTLE_ENDIAN).putInt(count).flip());
-            for (float[] c : column) {
+            for (float[] c : columns) {
                 ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * count).order(ByteOrder.LITTLE_ENDIAN);
                 bytes.asFloatBuffer().put(c, 0, count);
                 while (bytes.hasRemaining()) {

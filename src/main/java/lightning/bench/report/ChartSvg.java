@@ -25,12 +25,12 @@ import org.jfree.chart.JFreeChart;
 final class ChartSvg {
     static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 11);
 
-    private static final Pattern HEAD = Pattern.compile("(?s)^.*?<svg[^>]*>");
+    private static final Pattern SVG_HEADER = Pattern.compile("(?s)^.*?<svg[^>]*>");
     private static final Pattern CLIPS = Pattern.compile("(?s)<defs>.*?</defs>|<defs/>|\\sclip-path=\"[^\"]*\"");
     private static final Pattern COLOR = Pattern.compile("rgb\\((\\d+),(\\d+),(\\d+)\\)");
     private static final Pattern TEXT = Pattern.compile("<text ([^>]*)>([^<]*)</text>");
     private static final Pattern LONG_NUMBER = Pattern.compile("(\\d+\\.\\d\\d)\\d+");
-    private static final Pattern NOISE = Pattern.compile("stroke:none;|stroke-miterlimit:10;|stroke-linecap:square;|(?<=\\n) +");
+    private static final Pattern REDUNDANT_STYLE = Pattern.compile("stroke:none;|stroke-miterlimit:10;|stroke-linecap:square;|(?<=\\n) +");
     private static final FontRenderContext METRICS = new FontRenderContext(null, true, true);
 
     /** A Linux without fontconfig and a font cannot lay out a chart. */
@@ -46,8 +46,10 @@ final class ChartSvg {
      */
     static String of(JFreeChart chart, int width, int height, String label) {
         if (!HAS_FONTS) {
-            return new Markup().leaf("p", "No chart (" + label + "): Java finds no font on this computer. With fontconfig and a font "
-                    + "installed (Debian: fontconfig fonts-dejavu-core) there would be one.", "class", "note").finish();
+            return new HtmlWriter()
+                    .element("p", "No chart (" + label + "): Java finds no font on this computer. With fontconfig and a font "
+                            + "installed (Debian: fontconfig fonts-dejavu-core) there would be one.", "class", "note")
+                    .finish();
         }
         VectorGraphics2D graphics = new VectorGraphics2D();
         chart.draw(graphics, new Rectangle2D.Double(0, 0, width, height));
@@ -57,14 +59,14 @@ final class ChartSvg {
         } catch (IOException e) {
             throw new UncheckedIOException("memory cannot be written", e);
         }
-        String svg = HEAD.matcher(out.toString(StandardCharsets.UTF_8)).replaceFirst("");
+        String svg = SVG_HEADER.matcher(out.toString(StandardCharsets.UTF_8)).replaceFirst("");
         svg = CLIPS.matcher(svg).replaceAll("");
         svg = COLOR.matcher(svg).replaceAll(ChartSvg::variable);
-        svg = TEXT.matcher(svg).replaceAll(m -> Matcher.quoteReplacement(fitted(m)));
-        svg = LONG_NUMBER.matcher(NOISE.matcher(svg).replaceAll("")).replaceAll("$1");
+        svg = TEXT.matcher(svg).replaceAll(m -> Matcher.quoteReplacement(fitText(m)));
+        svg = LONG_NUMBER.matcher(REDUNDANT_STYLE.matcher(svg).replaceAll("")).replaceAll("$1");
         return String.format(Locale.ROOT,
                 "<svg class=\"chart\" viewBox=\"0 0 %d %d\" style=\"max-width:%dpx\" role=\"img\" aria-label=\"%s\">%s",
-                width, height, width, Markup.escaped(label), svg);
+                width, height, width, HtmlWriter.escape(label), svg);
     }
 
     /**
@@ -74,10 +76,10 @@ final class ChartSvg {
      * @param text what the file says of itself, for those who read it
      */
     static String file(String svg, String text) {
-        String inks = Arrays.stream(Ink.values()).map(ink -> "--" + ink.name().toLowerCase(Locale.ROOT) + ":"
+        String inks = Arrays.stream(PlotColor.values()).map(ink -> "--" + ink.name().toLowerCase(Locale.ROOT) + ":"
                 + String.format(Locale.ROOT, "#%06x", ink.color().getRGB() & 0xFFFFFF)).collect(Collectors.joining(";"));
         int end = svg.indexOf('>') + 1;
-        return svg.substring(0, end).replace("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ") + "<desc>" + Markup.escaped(text)
+        return svg.substring(0, end).replace("<svg ", "<svg xmlns=\"http://www.w3.org/2000/svg\" ") + "<desc>" + HtmlWriter.escape(text)
                 + "</desc><style>svg{" + inks + "}text{font-family:sans-serif}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>"
                 + svg.substring(end) + "\n";
     }
@@ -96,12 +98,12 @@ final class ChartSvg {
     }
 
     private static String variable(MatchResult color) {
-        return Ink.variable(Integer.parseInt(color.group(1)), Integer.parseInt(color.group(2)), Integer.parseInt(color.group(3)));
+        return PlotColor.variable(Integer.parseInt(color.group(1)), Integer.parseInt(color.group(2)), Integer.parseInt(color.group(3)));
     }
 
-    private static String fitted(MatchResult text) {
-        String shown = text.group(2).replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">");
+    private static String fitText(MatchResult text) {
+        String plainText = text.group(2).replace("&amp;", "&").replace("&lt;", "<").replace("&gt;", ">");
         return String.format(Locale.ROOT, "<text %s textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\">%s</text>",
-                text.group(1), widthOf(shown), text.group(2));
+                text.group(1), widthOf(plainText), text.group(2));
     }
 }

@@ -11,7 +11,7 @@ import org.jfree.data.xy.XYSeriesCollection;
 /** Lines on logarithmic axes, each named at its end. Values of 0 have a line of their own. */
 final class CurveChart {
     /** A line through points {@code {x, y}}, x rising, both ≥ 0; dashed for what is only promised; its name may be empty. */
-    record Curve(String name, Ink ink, boolean dashed, List<double[]> points) {
+    record Curve(String name, PlotColor ink, boolean dashed, List<double[]> points) {
         double[] last() {
             return points.getLast();
         }
@@ -23,24 +23,24 @@ final class CurveChart {
     private CurveChart() {}
 
     /**
-     * @param across what a tick across says
-     * @param up     what a tick up says
+     * @param xLabel what a tick across says
+     * @param yLabel     what a tick up says
      */
-    static String svg(String label, List<Curve> all, int width, int height, DoubleFunction<String> across, DoubleFunction<String> up) {
+    static String svg(String label, List<Curve> all, int width, int height, DoubleFunction<String> xLabel, DoubleFunction<String> yLabel) {
         List<Curve> curves = all.stream().filter(c -> !c.points.isEmpty()).toList();
         double left = curves.stream().flatMap(c -> c.points.stream()).mapToDouble(p -> p[0]).filter(x -> x > 0).min().orElse(1);
         double right = Math.max(curves.stream().mapToDouble(c -> c.last()[0]).max().orElse(10), 1.5 * left);
         double low = curves.stream().flatMap(c -> c.points.stream()).mapToDouble(p -> p[1]).filter(y -> y > 0).min().orElse(1e-7);
         double high = Math.max(2 * low, curves.stream().flatMap(c -> c.points.stream()).mapToDouble(p -> p[1]).max().orElse(1));
-        boolean zeroes = curves.stream().flatMap(c -> c.points.stream()).anyMatch(p -> p[1] == 0);
-        double zero = zeroes ? Math.pow(10, Math.floor(Math.log10(low)) - 1) : low / 1.6;
-        boolean origin = curves.stream().flatMap(c -> c.points.stream()).anyMatch(p -> p[0] == 0);
-        double start = origin ? left / 2 : left;
-        double names = curves.stream().mapToDouble(c -> ChartSvg.widthOf(c.name)).max().orElse(0) + NAME_GAP;
-        DecadeAxis bottom = new DecadeAxis(start / 1.15, right * Math.pow(right / start, names / (width - names - AXIS)),
-                x -> x > 1.01 * right ? "" : x < 0.9 * left ? "0" : across.apply(x));
-        XYPlot plot = PlotLook.xy(bottom,
-                new DecadeAxis(zeroes ? zero / 1.6 : zero, high * 2, y -> zeroes && y < 1.5 * zero ? "0" : up.apply(y)));
+        boolean hasZeroY = curves.stream().flatMap(c -> c.points.stream()).anyMatch(p -> p[1] == 0);
+        double zero = hasZeroY ? Math.pow(10, Math.floor(Math.log10(low)) - 1) : low / 1.6;
+        boolean hasZeroX = curves.stream().flatMap(c -> c.points.stream()).anyMatch(p -> p[0] == 0);
+        double start = hasZeroX ? left / 2 : left;
+        double nameWidth = curves.stream().mapToDouble(c -> ChartSvg.widthOf(c.name)).max().orElse(0) + NAME_GAP;
+        DecadeAxis bottom = new DecadeAxis(start / 1.15, right * Math.pow(right / start, nameWidth / (width - nameWidth - AXIS)),
+                x -> x > 1.01 * right ? "" : x < 0.9 * left ? "0" : xLabel.apply(x));
+        XYPlot plot = PlotStyle.xy(bottom,
+                new DecadeAxis(hasZeroY ? zero / 1.6 : zero, high * 2, y -> hasZeroY && y < 1.5 * zero ? "0" : yLabel.apply(y)));
         XYSeriesCollection lines = new XYSeriesCollection();
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
         PointLabels labels = new PointLabels(true);
@@ -50,11 +50,11 @@ final class CurveChart {
             curve.points.forEach(p -> line.add(p[0] > 0 ? p[0] : start, p[1] > 0 ? p[1] : zero));
             lines.addSeries(line);
             renderer.setSeriesPaint(i, curve.ink.color());
-            renderer.setSeriesStroke(i, curve.dashed ? PlotLook.DASHES : PlotLook.LINE);
+            renderer.setSeriesStroke(i, curve.dashed ? PlotStyle.DASHES : PlotStyle.LINE);
             renderer.setSeriesShape(i, new Ellipse2D.Double(-2.25, -2.25, 4.5, 4.5));
             renderer.setSeriesShapesVisible(i, !curve.dashed);
             if (curve.name.isEmpty()) {
-                renderer.setSeriesStroke(i, PlotLook.HAIRLINE);
+                renderer.setSeriesStroke(i, PlotStyle.HAIRLINE);
                 renderer.setSeriesShapesVisible(i, false);
                 continue;
             }
@@ -63,6 +63,6 @@ final class CurveChart {
         plot.setDataset(lines);
         plot.setRenderer(renderer);
         plot.addAnnotation(labels);
-        return ChartSvg.of(PlotLook.chart(plot), width, height, label);
+        return ChartSvg.of(PlotStyle.chart(plot), width, height, label);
     }
 }

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
-import lightning.bench.Drift;
+import lightning.bench.BenchResults;
+import lightning.bench.DriftCurve;
 import lightning.bench.DriftPoint;
-import lightning.bench.Growth;
+import lightning.bench.GrowthCurve;
 import lightning.bench.GrowthPoint;
-import lightning.bench.Results;
 import lightning.render.relight.plan.Accuracy;
 
 /** What becomes of pictures after many edits, and how times grow. */
@@ -18,16 +18,16 @@ final class CurveSections {
     private static final int WIDTH = 560;
     private static final int HEIGHT = 320;
     /** Where there are many edits: one of each kind of update. */
-    private static final List<String> TYPICAL = List.of("color", "position", "attenuation", "angle-larger", "add",
+    private static final List<String> TYPICAL_EDITS = List.of("color", "position", "attenuation", "angle-larger", "add",
             "mirrors updated after position");
 
     private CurveSections() {}
 
-    static void write(Markup page, Results results) {
+    static void write(HtmlWriter page, BenchResults results) {
         if (!results.drift().isEmpty()) {
             page.open("section", "id", "drift");
-            page.leaf("h2", "Drift");
-            page.leaf("p", "After many edits in a row, how far is a picture from a full trace? Grade exact starts from the stored rows "
+            page.element("h2", "Drift");
+            page.element("p", "After many edits in a row, how far is a picture from a full trace? Grade exact starts from the stored rows "
                     + "each time; grade ratio multiplies what it has, knows a bound of its error, and computes anew before that could show.",
                     "class", "lead");
             page.open("div", "class", "charts");
@@ -36,18 +36,18 @@ final class CurveSections {
         }
         if (!results.growth().isEmpty()) {
             page.open("section", "id", "growth");
-            page.leaf("h2", "Growth");
+            page.element("h2", "Growth");
             page.open("div", "class", "charts");
             results.growth().forEach(growth -> growth(page, growth));
             page.close().close();
         }
     }
 
-    private static void drift(Markup page, Drift drift) {
+    private static void drift(HtmlWriter page, DriftCurve drift) {
         List<CurveChart.Curve> curves = new ArrayList<>();
         for (Accuracy accuracy : Accuracy.values()) {
             String name = accuracy.name().toLowerCase(Locale.ROOT);
-            Ink ink = Ink.of(accuracy);
+            PlotColor ink = PlotColor.of(accuracy);
             curves.add(curve(name, ink, false, drift, accuracy, p -> p.error().maxAbsolute()));
             if (!accuracy.isExact()) {
                 curves.add(curve(name + ", its bound", ink, true, drift, accuracy, DriftPoint::bound));
@@ -57,47 +57,48 @@ final class CurveSections {
         SceneSection.figure(page, drift.scene() + ", " + drift.width() + " × " + drift.height(),
                 "Largest difference of any value (linear) against the number of edits. Grade ratio "
                         + (refreshes == 0 ? "never had to compute anew." : "computed anew " + refreshes + " times."),
-                CurveChart.svg("Error after many edits", curves, WIDTH, HEIGHT, Numbers::tick,
-                        at -> Numbers.power((int) Math.round(Math.log10(at)))));
+                CurveChart.svg("Error after many edits", curves, WIDTH, HEIGHT, NumberText::tick,
+                        at -> NumberText.power((int) Math.round(Math.log10(at)))));
     }
 
-    private static CurveChart.Curve curve(String name, Ink ink, boolean dashed, Drift drift, Accuracy accuracy,
+    private static CurveChart.Curve curve(String name, PlotColor ink, boolean dashed, DriftCurve drift, Accuracy accuracy,
             ToDoubleFunction<DriftPoint> value) {
         return new CurveChart.Curve(name, ink, dashed, points(drift.points().stream().filter(p -> p.accuracy() == accuracy)
                 .map(p -> new double[] {p.edits(), value.applyAsDouble(p)})));
     }
 
-    private static void growth(Markup page, Growth growth) {
+    private static void growth(HtmlWriter page, GrowthCurve growth) {
         SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
                 + (hasFewEdits(growth) ? "" : " Grey: the other edits."), growth(growth));
     }
 
-    private static boolean hasFewEdits(Growth growth) {
-        return edits(growth).count() <= TYPICAL.size();
+    private static boolean hasFewEdits(GrowthCurve growth) {
+        return edits(growth).count() <= TYPICAL_EDITS.size();
     }
 
-    private static Stream<String> edits(Growth growth) {
+    private static Stream<String> edits(GrowthCurve growth) {
         return growth.points().stream().flatMap(p -> p.edits().stream()).map(GrowthPoint.EditTime::edit).distinct();
     }
 
     /** The chart of one curve. */
-    static String growth(Growth growth) {
+    static String growth(GrowthCurve growth) {
         List<CurveChart.Curve> curves = new ArrayList<>();
-        curves.add(new CurveChart.Curve("full trace", Ink.TEXT, false,
+        curves.add(new CurveChart.Curve("full trace", PlotColor.TEXT, false,
                 points(growth.points().stream().map(p -> new double[] {p.at(), p.fullTrace().median()}))));
-        List<String> edits = edits(growth).sorted(Comparator.comparing(TYPICAL::contains)).toList();
-        boolean few = hasFewEdits(growth);
+        List<String> edits = edits(growth).sorted(Comparator.comparing(TYPICAL_EDITS::contains)).toList();
+        boolean showsAll = hasFewEdits(growth);
         for (String edit : edits) {
-            boolean named = few || TYPICAL.contains(edit);
-            Ink ink = few ? Ink.of(edits.indexOf(edit)) : named ? Ink.of(TYPICAL.indexOf(edit)) : Ink.PAPER;
-            curves.add(new CurveChart.Curve(named ? edit : "", ink, false, points(growth.points().stream().flatMap(p -> p.edits().stream()
+            boolean isNamed = showsAll || TYPICAL_EDITS.contains(edit);
+            PlotColor ink =
+                    showsAll ? PlotColor.of(edits.indexOf(edit)) : isNamed ? PlotColor.of(TYPICAL_EDITS.indexOf(edit)) : PlotColor.PAPER;
+            curves.add(new CurveChart.Curve(isNamed ? edit : "", ink, false, points(growth.points().stream().flatMap(p -> p.edits().stream()
                     .filter(e -> e.edit().equals(edit)).map(e -> new double[] {p.at(), e.time().median()})))));
         }
-        return CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, Numbers::tick, Numbers::tick);
+        return CurveChart.svg("Time against " + growth.along(), curves, WIDTH, HEIGHT, NumberText::tick, NumberText::tick);
     }
 
     /** Those that a chart can show. */
     private static List<double[]> points(Stream<double[]> points) {
-        return points.filter(p -> Charts.plausibleOrZero(p[0]) && Charts.plausibleOrZero(p[1])).toList();
+        return points.filter(p -> ChartRange.isPlausibleOrZero(p[0]) && ChartRange.isPlausibleOrZero(p[1])).toList();
     }
 }

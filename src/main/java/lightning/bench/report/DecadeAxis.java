@@ -14,8 +14,8 @@ import org.jfree.chart.ui.TextAnchor;
 /** A logarithmic axis with a few ticks at round numbers: whole decades, or 1, 2 and 5 of each where there are few decades. */
 final class DecadeAxis extends LogAxis {
     private static final long serialVersionUID = 1;
-    private static final int MANY = 7;
-    private static final double[] ALL = {1, 2, 5};
+    private static final int MAX_TICKS = 7;
+    private static final double[] DIGITS = {1, 2, 5};
 
     private final transient DoubleFunction<String> label;
     private final double low;
@@ -35,8 +35,8 @@ final class DecadeAxis extends LogAxis {
 
     @Override
     public List<NumberTick> refreshTicks(Graphics2D g, AxisState state, Rectangle2D area, RectangleEdge edge) {
-        boolean across = RectangleEdge.isTopOrBottom(edge);
-        TextAnchor anchor = across ? edge == RectangleEdge.TOP ? TextAnchor.BOTTOM_CENTER : TextAnchor.TOP_CENTER
+        boolean isHorizontal = RectangleEdge.isTopOrBottom(edge);
+        TextAnchor anchor = isHorizontal ? edge == RectangleEdge.TOP ? TextAnchor.BOTTOM_CENTER : TextAnchor.TOP_CENTER
                 : TextAnchor.CENTER_RIGHT;
         List<NumberTick> ticks = new ArrayList<>();
         for (double at : ticks()) {
@@ -48,10 +48,10 @@ final class DecadeAxis extends LogAxis {
     private List<Double> ticks() {
         int first = (int) Math.floor(Math.log10(low));
         int last = (int) Math.ceil(Math.log10(high));
-        int step = Math.max(1, (last - first + MANY - 1) / MANY);
+        int step = Math.max(1, (last - first + MAX_TICKS - 1) / MAX_TICKS);
         List<Double> ticks = new ArrayList<>();
         for (int exponent = first; exponent <= last; exponent += step) {
-            for (double digit : last - first <= 3 ? ALL : new double[] {1}) {
+            for (double digit : last - first <= 3 ? DIGITS : new double[] {1}) {
                 double at = digit * Math.pow(10, exponent);
                 if (at >= low * (1 - 1e-9) && at <= high * (1 + 1e-9)) {
                     ticks.add(at);

@@ -2,8 +2,8 @@ package lightning.bench.report;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import lightning.bench.Growth;
-import lightning.bench.Results;
+import lightning.bench.BenchResults;
+import lightning.bench.GrowthCurve;
 import lightning.bench.SceneResult;
 
 /** The charts of a run as files, for documents; each names the build that was measured. */
@@ -14,14 +14,14 @@ public final class DocumentCharts {
     private DocumentCharts() {}
 
     /** The charts by the names of their files: savings and grades of one scene, and what times grow with. */
-    public static Map<String, String> of(Results results) {
+    public static Map<String, String> of(BenchResults results) {
         Map<String, String> charts = new LinkedHashMap<>();
         String build = "build " + results.run().commit() + ", " + results.run().date();
         results.scenes().stream().filter(s -> s.scene().equals(SCENE) && !s.edits().isEmpty()).findFirst().ifPresent(scene -> {
             charts.put("results-savings.svg", ChartSvg.file(SceneSection.shares(scene), title(scene, build)));
-            charts.put("results-ladder.svg", ChartSvg.file(SceneSection.ladder(GradeSummary.of(scene)), title(scene, build)));
+            charts.put("results-ladder.svg", ChartSvg.file(SceneSection.accuracy(AccuracySummary.of(scene)), title(scene, build)));
         });
-        for (Growth growth : results.growth()) {
+        for (GrowthCurve growth : results.growth()) {
             charts.put("results-growth-" + growth.along() + ".svg", ChartSvg.file(CurveSections.growth(growth), build));
         }
         return charts;

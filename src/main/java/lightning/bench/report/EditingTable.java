@@ -1,33 +1,33 @@
 package lightning.bench.report;
 
-import lightning.bench.Editing;
-import lightning.bench.Results;
+import lightning.bench.BenchResults;
+import lightning.bench.EditingCost;
 
 /** What editing large scenes costs below the editor. */
 final class EditingTable {
     private EditingTable() {}
 
-    static void write(Markup page, Results results) {
+    static void write(HtmlWriter page, BenchResults results) {
         if (results.editing().isEmpty()) {
             return;
         }
         page.open("section", "id", "editing");
-        page.leaf("h2", "Editing large scenes");
-        page.leaf("p", "Generated scenes: balls over a floor, under lights of all types. What an edit traces is not in here.", "class",
+        page.element("h2", "Editing large scenes");
+        page.element("p", "Generated scenes: balls over a floor, under lights of all types. What an edit traces is not in here.", "class",
                 "lead");
-        try (Table table =
-                new Table(page, "edits", "Below the editor's window: medians, and bytes of heap for each shape", "shapes, lights",
+        try (HtmlTable table =
+                new HtmlTable(page, "edits", "Below the editor's window: medians, and bytes of heap for each shape", "shapes, lights",
                         "load", "tree", "new scene", "plan", "first hover", "document", "primitives and tree")) {
-            for (Editing e : results.editing()) {
-                table.row(Numbers.grouped(e.shapes()) + ", " + Numbers.grouped(e.lights()), Numbers.ms(e.load().median()),
-                        Numbers.ms(e.tree().median()), Numbers.ms(e.newScene().median()), Numbers.ms(e.plan().median()),
-                        Numbers.ms(e.hover().median()), bytes(e.documentBytes()), bytes(e.treeBytes()));
+            for (EditingCost e : results.editing()) {
+                table.row(NumberText.grouped(e.shapes()) + ", " + NumberText.grouped(e.lights()), NumberText.ms(e.load().median()),
+                        NumberText.ms(e.tree().median()), NumberText.ms(e.newScene().median()), NumberText.ms(e.plan().median()),
+                        NumberText.ms(e.hover().median()), bytes(e.documentBytes()), bytes(e.treeBytes()));
             }
         }
         page.close();
     }
 
     private static String bytes(double v) {
-        return Double.isNaN(v) ? "" : Numbers.plain(v) + " B";
+        return Double.isNaN(v) ? "" : NumberText.threeDigits(v) + " B";
     }
 }

@@ -8,7 +8,7 @@ import lightning.bench.SceneResult;
 final class EffectTable {
     private EffectTable() {}
 
-    static void write(Markup page, SceneResult scene) {
+    static void write(HtmlWriter page, SceneResult scene) {
         if (!scene.effects().isEmpty()) {
             rows(page, "Effects in use: by how much each makes the picture dearer",
                     scene.effects().stream().filter(EffectResult::inUse).toList());
@@ -17,16 +17,16 @@ final class EffectTable {
         }
     }
 
-    private static void rows(Markup page, String caption, List<EffectResult> effects) {
+    private static void rows(HtmlWriter page, String caption, List<EffectResult> effects) {
         if (effects.isEmpty()) {
             return;
         }
-        try (Table table =
-                new Table(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
+        try (HtmlTable table =
+                new HtmlTable(page, "edits", caption, "effect", "first pass", "noise", "moved light", "kept", "rays", "called for by")) {
             for (EffectResult effect : effects) {
-                table.row(effect.effect(), Numbers.ms(effect.certainFirstMs()), "± " + Numbers.ms(effect.noiseMs()),
-                        Numbers.ms(effect.certainUpdateMs()),
-                        Numbers.bytes(effect.bytes()), Numbers.grouped(effect.rays()), callers(effect));
+                table.row(effect.effect(), NumberText.ms(effect.certainFirstMs()), "± " + NumberText.ms(effect.noiseMs()),
+                        NumberText.ms(effect.certainUpdateMs()),
+                        NumberText.bytes(effect.bytes()), NumberText.grouped(effect.rays()), callers(effect));
             }
         }
     }

@@ -3,58 +3,59 @@ package lightning.bench.report;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import lightning.bench.BenchResults;
 import lightning.bench.EditResult;
-import lightning.bench.Results;
-import lightning.bench.RungResult;
 import lightning.bench.SceneResult;
-import lightning.bench.accuracy.Grade;
+import lightning.bench.SweepPointResult;
+import lightning.bench.accuracy.AccuracySetting;
 
 /** The run in four numbers, all of the default grade: a headline that mixes grades would promise what none of them keeps. */
 final class KeyNumbers {
-    private static final String GRADE = "at grade " + Grade.DEFAULT.label() + " (the program's default)";
+    private static final String AT_DEFAULT = "at grade " + AccuracySetting.DEFAULT.label() + " (the program's default)";
 
     private KeyNumbers() {}
 
-    static void write(Markup page, Results results) {
+    static void write(HtmlWriter page, BenchResults results) {
         List<EditResult> edits = results.scenes().stream().flatMap(scene -> scene.edits().stream()).toList();
         if (edits.isEmpty()) {
             return;
         }
         double[] savings = sorted(edits.stream().mapToDouble(EditResult::saving));
-        List<RungResult> pictures = edits.stream().flatMap(edit -> edit.values().stream())
-                .flatMap(value -> value.find(Grade.DEFAULT).stream()).toList();
-        long equal = pictures.stream().filter(rung -> rung.error().values() == 0).count();
-        double[] first = sorted(results.scenes().stream().map(SceneResult::firstPass).filter(f -> f != null)
+        List<SweepPointResult> pictures = edits.stream().flatMap(edit -> edit.values().stream())
+                .flatMap(value -> value.find(AccuracySetting.DEFAULT).stream()).toList();
+        long equal = pictures.stream().filter(point -> point.error().values() == 0).count();
+        double[] slowdowns = sorted(results.scenes().stream().map(SceneResult::firstPass).filter(f -> f != null)
                 .mapToDouble(f -> f.percentSlower()));
         int uncertain = edits.size() - savings.length;
         page.open("dl", "class", "key");
-        number(page, Numbers.percent(median(savings)),
-                "of a full trace is saved by the median edit " + GRADE + ", the full trace being the "
+        number(page, NumberText.percent(median(savings)),
+                "of a full trace is saved by the median edit " + AT_DEFAULT + ", the full trace being the "
                         + "fastest that the program can make" + (uncertain == 0 ? "" : "; " + uncertain + " of " + edits.size()
                                 + " edits are left out, whose times scatter too much to say"));
-        least(page, results);
-        number(page, Numbers.grouped(equal) + " of " + Numbers.grouped(pictures.size()),
-                "pictures " + GRADE + " equal the full trace in every bit");
-        number(page, Numbers.percent(median(first)), "is what the median first pass takes beyond a full trace, to keep what edits need");
+        leastSaving(page, results);
+        number(page, NumberText.grouped(equal) + " of " + NumberText.grouped(pictures.size()),
+                "pictures " + AT_DEFAULT + " equal the full trace in every bit");
+        number(page, NumberText.percent(median(slowdowns)),
+                "is what the median first pass takes beyond a full trace, to keep what edits need");
         page.close();
     }
 
-    private static void least(Markup page, Results results) {
-        double least = Double.NaN;
-        String which = "";
+    private static void leastSaving(HtmlWriter page, BenchResults results) {
+        double minSaving = Double.NaN;
+        String editLabel = "";
         for (SceneResult scene : results.scenes()) {
             for (EditResult edit : scene.edits()) {
-                if (!Double.isNaN(edit.saving()) && !(edit.saving() >= least)) {
-                    least = edit.saving();
-                    which = ": " + edit.edit() + " on " + SceneSection.title(scene);
+                if (!Double.isNaN(edit.saving()) && !(edit.saving() >= minSaving)) {
+                    minSaving = edit.saving();
+                    editLabel = ": " + edit.edit() + " on " + SceneSection.title(scene);
                 }
             }
         }
-        number(page, Numbers.percent(least), "is saved " + GRADE + " by the edit that saves least" + which);
+        number(page, NumberText.percent(minSaving), "is saved " + AT_DEFAULT + " by the edit that saves least" + editLabel);
     }
 
-    private static void number(Markup page, String value, String meaning) {
-        page.open("div").leaf("dt", value).leaf("dd", meaning).close();
+    private static void number(HtmlWriter page, String value, String meaning) {
+        page.open("div").element("dt", value).element("dd", meaning).close();
     }
 
     private static double[] sorted(DoubleStream values) {

@@ -1,138 +1,141 @@
 package lightning.bench.report;
 
-import lightning.bench.FirstPass;
-import lightning.bench.Load;
-import lightning.bench.Machine;
-import lightning.bench.Results;
-import lightning.bench.Run;
+import lightning.bench.BenchResults;
+import lightning.bench.BenchRun;
+import lightning.bench.FirstPassResult;
+import lightning.bench.MachineSpec;
 import lightning.bench.SceneResult;
+import lightning.bench.SystemLoad;
 
 /** The head of the report: what ran where, what went wrong, all scenes at a glance; and its foot: how it was measured. */
 final class RunSection {
     private RunSection() {}
 
-    static void write(Markup page, String title, Results results) {
+    static void write(HtmlWriter page, String title, BenchResults results) {
         page.open("header");
-        page.leaf("h1", title);
+        page.element("h1", title);
         facts(page, results.run());
         links(page, results);
         page.close();
         problems(page, results);
         KeyNumbers.write(page, results);
         if (!results.scenes().isEmpty()) {
-            glance(page, results);
+            overview(page, results);
         }
     }
 
-    private static void facts(Markup page, Run run) {
-        Machine machine = run.machine();
-        page.leaf("p",
+    private static void facts(HtmlWriter page, BenchRun run) {
+        MachineSpec machine = run.machine();
+        page.element("p",
                 run.date() + " · commit " + run.commit() + " · " + machine.system() + ", " + machine.processor() + ", "
                         + machine.processors()
-                        + " processors, " + machine.vectorBits() + "-bit vectors, " + Numbers.bytes(machine.memoryBytes()) + " · "
-                        + machine.java() + " · " + run.threads() + " threads · memory " + Numbers.plain(run.triadGBs()) + " GB/s",
+                        + " processors, " + machine.vectorBits() + "-bit vectors, " + NumberText.bytes(machine.memoryBytes()) + " · "
+                        + machine.java() + " · " + run.threads() + " threads · memory " + NumberText.threeDigits(run.triadGBs()) + " GB/s",
                 "class",
                 "facts");
-        page.leaf("p", load(run), "class", run.load().isBusy(machine.processors()) ? "note" : "facts");
+        page.element("p", load(run), "class", run.load().isBusy(machine.processors()) ? "note" : "facts");
         if (run.quick()) {
-            page.leaf("p", "A quick run: few scenes, sizes and repetitions. Its numbers show the way, no more.", "class", "note");
+            page.element("p", "A quick run: few scenes, sizes and repetitions. Its numbers show the way, no more.", "class", "note");
         }
         if (!run.complete()) {
-            page.leaf("p", "The run had not ended after " + Numbers.plain(run.actualSeconds())
+            page.element("p", "The run had not ended after " + NumberText.threeDigits(run.actualSeconds())
                     + " s: it was cancelled then, or is still at work. Below is what had been measured.", "class", "note");
         }
     }
 
     /** What other work did to the run. */
-    private static String load(Run run) {
-        Load load = run.load();
+    private static String load(BenchRun run) {
+        SystemLoad load = run.load();
         String facts =
-                "load average " + Numbers.plain(load.atStart()) + " before, " + Numbers.plain(load.atEnd()) + " at the end; other work had "
-                        + Numbers.percent(100 * load.others()) + " of the processors' time";
+                "load average " + NumberText.threeDigits(load.atStart()) + " before, " + NumberText.threeDigits(load.atEnd())
+                        + " at the end; other work had "
+                        + NumberText.percent(100 * load.others()) + " of the processors' time";
         return load.isBusy(run.machine().processors()) ? "This machine was busy: " + facts + ". Its times say little." : facts;
     }
 
-    private static void links(Markup page, Results results) {
+    private static void links(HtmlWriter page, BenchResults results) {
         page.open("nav");
         for (int i = 0; i < results.scenes().size(); i++) {
             SceneResult scene = results.scenes().get(i);
-            page.leaf("a", SceneSection.title(scene), "href", "#scene-" + (i + 1));
+            page.element("a", SceneSection.title(scene), "href", "#scene-" + (i + 1));
         }
         if (!results.drift().isEmpty()) {
-            page.leaf("a", "Drift", "href", "#drift");
+            page.element("a", "Drift", "href", "#drift");
         }
         if (!results.growth().isEmpty()) {
-            page.leaf("a", "Growth", "href", "#growth");
+            page.element("a", "Growth", "href", "#growth");
         }
         if (!results.editing().isEmpty()) {
-            page.leaf("a", "Editing", "href", "#editing");
+            page.element("a", "Editing", "href", "#editing");
         }
         if (!results.meshes().isEmpty()) {
-            page.leaf("a", "Meshes", "href", "#meshes");
+            page.element("a", "Meshes", "href", "#meshes");
         }
-        page.leaf("a", "How it was measured", "href", "#method");
+        page.element("a", "How it was measured", "href", "#method");
         page.close();
     }
 
-    private static void problems(Markup page, Results results) {
+    private static void problems(HtmlWriter page, BenchResults results) {
         if (results.problems().isEmpty()) {
             return;
         }
         page.open("section", "class", "problems", "id", "problems");
-        page.leaf("h2", "What could not be measured");
+        page.element("h2", "What could not be measured");
         page.open("ul");
-        results.problems().forEach(problem -> page.open("li").leaf("b", problem.where()).text(" " + problem.what()).close());
+        results.problems().forEach(problem -> page.open("li").element("b", problem.where()).text(" " + problem.what()).close());
         page.close().close();
     }
 
-    private static void glance(Markup page, Results results) {
+    private static void overview(HtmlWriter page, BenchResults results) {
         page.open("section", "id", "glance");
-        page.leaf("h2", "All scenes at a glance");
-        try (Table table = new Table(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
-                "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "paid for after",
-                "edits save, median", "least", "most")) {
+        page.element("h2", "All scenes at a glance");
+        try (HtmlTable table =
+                new HtmlTable(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
+                        "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "paid for after",
+                        "edits save, median", "least", "most")) {
             for (SceneResult scene : results.scenes()) {
-                FirstPass first = scene.firstPass();
+                FirstPassResult first = scene.firstPass();
                 double[] savings = scene.edits().stream().mapToDouble(e -> e.saving()).filter(Double::isFinite).sorted().toArray();
                 int n = savings.length;
                 table.row(scene.scene(), scene.width() + " × " + scene.height(), "" + scene.lights(), "" + scene.shapes(),
-                        first == null ? "–" : Numbers.ms(first.fullTrace().median()),
-                        first == null ? "–" : Numbers.ms(first.time().median()),
-                        first == null ? "–" : Numbers.percent(first.percentSlower()),
-                        first == null ? "–" : Numbers.plain(first.bytesPerPixel()),
-                        first == null ? "–" : edits(first.editsToPayOff()), n == 0 ? "–" : Numbers.percent(savings[n / 2]),
-                        n == 0 ? "–" : Numbers.percent(savings[0]), n == 0 ? "–" : Numbers.percent(savings[n - 1]));
+                        first == null ? "–" : NumberText.ms(first.fullTrace().median()),
+                        first == null ? "–" : NumberText.ms(first.time().median()),
+                        first == null ? "–" : NumberText.percent(first.percentSlower()),
+                        first == null ? "–" : NumberText.threeDigits(first.bytesPerPixel()),
+                        first == null ? "–" : edits(first.editsToPayOff()), n == 0 ? "–" : NumberText.percent(savings[n / 2]),
+                        n == 0 ? "–" : NumberText.percent(savings[0]), n == 0 ? "–" : NumberText.percent(savings[n - 1]));
             }
         }
         page.close();
     }
 
     private static String edits(double count) {
-        return count == 0 ? "at once" : Double.isFinite(count) ? Numbers.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits")
+        return count == 0 ? "at once" : Double.isFinite(count) ? NumberText.grouped(Math.round(count)) + (count == 1 ? " edit" : " edits")
                 : "never";
     }
 
-    private static String samples(Run run) {
+    private static String samples(BenchRun run) {
         return run.repetitions() == 1 ? "one sample each and nothing warmed up: a look, and no measurement."
                 : run.repetitions() + " samples each, after warming up until no work becomes faster, or patience ends.";
     }
 
-    static void writeMethod(Markup page, Run run) {
+    static void writeMethod(HtmlWriter page, BenchRun run) {
         page.open("section", "id", "method");
-        page.leaf("h2", "How it was measured");
-        page.leaf("p", "Each edit's grades of accuracy and the full trace run in turns, again and again, so that whatever slows the "
+        page.element("h2", "How it was measured");
+        page.element("p", "Each edit's grades of accuracy and the full trace run in turns, again and again, so that whatever slows the "
                 + "machine for a while slows all of them; " + samples(run)
                 + " Times are medians, whiskers quartiles. No grade is timed before its picture was compared with a "
                 + "trace from nothing. Where the quartiles of an edit and of the full trace overlap, or there are fewer than three samples, no "
                 + "saving is given. A saving is what an edit spares of the time of the traditional full trace, the fastest that "
                 + "the program can make, which keeps nothing; the paper's are of its own scene on a computer of 1998.");
-        page.leaf("p", "The cap is what an edit could save if it cast its rays as fast as the full trace casts its own and moved its "
+        page.element("p", "The cap is what an edit could save if it cast its rays as fast as the full trace casts its own and moved its "
                 + "bytes at the speed of memory; the floor is the time of those bytes at the bandwidth measured in this run. Errors "
                 + "are taken against the full trace: RMSE and the largest difference of linear values, ulp in floats between two "
                 + "values, PSNR, SSIM and ꟻLIP of the picture as displayed (ꟻLIP at 67 pixels per degree; 0 is no visible "
                 + "difference, 1 the worst).");
-        page.leaf("p", "Seed " + run.seed() + ", arguments: " + (run.arguments().isEmpty() ? "none" : String.join(" ", run.arguments()))
-                + ". Predicted " + Numbers.plain(run.predictedSeconds()) + " s, took " + Numbers.plain(run.actualSeconds())
+        page.element("p", "Seed " + run.seed() + ", arguments: " + (run.arguments().isEmpty() ? "none" : String.join(" ", run.arguments()))
+                + ". Predicted " + NumberText.threeDigits(run.predictedSeconds()) + " s, took "
+                + NumberText.threeDigits(run.actualSeconds())
                 + " s. Every raw sample is in results.json.");
         page.close();
     }

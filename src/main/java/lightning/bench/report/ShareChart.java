@@ -34,41 +34,41 @@ final class ShareChart {
      * @param paper   the paper's
      * @param ours    at the default grade
      * @param stale   with mirrors as they were
-     * @param least   what ray counts and memory allow
+     * @param min   what ray counts and memory allow
      */
-    record Bar(String name, double paper, double ours, double stale, double least) {}
+    record Bar(String name, double paper, double ours, double stale, double min) {}
 
     private ShareChart() {}
 
     static String svg(String label, List<Bar> bars) {
         DefaultCategoryDataset shares = new DefaultCategoryDataset();
-        DefaultCategoryDataset least = new DefaultCategoryDataset();
-        double most = 100;
+        DefaultCategoryDataset minShares = new DefaultCategoryDataset();
+        double maxPercent = 100;
         for (Bar bar : bars) {
             put(shares, bar.paper, "paper", bar.name);
             put(shares, bar.ours, "ours", bar.name);
             put(shares, bar.stale, "stale", bar.name);
-            put(least, Double.NaN, "paper", bar.name);
-            put(least, bar.least, "ours", bar.name);
-            put(least, Double.NaN, "stale", bar.name);
-            most = Math.max(most, Math.max(nonNaN(bar.paper), Math.max(nonNaN(bar.ours), nonNaN(bar.stale))));
+            put(minShares, Double.NaN, "paper", bar.name);
+            put(minShares, bar.min, "ours", bar.name);
+            put(minShares, Double.NaN, "stale", bar.name);
+            maxPercent = Math.max(maxPercent, Math.max(nonNaN(bar.paper), Math.max(nonNaN(bar.ours), nonNaN(bar.stale))));
         }
         NumberAxis axis = new NumberAxis();
-        axis.setRange(0, most * 1.2);
-        axis.setTickUnit(new NumberTickUnit(unit(most), NumberFormat.getIntegerInstance(Locale.ROOT)));
-        CategoryPlot plot = PlotLook.rows(axis);
+        axis.setRange(0, maxPercent * 1.2);
+        axis.setTickUnit(new NumberTickUnit(unit(maxPercent), NumberFormat.getIntegerInstance(Locale.ROOT)));
+        CategoryPlot plot = PlotStyle.rows(axis);
         plot.setDataset(0, shares);
         plot.setRenderer(0, bars());
-        plot.setDataset(1, least);
+        plot.setDataset(1, minShares);
         plot.setRenderer(1, ticks());
         plot.setDatasetRenderingOrder(DatasetRenderingOrder.FORWARD);
-        plot.addRangeMarker(new ValueMarker(100, Ink.MUTED.color(), PlotLook.HAIRLINE));
-        return ChartSvg.of(PlotLook.chart(plot), WIDTH, AXIS + ROW * bars.size(), label);
+        plot.addRangeMarker(new ValueMarker(100, PlotColor.MUTED.color(), PlotStyle.HAIRLINE));
+        return ChartSvg.of(PlotStyle.chart(plot), WIDTH, AXIS + ROW * bars.size(), label);
     }
 
-    private static double unit(double most) {
-        double decade = Math.pow(10, Math.floor(Math.log10(most / TICKS)));
-        double steps = most / TICKS / decade;
+    private static double unit(double maxPercent) {
+        double decade = Math.pow(10, Math.floor(Math.log10(maxPercent / TICKS)));
+        double steps = maxPercent / TICKS / decade;
         return decade * (steps > 5 ? 10 : steps > 2 ? 5 : steps > 1 ? 2 : 1);
     }
 
@@ -77,12 +77,12 @@ final class ShareChart {
         renderer.setBarPainter(new StandardBarPainter());
         renderer.setShadowVisible(false);
         renderer.setItemMargin(0.08);
-        renderer.setSeriesPaint(0, Ink.PAPER.color());
-        renderer.setSeriesPaint(1, Ink.OURS.color());
-        renderer.setSeriesPaint(2, Ink.SKY.color());
+        renderer.setSeriesPaint(0, PlotColor.PAPER.color());
+        renderer.setSeriesPaint(1, PlotColor.OURS.color());
+        renderer.setSeriesPaint(2, PlotColor.SKY.color());
         renderer.setDefaultItemLabelGenerator(new ShareLabels());
         renderer.setDefaultItemLabelFont(ChartSvg.FONT);
-        renderer.setDefaultItemLabelPaint(Ink.TEXT.color());
+        renderer.setDefaultItemLabelPaint(PlotColor.TEXT.color());
         renderer.setDefaultItemLabelsVisible(true);
         renderer.setDefaultPositiveItemLabelPosition(new ItemLabelPosition(ItemLabelAnchor.OUTSIDE3, TextAnchor.CENTER_LEFT));
         return renderer;
@@ -92,7 +92,7 @@ final class ShareChart {
     private static LevelRenderer ticks() {
         LevelRenderer renderer = new LevelRenderer();
         renderer.setItemMargin(0.08);
-        renderer.setDefaultPaint(Ink.TEXT.color());
+        renderer.setDefaultPaint(PlotColor.TEXT.color());
         renderer.setAutoPopulateSeriesPaint(false);
         renderer.setDefaultStroke(new BasicStroke(1.5f));
         renderer.setAutoPopulateSeriesStroke(false);
@@ -114,7 +114,7 @@ final class ShareChart {
         @Override
         public String generateLabel(CategoryDataset shares, int series, int edit) {
             Number share = shares.getValue(series, edit);
-            return share == null ? null : Numbers.percent(share.doubleValue());
+            return share == null ? null : NumberText.percent(share.doubleValue());
         }
     }
 }

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.format.jen.JenDocument;
 import lightning.scene.shot.AnimatedScene;
 
@@ -20,73 +20,73 @@ public final class Autosave implements AutoCloseable {
     /** With the time that writing takes, well below the five seconds that an artist may lose at most. */
     public static final Duration DEFAULT_DELAY = Duration.ofSeconds(2);
 
-    private static final int PATIENCE_SECONDS = 5;
+    private static final int CLOSE_TIMEOUT_SECONDS = 5;
 
-    private final Recovery recovery;
+    private final RecoveryFolder recovery;
     private final Duration delay;
-    private final Consumer<Throwable> trouble;
+    private final Consumer<Throwable> failureListener;
     private final ScheduledThreadPoolExecutor thread;
-    private final Set<Path> kept = new HashSet<>();
-    private Work waiting;
+    private final Set<Path> savedFiles = new HashSet<>();
+    private PendingSave pending;
 
-    private record Work(Path file, JenDocument saved, AnimatedScene content) {}
+    private record PendingSave(Path file, JenDocument saved, AnimatedScene content) {}
 
-    /** @param trouble hears, on the autosave thread, why the last edits could not be kept, whatever it was */
-    public Autosave(Recovery recovery, Duration delay, Consumer<Throwable> trouble) {
+    /** @param failureListener hears, on the autosave thread, why the last edits could not be kept, whatever it was */
+    public Autosave(RecoveryFolder recovery, Duration delay, Consumer<Throwable> failureListener) {
         this.recovery = recovery;
         this.delay = delay;
-        this.trouble = trouble;
-        thread = new ScheduledThreadPoolExecutor(1, OwnThread.named("lightning-autosave"));
+        this.failureListener = failureListener;
+        thread = new ScheduledThreadPoolExecutor(1, DedicatedThread.factory("lightning-autosave"));
         thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
     }
 
     /** Tells of an edit, an undo or a save: call it after each. The text is made on the autosave thread. */
-    public synchronized void changed(OpenDocument document) {
+    public synchronized void documentChanged(OpenDocument document) {
         if (!document.isDirty()) {
-            forget();
+            discard();
             return;
         }
-        if (waiting == null) {
+        if (pending == null) {
             thread.schedule(this::write, delay.toMillis(), TimeUnit.MILLISECONDS);
         }
-        waiting = new Work(document.file(), document.savedText(), document.content());
-        kept.add(document.file());
+        pending = new PendingSave(document.file(), document.savedDocument(), document.content());
+        savedFiles.add(document.file());
     }
 
     /** The document was saved, or closed on purpose: nothing of it needs to be kept, under whatever name it had. */
-    public synchronized void forget() {
-        waiting = null;
-        kept.forEach(file -> thread.execute(() -> attempt(() -> recovery.forget(file))));
-        kept.clear();
+    public synchronized void discard() {
+        pending = null;
+        savedFiles.forEach(file -> thread.execute(() -> runOrReport(() -> recovery.delete(file))));
+        savedFiles.clear();
     }
 
-    /** Takes over what a crash left; see {@link Recovery#adopt}. */
-    public synchronized void adopt(Recovery.Found found) {
-        kept.add(found.file());
-        thread.execute(() -> attempt(() -> recovery.adopt(found)));
+    /** Takes over what a crash left; see {@link RecoveryFolder#adopt}. */
+    public synchronized void adopt(RecoveryFolder.RecoverableScene recoverable) {
+        savedFiles.add(recoverable.file());
+        thread.execute(() -> runOrReport(() -> recovery.adopt(recoverable)));
     }
 
     private void write() {
-        Work work;
+        PendingSave save;
         synchronized (this) {
-            work = waiting;
-            waiting = null;
+            save = pending;
+            pending = null;
         }
-        if (work != null) {
-            attempt(() -> recovery.keep(work.file(), work.saved().with(work.content()).text()));
+        if (save != null) {
+            runOrReport(() -> recovery.store(save.file(), save.saved().withAnimatedScene(save.content()).text()));
         }
     }
 
-    private interface Step {
+    private interface FileOperation {
         void run() throws IOException;
     }
 
-    private void attempt(Step step) {
+    private void runOrReport(FileOperation operation) {
         try {
-            step.run();
+            operation.run();
         } catch (Exception | Error e) {
             // The thread's executor would take anything else without a word.
-            trouble.accept(e);
+            failureListener.accept(e);
         }
     }
 
@@ -94,11 +94,11 @@ public final class Autosave implements AutoCloseable {
     @Override
     public void close() {
         synchronized (this) {
-            waiting = null;
+            pending = null;
         }
         thread.shutdown();
         try {
-            thread.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            thread.awaitTermination(CLOSE_TIMEOUT_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -7,7 +7,7 @@ public enum CameraDrag {
     TRACKBALL;
 
     /** How close to the edge a trackball begins, as a share of the shorter side. */
-    static final double EDGE = 0.1;
+    static final double EDGE_SHARE = 0.1;
 
     /**
      * The kind of a drag that begins at a place and goes a first way.
@@ -15,21 +15,21 @@ public enum CameraDrag {
      * @param x     pixels from the left; likewise {@code y} from the top
      * @param right pixels; likewise {@code down}
      */
-    public static CameraDrag begun(Viewport canvas, double x, double y, double right, double down) {
-        double edge = EDGE * Math.min(canvas.width(), canvas.height());
-        boolean outside = x < edge || y < edge || x >= canvas.width() - edge || y >= canvas.height() - edge;
-        if (outside) {
+    public static CameraDrag of(Viewport canvas, double x, double y, double right, double down) {
+        double edge = EDGE_SHARE * Math.min(canvas.width(), canvas.height());
+        boolean isNearEdge = x < edge || y < edge || x >= canvas.width() - edge || y >= canvas.height() - edge;
+        if (isNearEdge) {
             return TRACKBALL;
         }
         return Math.abs(down) > Math.abs(right) ? ZOOM : PAN;
     }
 
     /** The camera of the drag's begin, after the whole way of the drag so far. */
-    public PreviewCamera applied(PreviewCamera begin, Viewport canvas, double right, double down) {
+    public PreviewCamera apply(PreviewCamera start, Viewport canvas, double right, double down) {
         return switch (this) {
-            case ZOOM -> begin.zoomed(-down, canvas);
-            case PAN -> begin.panned(right, -down, canvas);
-            case TRACKBALL -> begin.trackball(right, -down, canvas);
+            case ZOOM -> start.zoom(-down, canvas);
+            case PAN -> start.pan(right, -down, canvas);
+            case TRACKBALL -> start.trackball(right, -down, canvas);
         };
     }
 }

@@ -8,12 +8,12 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
 import lightning.scene.Light;
-import lightning.scene.LightMatch;
+import lightning.scene.LightMatcher;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
-import lightning.scene.shot.Target;
 import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 
 /**
  * A scene with its lights numbered, each number kept through renames, and each light's own history. Immutable, so that
@@ -21,40 +21,41 @@ import lightning.scene.shot.Track;
  *
  * @param ids for each light of the scene its number
  */
-record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightTrack> tracks) {
+record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightHistory> lightHistories) {
     DocumentState {
         ids = List.copyOf(ids);
-        tracks = Map.copyOf(tracks);
+        lightHistories = Map.copyOf(lightHistories);
     }
 
-    static DocumentState first(AnimatedScene content, LongSupplier fresh) {
-        return new DocumentState(content, content.still().lights().stream().map(_ -> fresh.getAsLong()).toList(), Map.of());
+    static DocumentState initial(AnimatedScene content, LongSupplier nextId) {
+        return new DocumentState(content, content.base().lights().stream().map(_ -> nextId.getAsLong()).toList(), Map.of());
     }
 
     /** As it is where nothing has keys. */
     Scene scene() {
-        return content.still();
+        return content.base();
     }
 
     /** The state after an edit; each light that it changed, or whose keys it changed, can be undone alone. */
-    DocumentState after(AnimatedScene edited, LongSupplier fresh) {
-        List<Light> lights = edited.still().lights();
+    DocumentState afterEdit(AnimatedScene edited, LongSupplier nextId) {
+        List<Light> lights = edited.base().lights();
         boolean sameKeys = content.shot().equals(edited.shot());
-        LightMatch match = new LightMatch(scene().lights(), lights);
+        LightMatcher match = new LightMatcher(scene().lights(), lights);
         List<Long> newIds = new ArrayList<>();
-        Map<Long, LightTrack> newTracks = new HashMap<>();
+        Map<Long, LightHistory> newHistories = new HashMap<>();
         for (int i = 0; i < lights.size(); i++) {
-            int origin = match.origin(i);
-            long id = origin < 0 ? fresh.getAsLong() : ids.get(origin);
+            int origin = match.originIndex(i);
+            long id = origin < 0 ? nextId.getAsLong() : ids.get(origin);
             newIds.add(id);
             if (origin >= 0) {
-                Light old = scene().lights().get(origin);
-                LightTrack track = track(id);
-                boolean same = old.equals(lights.get(i)) && (sameKeys || keys(content, old).equals(keys(edited, old)));
-                newTracks.put(id, same ? track : track.edited(old, keys(content, old)));
+                Light oldLight = scene().lights().get(origin);
+                LightHistory history = lightHistory(id);
+                boolean isUnchanged = oldLight.equals(lights.get(i))
+                        && (sameKeys || lightTracks(content, oldLight).equals(lightTracks(edited, oldLight)));
+                newHistories.put(id, isUnchanged ? history : history.afterEdit(oldLight, lightTracks(content, oldLight)));
             }
         }
-        return new DocumentState(edited, newIds, newTracks);
+        return new DocumentState(edited, newIds, newHistories);
     }
 
     /**
@@ -62,28 +63,28 @@ record DocumentState(AnimatedScene content, List<Long> ids, Map<Long, LightTrack
      *
      * @throws IllegalArgumentException if another light has taken its name of that time
      */
-    DocumentState moved(long id, boolean back) {
-        int place = ids.indexOf(id);
-        Light now = scene().lights().get(place);
-        List<Track> keys = keys(content, now);
-        LightTrack track = track(id);
-        LightTrack.Link link = back ? track.past() : track.future();
+    DocumentState stepLight(long id, boolean isUndo) {
+        int index = ids.indexOf(id);
+        Light light = scene().lights().get(index);
+        List<Track> keys = lightTracks(content, light);
+        LightHistory history = lightHistory(id);
+        LightHistory.Entry link = isUndo ? history.past() : history.future();
         List<Light> lights = new ArrayList<>(scene().lights());
-        lights.set(place, link.light());
-        Map<Long, LightTrack> newTracks = new HashMap<>(tracks);
-        newTracks.put(id, back ? track.undone(now, keys) : track.redone(now, keys));
+        lights.set(index, link.light());
+        Map<Long, LightHistory> newHistories = new HashMap<>(lightHistories);
+        newHistories.put(id, isUndo ? history.afterUndo(light, keys) : history.afterRedo(light, keys));
         Optional<Shot> shot = content.shot().map(s -> s.withTracks(Stream.concat(
-                s.tracks().stream().filter(t -> !t.target().equals(Target.light(now.name()))), link.keys().stream()).toList()));
-        return new DocumentState(new AnimatedScene(scene().withLights(lights), shot), ids, newTracks);
+                s.tracks().stream().filter(t -> !t.target().equals(TrackTarget.light(light.name()))), link.keys().stream()).toList()));
+        return new DocumentState(new AnimatedScene(scene().withLights(lights), shot), ids, newHistories);
     }
 
     /** Those of a light. */
-    static List<Track> keys(AnimatedScene content, Light light) {
-        return content.shot().stream().flatMap(s -> s.tracks().stream()).filter(t -> t.target().equals(Target.light(light.name())))
+    static List<Track> lightTracks(AnimatedScene content, Light light) {
+        return content.shot().stream().flatMap(s -> s.tracks().stream()).filter(t -> t.target().equals(TrackTarget.light(light.name())))
                 .toList();
     }
 
-    LightTrack track(long id) {
-        return tracks.getOrDefault(id, LightTrack.EMPTY);
+    LightHistory lightHistory(long id) {
+        return lightHistories.getOrDefault(id, LightHistory.EMPTY);
     }
 }

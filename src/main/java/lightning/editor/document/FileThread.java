@@ -4,31 +4,31 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 
 /**
  * Reads and writes files beside the window's thread, so that no disk holds up a window, and brings there what came of it.
  * What is written is written in turn; closing waits for it.
  */
 public final class FileThread implements Executor, AutoCloseable {
-    private static final int PATIENCE_SECONDS = 60;
+    private static final int CLOSE_TIMEOUT_SECONDS = 60;
 
-    private final Executor window;
-    private final ExecutorService thread = OwnThread.inTurn("lightning-files");
+    private final Executor windowExecutor;
+    private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-files");
 
     /** @param window runs tasks in turn on the window's thread */
     public FileThread(Executor window) {
-        this.window = window;
+        this.windowExecutor = window;
     }
 
     /** Something with files. */
-    public interface Work<T> {
+    public interface FileTask<T> {
         T run() throws Exception;
     }
 
     /** Runs tasks in turn on the window's thread. */
-    public Executor window() {
-        return window;
+    public Executor windowExecutor() {
+        return windowExecutor;
     }
 
     /** Does something after all that was asked before; nobody hears what comes of it. */
@@ -43,22 +43,22 @@ public final class FileThread implements Executor, AutoCloseable {
      * @param done   hears on the window's thread what came of it
      * @param failed hears there why nothing did
      */
-    public <T> void inTurn(Work<T> work, Consumer<T> done, Consumer<Throwable> failed) {
-        thread.execute(task(work, done, failed));
+    public <T> void runInOrder(FileTask<T> task, Consumer<T> done, Consumer<Throwable> failed) {
+        thread.execute(task(task, done, failed));
     }
 
     /** The same on a thread of its own: reading, which may take long and waits for nothing. */
-    public <T> void beside(Work<T> work, Consumer<T> done, Consumer<Throwable> failed) {
-        OwnThread.of("lightning-reading", task(work, done, failed)).start();
+    public <T> void runConcurrently(FileTask<T> task, Consumer<T> done, Consumer<Throwable> failed) {
+        DedicatedThread.create("lightning-reading", task(task, done, failed)).start();
     }
 
-    private <T> Runnable task(Work<T> work, Consumer<T> done, Consumer<Throwable> failed) {
+    private <T> Runnable task(FileTask<T> fileTask, Consumer<T> done, Consumer<Throwable> failed) {
         return () -> {
             try {
-                T result = work.run();
-                window.execute(() -> done.accept(result));
+                T result = fileTask.run();
+                windowExecutor.execute(() -> done.accept(result));
             } catch (Exception | OutOfMemoryError e) {
-                window.execute(() -> failed.accept(e));
+                windowExecutor.execute(() -> failed.accept(e));
             }
         };
     }
@@ -68,7 +68,7 @@ public final class FileThread implements Executor, AutoCloseable {
     public void close() {
         thread.shutdown();
         try {
-            thread.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS);
+            thread.awaitTermination(CLOSE_TIMEOUT_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

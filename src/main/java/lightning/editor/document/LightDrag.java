@@ -11,12 +11,12 @@ public enum LightDrag {
      *
      * @param right pixels; likewise {@code up}
      */
-    public Light applied(Light begin, PreviewCamera view, Viewport canvas, double right, double up) {
+    public Light apply(Light start, PreviewCamera view, Viewport canvas, double right, double up) {
         return switch (this) {
-            case ROTATE -> LightManipulation.rotate(begin, view, canvas, right, up);
-            case ORBIT -> LightManipulation.orbit(begin, view, canvas, right, up);
-            case DOLLY -> LightManipulation.dolly(begin, view, canvas, up);
-            case TRANSLATE -> LightManipulation.translate(begin, view, canvas, right, up);
+            case ROTATE -> LightManipulation.rotate(start, view, canvas, right, up);
+            case ORBIT -> LightManipulation.orbit(start, view, canvas, right, up);
+            case DOLLY -> LightManipulation.dolly(start, view, canvas, up);
+            case TRANSLATE -> LightManipulation.translate(start, view, canvas, right, up);
         };
     }
 }

@@ -1,9 +1,9 @@
 package lightning.editor.document;
 
-import lightning.base.math.Rotation;
 import lightning.base.math.Vec3;
+import lightning.base.math.VectorRotation;
 import lightning.scene.Light;
-import lightning.scene.Limits;
+import lightning.scene.SceneLimits;
 
 /**
  * What dragging a light in the preview does (paper §3.2). Each method takes the light as it was when the drag began and
@@ -15,7 +15,7 @@ public final class LightManipulation {
     /** A drag over the shorter side of the canvas turns a light by this angle, radians. */
     private static final double TURN_PER_CANVAS = Math.PI;
     /** A light at the eye or behind it moves as if it were this share of the viewing distance before it. */
-    private static final double LEAST_DEPTH = 0.01;
+    private static final double MIN_DEPTH_SHARE = 0.01;
 
     private LightManipulation() {}
 
@@ -29,10 +29,10 @@ public final class LightManipulation {
         if (!light.type().hasDirection()) {
             return light;
         }
-        double per = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
-        double away = light.direction().dot(view.forward()) >= 0 ? 1 : -1;
-        Vec3 yawed = Rotation.about(view.up(), -away * right * per, light.direction());
-        return light.withDirection(Rotation.about(view.right(), away * up * per, yawed));
+        double radiansPerPixel = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
+        double sign = light.direction().dot(view.forward()) >= 0 ? 1 : -1;
+        Vec3 yawed = VectorRotation.rotate(view.up(), -sign * right * radiansPerPixel, light.direction());
+        return light.withDirection(VectorRotation.rotate(view.right(), sign * up * radiansPerPixel, yawed));
     }
 
     /**
@@ -61,41 +61,43 @@ public final class LightManipulation {
      * @param right pixels; likewise {@code up}
      */
     public static Light orbit(Light light, PreviewCamera view, Viewport canvas, double right, double up) {
-        Vec3 target = aim(light, view);
+        Vec3 target = aimPoint(light, view);
         Vec3 offset = light.position().minus(target);
-        double per = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
+        double radiansPerPixel = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
         // The light goes with the mouse on this side of what it aims at, and on the other.
-        double side = offset.dot(view.forward()) <= 0 ? 1 : -1;
-        Light carried = light.withPosition(target.plus(turned(offset, view, side * right * per, -side * up * per)));
-        if (carried.position().maxAbs() > Limits.MAX_COORDINATE) {
+        double sign = offset.dot(view.forward()) <= 0 ? 1 : -1;
+        Light orbited =
+                light.withPosition(target.plus(rotated(offset, view, sign * right * radiansPerPixel, -sign * up * radiansPerPixel)));
+        if (orbited.position().maxAbs() > SceneLimits.MAX_COORDINATE) {
             return light;
         }
         return light.type().hasDirection()
-                ? carried.withDirection(turned(light.direction(), view, side * right * per, -side * up * per)) : carried;
+                ? orbited.withDirection(rotated(light.direction(), view, sign * right * radiansPerPixel, -sign * up * radiansPerPixel))
+                : orbited;
     }
 
-    private static Vec3 turned(Vec3 v, PreviewCamera view, double aboutUp, double aboutRight) {
-        return Rotation.about(view.right(), aboutRight, Rotation.about(view.up(), aboutUp, v));
+    private static Vec3 rotated(Vec3 v, PreviewCamera view, double aboutUp, double aboutRight) {
+        return VectorRotation.rotate(view.right(), aboutRight, VectorRotation.rotate(view.up(), aboutUp, v));
     }
 
     /** What a light aims at: see {@link #orbit}. */
-    static Vec3 aim(Light light, PreviewCamera view) {
-        Vec3 seen = view.camera().to();
+    static Vec3 aimPoint(Light light, PreviewCamera view) {
+        Vec3 cameraTarget = view.camera().to();
         if (!light.type().hasDirection()) {
-            return seen;
+            return cameraTarget;
         }
         Vec3 axis = light.direction().normalized();
-        double reach = seen.minus(light.position()).dot(axis);
-        return light.position().plus(axis.times(reach > 0 ? reach : view.distance()));
+        double distance = cameraTarget.minus(light.position()).dot(axis);
+        return light.position().plus(axis.times(distance > 0 ? distance : view.distance()));
     }
 
     private static double scale(Light light, PreviewCamera view, Viewport canvas) {
-        double depth = Math.max(view.depth(light.position()), LEAST_DEPTH * view.distance());
+        double depth = Math.max(view.depth(light.position()), MIN_DEPTH_SHARE * view.distance());
         return view.pixelScale(depth, canvas.height());
     }
 
     private static Light moved(Light light, Vec3 step) {
         Vec3 position = light.position().plus(step);
-        return position.maxAbs() <= Limits.MAX_COORDINATE ? light.withPosition(position) : light;
+        return position.maxAbs() <= SceneLimits.MAX_COORDINATE ? light.withPosition(position) : light;
     }
 }

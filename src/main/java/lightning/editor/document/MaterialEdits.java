@@ -3,8 +3,8 @@ package lightning.editor.document;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.format.jen.PropertyEdit;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
@@ -25,21 +25,21 @@ public final class MaterialEdits {
     }
 
     /** Any edit of one material that keeps its name. */
-    public static Change with(Scene scene, String name, UnaryOperator<Material> edit) {
-        return Change.of(() -> scene.withMaterial(edit.apply(material(scene, name))));
+    public static EditOutcome edit(Scene scene, String name, UnaryOperator<Material> edit) {
+        return EditOutcome.of(() -> scene.withMaterial(edit.apply(material(scene, name))));
     }
 
     private static Material material(Scene scene, String name) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            throw new IllegalArgumentException(Texts.of("there is no material {0}", Quote.of(name)));
+            throw new IllegalArgumentException(Messages.tr("there is no material {0}", Quote.of(name)));
         }
         return material;
     }
 
     /** Another value of an attribute. */
-    public static <V> Change set(Scene scene, String name, MaterialAttribute<V> attribute, V value) {
-        return with(scene, name, m -> attribute.with(m, value));
+    public static <V> EditOutcome set(Scene scene, String name, MaterialAttribute<V> attribute, V value) {
+        return edit(scene, name, m -> attribute.with(m, value));
     }
 
     /**
@@ -48,7 +48,8 @@ public final class MaterialEdits {
      * @param file   as a scene file names it
      * @param folder the folder of the scene file
      */
-    public static Change picture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
-        return Change.of(() -> PropertyEdit.picture(scene, name, attribute, file, folder));
+    public static EditOutcome setTexture(Scene scene, String name, MaterialAttribute<Optional<TextureMap>> attribute, String file,
+            Path folder) {
+        return EditOutcome.of(() -> PropertyEdit.setTexture(scene, name, attribute, file, folder));
     }
 }

@@ -3,7 +3,7 @@ package lightning.editor.document;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 
 /** The scene that a new file begins with: a ball on a floor and three lights, of the size of a screen and with smooth edges. */
 public final class NewScene {
@@ -33,6 +33,6 @@ public final class NewScene {
      * @throws IOException if it cannot be written
      */
     public static void write(Path file) throws IOException {
-        SafeFile.at(file).write(TEXT.getBytes(StandardCharsets.UTF_8));
+        AtomicFile.of(file).write(TEXT.getBytes(StandardCharsets.UTF_8));
     }
 }

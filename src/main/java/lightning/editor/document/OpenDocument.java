@@ -16,23 +16,23 @@ import lightning.scene.shot.AnimatedScene;
 
 /** The open scene file: what it holds now, what was selected, what can be undone, and what is not saved yet. */
 public final class OpenDocument {
-    private final History history;
+    private final EditHistory history;
     /** What the file held when it was read or written here; its state is none where it never held what was opened. */
     private SavedScene saved;
-    private DiskNews news;
-    private boolean keptAgainstNews;
+    private DiskStatus diskStatus;
+    private boolean ignoresDiskChange;
     private Selection selection = Selection.NONE;
     private int frame;
-    /** The scene shown last, and of which frame of what it is; {@code unshown} says why it is no frame's. */
-    private Scene shown;
-    private AnimatedScene shownOf;
-    private int shownAt;
-    private String unshown = "";
+    /** The scene shown last, and of which frame of what it is; {@code frameProblem} says why it is no frame's. */
+    private Scene shownScene;
+    private AnimatedScene shownContent;
+    private int shownFrame;
+    private String frameProblem = "";
 
     private OpenDocument(SavedScene saved) {
-        is(saved);
-        history = new History(saved.document().content());
-        toFirstFrame();
+        setSaved(saved);
+        history = new EditHistory(saved.document().animatedScene());
+        goToFirstFrame();
     }
 
     /**
@@ -45,10 +45,10 @@ public final class OpenDocument {
         return new OpenDocument(SavedScene.read(file));
     }
 
-    private void is(SavedScene now) {
-        saved = now;
-        news = new DiskNews(now.file(), now.state(), now.state(), false);
-        keptAgainstNews = false;
+    private void setSaved(SavedScene newSaved) {
+        saved = newSaved;
+        diskStatus = new DiskStatus(newSaved.file(), newSaved.state(), newSaved.state(), false);
+        ignoresDiskChange = false;
     }
 
     /**
@@ -57,15 +57,16 @@ public final class OpenDocument {
      *
      * @throws JenException if the recovered text does not parse, as where its textures are gone
      */
-    public static OpenDocument recover(Recovery.Found found) throws JenException {
-        JenDocument edits = JenReader.read(found.text(), found.file().toString(), found.file().toAbsolutePath().getParent());
+    public static OpenDocument recover(RecoveryFolder.RecoverableScene recoverable) throws JenException {
+        JenDocument edits =
+                JenReader.read(recoverable.text(), recoverable.file().toString(), recoverable.file().toAbsolutePath().getParent());
         try {
-            OpenDocument document = open(found.file());
-            document.history.edit(edits.content(), null);
-            document.settleFrame();
+            OpenDocument document = open(recoverable.file());
+            document.history.edit(edits.animatedScene(), null);
+            document.clampFrame();
             return document;
         } catch (IOException | JenException e) {
-            return new OpenDocument(new SavedScene(found.file(), FileState.NONE, edits));
+            return new OpenDocument(new SavedScene(recoverable.file(), FileState.MISSING, edits));
         }
     }
 
@@ -81,21 +82,21 @@ public final class OpenDocument {
     /** The scene as it is at the frame that is shown; where it has no shot, the scene. */
     public Scene scene() {
         AnimatedScene content = history.content();
-        if (content != shownOf || frame != shownAt) {
+        if (content != shownContent || frame != shownFrame) {
             try {
-                show(content, content.at(frame), "");
+                show(content, content.sceneAt(frame), "");
             } catch (IllegalArgumentException e) {
-                show(content, content.still(), e.getMessage());
+                show(content, content.base(), e.getMessage());
             }
         }
-        return shown;
+        return shownScene;
     }
 
-    private void show(AnimatedScene of, Scene scene, String why) {
-        shownOf = of;
-        shownAt = frame;
-        shown = scene;
-        unshown = why;
+    private void show(AnimatedScene content, Scene scene, String problem) {
+        shownContent = content;
+        shownFrame = frame;
+        shownScene = scene;
+        frameProblem = problem;
     }
 
     /** The scene with its shot. */
@@ -106,12 +107,12 @@ public final class OpenDocument {
     /** Why the frame cannot be shown, as where a scale goes through 0: then the scene is, as it is without keys. Empty where it can. */
     public Optional<String> frameProblem() {
         scene();
-        return unshown.isEmpty() ? Optional.empty() : Optional.of(unshown);
+        return frameProblem.isEmpty() ? Optional.empty() : Optional.of(frameProblem);
     }
 
     /** The frame that is shown; empty where there is no shot. */
-    public Optional<Moment> moment() {
-        return content().shot().map(shot -> new Moment(shot, frame));
+    public Optional<ShotFrame> shotFrame() {
+        return content().shot().map(shot -> new ShotFrame(shot, frame));
     }
 
     /** Shows another frame of the shot, or the nearest one that it has. */
@@ -119,78 +120,79 @@ public final class OpenDocument {
         content().shot().ifPresent(shot -> frame = Math.clamp(v, shot.first(), shot.last()));
     }
 
-    private void toFirstFrame() {
+    private void goToFirstFrame() {
         content().shot().ifPresent(shot -> frame = shot.first());
     }
 
-    public History history() {
+    public EditHistory history() {
         return history;
     }
 
     /** The text of what the document holds or held, with the comments and the order of the file. On any thread. */
-    public String text(AnimatedScene of) {
-        return saved.document().with(of).text();
+    public String text(AnimatedScene content) {
+        return saved.document().withAnimatedScene(content).text();
     }
 
     /** The scene as the file holds it, where nothing has keys. */
     public Scene savedScene() {
-        return savedText().scene();
+        return savedDocument().scene();
     }
 
     /** What the file holds. */
-    JenDocument savedText() {
+    JenDocument savedDocument() {
         return saved.document();
     }
 
     /** Whether there are edits that the file does not have. */
     public boolean isDirty() {
-        return known().equals(FileState.NONE) || news.isGone() || keptAgainstNews || !content().equals(savedText().content());
+        return knownState().equals(FileState.MISSING) || diskStatus.isDeleted() || ignoresDiskChange
+                || !content().equals(savedDocument().animatedScene());
     }
 
     /** What the file held when it was read or written here. */
-    public FileState known() {
+    public FileState knownState() {
         return saved.state();
     }
 
     /** Takes what was seen of the file, unless that is of before it was read or written last. */
-    public void hear(DiskNews seen) {
-        if (seen.file().equals(file()) && seen.known().equals(known())) {
-            news = seen;
+    public void setDiskStatus(DiskStatus status) {
+        if (status.file().equals(file()) && status.known().equals(knownState())) {
+            diskStatus = status;
         }
     }
 
     /** What was heard last of the file on disk. */
-    public DiskNews news() {
-        return news;
+    public DiskStatus diskStatus() {
+        return diskStatus;
     }
 
     /** Stays with what is open here although somebody else wrote the file; saving it asks all the same. */
-    public void keepAgainstNews() {
-        keptAgainstNews = true;
+    public void ignoreDiskChange() {
+        ignoresDiskChange = true;
     }
 
     /** Whether someone else wrote the file, or took it away, since it was read or saved, as far as was heard. */
     public boolean isChangedOnDisk() {
-        return news.isChanged() || news.isGone();
+        return diskStatus.isChanged() || diskStatus.isDeleted();
     }
 
     /** Makes the edit unless it was refused; returns the reason if it was. */
-    public Optional<String> apply(Change change) {
+    public Optional<String> apply(EditOutcome change) {
         return apply(change, null);
     }
 
-    /** The same as part of a gesture: see {@link History#edit(Scene, Object)}. */
-    public Optional<String> apply(Change change, Object gesture) {
-        if (change instanceof Change.To to) {
-            settleSelection();
+    /** The same as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
+    public Optional<String> apply(EditOutcome change, Object gesture) {
+        if (change instanceof EditOutcome.Applied to) {
+            resolveSelection();
             AnimatedScene edited;
             try {
-                edited = edited(to.scene());
+                edited = contentWith(to.scene());
             } catch (IllegalArgumentException e) {
                 return Optional.of(e.getMessage());
             }
             history.edit(edited, gesture);
-            if (unshown.isEmpty() && history.content() == edited) {
+            if (frameProblem.isEmpty() && history.content() == edited) {
                 // The same in every bit as what it would be made of anew, and it shares with what was shown before.
                 show(edited, to.scene(), "");
             }
@@ -199,22 +201,22 @@ public final class OpenDocument {
     }
 
     /** What has keys is edited at the frame that is shown, all else at all frames. */
-    private AnimatedScene edited(Scene to) {
+    private AnimatedScene contentWith(Scene to) {
         Scene before = scene();
-        return unshown.isEmpty() ? content().edited(frame, before, to) : content().with(to);
+        return frameProblem.isEmpty() ? content().withEdit(frame, before, to) : content().withScene(to);
     }
 
     /** Makes an edit of the scene with its shot; returns the reason if it was refused. As {@link #apply} part of a gesture. */
-    public Optional<String> applyToAll(Supplier<AnimatedScene> edit, Object gesture) {
+    public Optional<String> applyToShot(Supplier<AnimatedScene> edit, Object gesture) {
         try {
             AnimatedScene edited = edit.get();
-            settleSelection();
-            boolean begins = content().shot().isEmpty();
+            resolveSelection();
+            boolean isNewShot = content().shot().isEmpty();
             history.edit(edited, gesture);
-            if (begins) {
-                toFirstFrame();
+            if (isNewShot) {
+                goToFirstFrame();
             }
-            settleFrame();
+            clampFrame();
             return Optional.empty();
         } catch (IllegalArgumentException e) {
             return Optional.of(e.getMessage());
@@ -222,7 +224,7 @@ public final class OpenDocument {
     }
 
     /** After another step of the history: a frame that the shot lacks gives way to the nearest one. */
-    void settleFrame() {
+    void clampFrame() {
         showFrame(frame);
     }
 
@@ -235,7 +237,7 @@ public final class OpenDocument {
     }
 
     /** From the next edit on, the light that stands in for one that is gone is the selected one. */
-    void settleSelection() {
+    void resolveSelection() {
         selectedLight().ifPresent(light -> selectLight(light.name()));
     }
 
@@ -250,19 +252,19 @@ public final class OpenDocument {
     }
 
     /** The scene as it is now, to be written on any thread. */
-    SceneWriting writing(Path target, Set<Consent> allowed) {
-        return new SceneWriting(saved, content(), target, allowed);
+    SaveRequest prepareSave(Path target, Set<OverwriteConfirmation> allowed) {
+        return new SaveRequest(saved, content(), target, allowed);
     }
 
     /** The scene was written. What was edited since is not in the file. */
-    void written(SavedScene now) {
-        is(now);
+    void onSaved(SavedScene newSaved) {
+        setSaved(newSaved);
     }
 
     /** The file was read anew: the document starts over with it (paper §3.4), as one step that can be undone. */
-    void reloaded(SavedScene now) {
-        is(now);
-        history.edit(now.document().content(), null);
-        settleFrame();
+    void onReloaded(SavedScene newSaved) {
+        setSaved(newSaved);
+        history.edit(newSaved.document().animatedScene(), null);
+        clampFrame();
     }
 }

@@ -1,12 +1,12 @@
 package lightning.editor.document;
 
-import lightning.base.math.Rotation;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
+import lightning.base.math.VectorRotation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
-import lightning.scene.Limits;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 
 /**
  * The preview's own camera (paper §3.6). It turns about the point that it looks at, and never touches the traced
@@ -19,10 +19,10 @@ public final class PreviewCamera {
     private static final double ZOOM_PER_CANVAS = 2;
     /** A drag over the whole canvas turns the scene by this angle, radians. */
     private static final double TURN_PER_CANVAS = Math.PI;
-    private static final double NEAREST = 1e-4;
-    private static final double FARTHEST = 1e9;
-    private static final double LEAST_LIGHT_FOV = 2;
-    private static final double MOST_LIGHT_FOV = 150;
+    private static final double MIN_DISTANCE = 1e-4;
+    private static final double MAX_DISTANCE = 1e9;
+    private static final double MIN_LIGHT_FOV = 2;
+    private static final double MAX_LIGHT_FOV = 150;
 
     private final Camera camera;
     private final Vec3 forward;
@@ -30,11 +30,11 @@ public final class PreviewCamera {
     private final double sin;
     private final double cos;
 
-    /** @param seen its direction that is up need not be at a right angle to the view */
-    public PreviewCamera(Camera seen) {
-        forward = seen.to().minus(seen.from()).normalized();
-        Vec3 side = forward.cross(seen.up().normalized()).normalized();
-        camera = new Camera(seen.from(), seen.to(), side.cross(forward).normalized(), seen.fov());
+    /** @param source its direction that is up need not be at a right angle to the view */
+    public PreviewCamera(Camera source) {
+        forward = source.to().minus(source.from()).normalized();
+        Vec3 side = forward.cross(source.up().normalized()).normalized();
+        camera = new Camera(source.from(), source.to(), side.cross(forward).normalized(), source.fov());
         right = forward.cross(camera.up()).normalized();
         sin = Transform.sinDegrees(camera.fov() / 2);
         cos = Transform.cosDegrees(camera.fov() / 2);
@@ -60,27 +60,27 @@ public final class PreviewCamera {
     }
 
     private static PreviewCamera along(Scene scene, Vec3 view, Vec3 up) {
-        Camera own = scene.camera();
-        double distance = own.to().minus(own.from()).length();
-        return new PreviewCamera(new Camera(own.to().minus(view.times(distance)), own.to(), up, own.fov()));
+        Camera sceneCamera = scene.camera();
+        double distance = sceneCamera.to().minus(sceneCamera.from()).length();
+        return new PreviewCamera(new Camera(sceneCamera.to().minus(view.times(distance)), sceneCamera.to(), up, sceneCamera.fov()));
     }
 
     /**
      * The scene as a light sees it: from its position along its direction, a spot's cone filling the picture. A point
      * light looks at what the scene's camera looks at; a directional one looks at it from the scene camera's distance.
      */
-    public static PreviewCamera through(Light light, Scene scene) {
-        Camera own = scene.camera();
-        double distance = own.to().minus(own.from()).length();
+    public static PreviewCamera throughLight(Light light, Scene scene) {
+        Camera sceneCamera = scene.camera();
+        double distance = sceneCamera.to().minus(sceneCamera.from()).length();
         Vec3 from = light.type().hasPosition() ? light.position()
-                : own.to().minus(light.direction().normalized().times(distance));
-        Vec3 aim = light.type().hasDirection() ? light.direction() : own.to().minus(from);
-        Vec3 view = aim.maxAbs() >= NEAREST ? aim.normalized() : new Vec3(0, 0, -1);
-        double reach = Math.max(own.to().minus(from).dot(view), distance * NEAREST);
+                : sceneCamera.to().minus(light.direction().normalized().times(distance));
+        Vec3 aim = light.type().hasDirection() ? light.direction() : sceneCamera.to().minus(from);
+        Vec3 view = aim.maxAbs() >= MIN_DISTANCE ? aim.normalized() : new Vec3(0, 0, -1);
+        double targetDistance = Math.max(sceneCamera.to().minus(from).dot(view), distance * MIN_DISTANCE);
         Vec3 up = Math.abs(view.y()) < 0.99 ? Vec3.Y : new Vec3(0, 0, -1);
-        double fov = light.type().isSurface() ? MOST_LIGHT_FOV
-                : light.type().hasCone() ? Math.clamp(2 * light.angle(), LEAST_LIGHT_FOV, MOST_LIGHT_FOV) : own.fov();
-        return new PreviewCamera(new Camera(from, from.plus(view.times(reach)), up, fov));
+        double fov = light.type().isSurface() ? MAX_LIGHT_FOV
+                : light.type().hasCone() ? Math.clamp(2 * light.angle(), MIN_LIGHT_FOV, MAX_LIGHT_FOV) : sceneCamera.fov();
+        return new PreviewCamera(new Camera(from, from.plus(view.times(targetDistance)), up, fov));
     }
 
     /** The unit direction of the view. */
@@ -119,14 +119,14 @@ public final class PreviewCamera {
     }
 
     /** The eye comes nearer (drag up) or goes away (down), by the same factor for the same way. */
-    public PreviewCamera zoomed(double upPixels, Viewport canvas) {
-        double wanted = distance() * Math.exp(-ZOOM_PER_CANVAS * upPixels / canvas.height());
-        double distance = Math.clamp(wanted, NEAREST, FARTHEST);
+    public PreviewCamera zoom(double upPixels, Viewport canvas) {
+        double requested = distance() * Math.exp(-ZOOM_PER_CANVAS * upPixels / canvas.height());
+        double distance = Math.clamp(requested, MIN_DISTANCE, MAX_DISTANCE);
         return moved(camera.to().minus(forward().times(distance)), camera.to(), camera.up());
     }
 
     /** The scene follows the mouse in the viewing plane through the point looked at. */
-    public PreviewCamera panned(double rightPixels, double upPixels, Viewport canvas) {
+    public PreviewCamera pan(double rightPixels, double upPixels, Viewport canvas) {
         double scale = pixelScale(distance(), canvas.height());
         Vec3 step = right().times(-rightPixels * scale).plus(up().times(-upPixels * scale));
         return moved(camera.from().plus(step), camera.to().plus(step), camera.up());
@@ -134,21 +134,21 @@ public final class PreviewCamera {
 
     /** The scene turns with the mouse as if it were enclosed in a sphere about the point looked at. */
     public PreviewCamera trackball(double rightPixels, double upPixels, Viewport canvas) {
-        double per = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
-        double angle = Math.hypot(rightPixels, upPixels) * per;
+        double radiansPerPixel = TURN_PER_CANVAS / Math.min(canvas.width(), canvas.height());
+        double angle = Math.hypot(rightPixels, upPixels) * radiansPerPixel;
         if (angle == 0) {
             return this;
         }
         // The near side of the scene goes with the mouse, so the eye goes the other way.
         Vec3 axis = up().times(-rightPixels).plus(right().times(upPixels)).normalized();
-        Vec3 eye = Rotation.about(axis, angle, camera.from().minus(camera.to()));
-        return moved(camera.to().plus(eye), camera.to(), Rotation.about(axis, angle, camera.up()));
+        Vec3 eye = VectorRotation.rotate(axis, angle, camera.from().minus(camera.to()));
+        return moved(camera.to().plus(eye), camera.to(), VectorRotation.rotate(axis, angle, camera.up()));
     }
 
     private PreviewCamera moved(Vec3 from, Vec3 to, Vec3 up) {
-        boolean allowed = from.maxAbs() <= Limits.MAX_COORDINATE && to.maxAbs() <= Limits.MAX_COORDINATE
-                && to.minus(from).maxAbs() >= NEAREST / 2;
-        return allowed ? new PreviewCamera(new Camera(from, to, up, camera.fov())) : this;
+        boolean isAllowed = from.maxAbs() <= SceneLimits.MAX_COORDINATE && to.maxAbs() <= SceneLimits.MAX_COORDINATE
+                && to.minus(from).maxAbs() >= MIN_DISTANCE / 2;
+        return isAllowed ? new PreviewCamera(new Camera(from, to, up, camera.fov())) : this;
     }
 
     @Override

@@ -22,8 +22,8 @@ public final class ScenePicker {
     }
 
     /** The picker of a scene, made of a geometry as far as that serves. */
-    public static ScenePicker of(Scene scene, Geometry known) {
-        return new ScenePicker(scene, known.forScene(scene, known.mirrors()));
+    public static ScenePicker of(Scene scene, Geometry geometry) {
+        return new ScenePicker(scene, geometry.forScene(scene, geometry.castsReflections()));
     }
 
     private ScenePicker(Scene scene, Geometry geometry) {
@@ -33,7 +33,7 @@ public final class ScenePicker {
 
     /** The picker of another scene, made of this one's as far as that serves. */
     public ScenePicker forScene(Scene other) {
-        return serves(other) ? this : new ScenePicker(other, geometry.forScene(other, MaterialTable.MIRRORS));
+        return isValidFor(other) ? this : new ScenePicker(other, geometry.forScene(other, MaterialTable.CASTS_REFLECTIONS));
     }
 
     /**
@@ -44,47 +44,47 @@ public final class ScenePicker {
      * @param normal of length 1, on the side of the eye
      * @param eye    from where it was seen
      */
-    public record Found(String shape, Vec3 point, Vec3 normal, Vec3 eye) {}
+    public record SurfaceHit(String shape, Vec3 point, Vec3 normal, Vec3 eye) {}
 
     /** Whether it finds what is in {@code other} too. */
-    public boolean serves(Scene other) {
-        return geometry.serves(other) && scene.camera().equals(other.camera()) && scene.picture().equals(other.picture());
+    public boolean isValidFor(Scene other) {
+        return geometry.canServe(other) && scene.camera().equals(other.camera()) && scene.picture().equals(other.picture());
     }
 
     /** The surface nearest to the eye of a view under a place; empty where there is none. */
-    public Optional<Found> at(PreviewCamera view, Viewport canvas, Viewport.Pixel place) {
+    public Optional<SurfaceHit> pick(PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         Vec3 eye = view.camera().from();
-        Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, place.x(), place.y()));
+        Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, point.x(), point.y()));
         // The eye may lie outside the scene's box, where the tree of boxes promises nothing.
-        return found(geometry.nearestInTurn(ray), ray, eye);
+        return toHit(geometry.nearestLinear(ray), ray, eye);
     }
 
     /** What stands between a place of a surface and a light, the nearest to the surface; empty where nothing does. */
-    public Optional<Found> between(Found at, Light light) {
-        boolean far = !light.type().hasPosition();
-        Vec3 way = far ? light.direction().negated() : light.position().minus(at.point());
+    public Optional<SurfaceHit> findOccluder(SurfaceHit surface, Light light) {
+        boolean isDirectional = !light.type().hasPosition();
+        Vec3 toLight = isDirectional ? light.direction().negated() : light.position().minus(surface.point());
         // The ray leaves the surface from a little above it, so as not to meet that again.
-        double off = OFF_SURFACE * at.point().minus(at.eye()).length();
-        Vec3 from = at.point().plus(at.normal().times(off));
-        Ray ray = new Ray(geometry.toRenderSpace(from), way.normalized());
-        return found(geometry.nearest(ray), ray, from).filter(f -> far || f.point().minus(from).length() < way.length());
+        double offset = OFF_SURFACE * surface.point().minus(surface.eye()).length();
+        Vec3 from = surface.point().plus(surface.normal().times(offset));
+        Ray ray = new Ray(geometry.toRenderSpace(from), toLight.normalized());
+        return toHit(geometry.nearest(ray), ray, from).filter(f -> isDirectional || f.point().minus(from).length() < toLight.length());
     }
 
-    private Optional<Found> found(int shape, Ray ray, Vec3 eye) {
+    private Optional<SurfaceHit> toHit(int shape, Ray ray, Vec3 eye) {
         if (shape < 0) {
             return Optional.empty();
         }
         SurfacePoint at = geometry.surface(shape, ray);
         Vec3 point = geometry.toScene(new Vec3(at.px(), at.py(), at.pz()));
-        return Optional.of(new Found(geometry.shape(shape).name(), point, new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
+        return Optional.of(new SurfaceHit(geometry.shape(shape).name(), point, new Vec3(at.nx(), at.ny(), at.nz()).normalized(), eye));
     }
 
     /** The surface in the middle of the traced picture's pixel (x, y), by the tree of boxes; empty where there is none. */
-    public Optional<Found> atPixel(int x, int y) {
+    public Optional<SurfaceHit> pickPixel(int x, int y) {
         var canvas = new Viewport(scene.picture().width(), scene.picture().height());
         var view = PreviewCamera.of(scene);
         Vec3 eye = view.camera().from();
         Ray ray = new Ray(geometry.toRenderSpace(eye), canvas.direction(view, x + 0.5, y + 0.5));
-        return found(geometry.nearest(ray), ray, eye);
+        return toHit(geometry.nearest(ray), ray, eye);
     }
 }

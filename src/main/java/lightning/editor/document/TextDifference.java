@@ -8,7 +8,7 @@ import java.util.List;
 /** Two texts line by line, side by side: lines that both have stand in one row. */
 public final class TextDifference {
     /** The product of the numbers of lines that are compared at most. What differs more is told as all different. */
-    private static final long MOST_PAIRS = 16L << 20;
+    private static final long MAX_PAIRS = 16L << 20;
 
     private TextDifference() {}
 
@@ -30,19 +30,20 @@ public final class TextDifference {
     public static List<Row> rows(String mine, String theirs) {
         List<String> a = mine.lines().toList();
         List<String> b = theirs.lines().toList();
-        int head = 0;
-        while (head < Math.min(a.size(), b.size()) && a.get(head).equals(b.get(head))) {
-            head++;
+        int commonHead = 0;
+        while (commonHead < Math.min(a.size(), b.size()) && a.get(commonHead).equals(b.get(commonHead))) {
+            commonHead++;
         }
-        int tail = 0;
-        while (tail < Math.min(a.size(), b.size()) - head && a.get(a.size() - 1 - tail).equals(b.get(b.size() - 1 - tail))) {
-            tail++;
+        int commonTail = 0;
+        while (commonTail < Math.min(a.size(), b.size()) - commonHead
+                && a.get(a.size() - 1 - commonTail).equals(b.get(b.size() - 1 - commonTail))) {
+            commonTail++;
         }
-        List<String> middleA = a.subList(head, a.size() - tail);
-        List<String> middleB = b.subList(head, b.size() - tail);
-        var rows = new Rows(a, b);
-        rows.add(head, head);
-        if ((long) middleA.size() * middleB.size() > MOST_PAIRS) {
+        List<String> middleA = a.subList(commonHead, a.size() - commonTail);
+        List<String> middleB = b.subList(commonHead, b.size() - commonTail);
+        var rows = new RowBuilder(a, b);
+        rows.add(commonHead, commonHead);
+        if ((long) middleA.size() * middleB.size() > MAX_PAIRS) {
             rows.add(middleA.size(), middleB.size());
         } else {
             // Neighboring changes are one: the algorithm may split a changed block into single lines that are deleted and inserted.
@@ -63,19 +64,19 @@ public final class TextDifference {
             rows.add(onlyA, onlyB);
             rows.add(middleA.size() - end, middleA.size() - end);
         }
-        rows.add(tail, tail);
-        return rows.all;
+        rows.add(commonTail, commonTail);
+        return rows.rows;
     }
 
     /** Rows so far, and how many lines of each text they hold. */
-    private static final class Rows {
-        private final List<Row> all = new ArrayList<>();
+    private static final class RowBuilder {
+        private final List<Row> rows = new ArrayList<>();
         private final List<String> mine;
         private final List<String> theirs;
-        private int mineDone;
-        private int theirsDone;
+        private int mineCount;
+        private int theirsCount;
 
-        Rows(List<String> mine, List<String> theirs) {
+        RowBuilder(List<String> mine, List<String> theirs) {
             this.mine = mine;
             this.theirs = theirs;
         }
@@ -85,10 +86,10 @@ public final class TextDifference {
             for (int i = 0; i < Math.max(mineLines, theirsLines); i++) {
                 boolean left = i < mineLines;
                 boolean right = i < theirsLines;
-                all.add(new Row(left ? mineDone + 1 : 0, left ? mine.get(mineDone) : "",
-                        right ? theirsDone + 1 : 0, right ? theirs.get(theirsDone) : ""));
-                mineDone += left ? 1 : 0;
-                theirsDone += right ? 1 : 0;
+                rows.add(new Row(left ? mineCount + 1 : 0, left ? mine.get(mineCount) : "",
+                        right ? theirsCount + 1 : 0, right ? theirs.get(theirsCount) : ""));
+                mineCount += left ? 1 : 0;
+                theirsCount += right ? 1 : 0;
             }
         }
     }

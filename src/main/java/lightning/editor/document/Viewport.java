@@ -1,7 +1,7 @@
 package lightning.editor.document;
 
 import lightning.base.math.Vec3;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /**
  * The size of a picture on the screen, pixels, and where the points of a scene fall on it.
@@ -12,7 +12,7 @@ import lightning.base.text.Texts;
 public record Viewport(double width, double height) {
     public Viewport {
         if (!(width >= 1 && height >= 1)) {
-            throw new IllegalArgumentException(Texts.of("a canvas is at least 1 × 1 pixel, was {0} × {1}", width, height));
+            throw new IllegalArgumentException(Messages.tr("a canvas is at least 1 × 1 pixel, was {0} × {1}", width, height));
         }
     }
 
@@ -24,10 +24,10 @@ public record Viewport(double width, double height) {
     }
 
     /** Where a point before the eye falls; outside the canvas where it is out of view. */
-    public Pixel pixel(PreviewCamera view, Vec3 point) {
+    public Pixel project(PreviewCamera view, Vec3 point) {
         double scale = view.pixelScale(view.depth(point), height);
-        Vec3 way = point.minus(view.camera().from());
-        return new Pixel(width / 2 + way.dot(view.right()) / scale, height / 2 - way.dot(view.up()) / scale);
+        Vec3 offset = point.minus(view.camera().from());
+        return new Pixel(width / 2 + offset.dot(view.right()) / scale, height / 2 - offset.dot(view.up()) / scale);
     }
 
     /** The unit direction from the eye through a place. */

@@ -9,18 +9,18 @@ import java.util.function.Consumer;
 import java.util.function.LongFunction;
 import java.util.function.Supplier;
 import lightning.editor.loop.CoarsePicture;
+import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.editor.loop.Look;
 import lightning.editor.loop.RenderFeed;
 import lightning.editor.loop.RenderListener;
 import lightning.editor.loop.RenderLoop;
 import lightning.editor.loop.RenderState;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Light;
 import lightning.scene.Scene;
-import lightning.scene.VisiblePart;
+import lightning.scene.VisibleState;
 import lightning.scene.shot.AnimatedScene;
 
 /**
@@ -30,47 +30,47 @@ import lightning.scene.shot.AnimatedScene;
  * <p>Belongs to the window's thread; what the render loop tells, and what comes of files, is brought there.
  */
 public final class Workbench implements AutoCloseable {
-    private final Runnable changed;
+    private final Runnable changeListener;
     private final RenderLoop loop;
     private final FileThread files;
-    private final ArrayDeque<Runnable> saves = new ArrayDeque<>();
+    private final ArrayDeque<Runnable> pendingSaves = new ArrayDeque<>();
     private final Autosave autosave;
     private OpenDocument document;
     private final RenderFeed feed;
-    private final Runnable progressed;
+    private final Runnable progressListener;
     /** The picture and how far it is, as heard last. */
-    private RenderState rendering = RenderState.NONE;
-    private long opened;
-    private Optional<Scene> previous = Optional.empty();
-    private Optional<Scene> inWork = Optional.empty();
-    private Optional<Light> copied = Optional.empty();
-    private boolean verifying;
-    private boolean live;
-    private boolean animating;
-    private boolean way;
+    private RenderState renderState = RenderState.NONE;
+    private long openCount;
+    private Optional<Scene> previousScene = Optional.empty();
+    private Optional<Scene> sceneInProgress = Optional.empty();
+    private Optional<Light> copiedLight = Optional.empty();
+    private boolean isVerifying;
+    private boolean isLive;
+    private boolean isAnimating;
+    private boolean motionRecorded;
 
     /**
      * @param document what is open first; it is rendered by {@link #go()}
      * @param files      reads and writes the document; its window's thread is the one that the workbench belongs to
-     * @param changed    called there after every change of what the workbench tells
-     * @param progressed called there where nothing but {@link #rendering} is another
+     * @param changeListener    called there after every change of what the workbench tells
+     * @param progressListener called there where nothing but {@link #renderState} is another
      * @param canvas     hears the render loop on its own threads, before the workbench does
-     * @param trouble    hears, on the autosave thread, why edits could not be kept
+     * @param failureListener    hears, on the autosave thread, why edits could not be kept
      */
-    public Workbench(OpenDocument document, Options options, Recovery recovery, FileThread files, Runnable changed,
-            Runnable progressed, RenderListener canvas, Consumer<Throwable> trouble) {
+    public Workbench(OpenDocument document, RenderOptions options, RecoveryFolder recovery, FileThread files, Runnable changeListener,
+            Runnable progressListener, RenderListener canvas, Consumer<Throwable> failureListener) {
         this.document = document;
-        this.changed = changed;
-        this.progressed = progressed;
+        this.changeListener = changeListener;
+        this.progressListener = progressListener;
         this.files = files;
-        autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, trouble);
-        feed = new RenderFeed(files.window(), canvas, this::hear);
+        autosave = new Autosave(recovery, Autosave.DEFAULT_DELAY, failureListener);
+        feed = new RenderFeed(files.windowExecutor(), canvas, this::renderStateChanged);
         loop = new RenderLoop(options, feed);
     }
 
     /** Before the document is rendered: what is being looked at of it is not traced again. */
-    public void begin(Future<Optional<CoarsePicture>> seen) {
-        loop.begin(seen);
+    public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
+        loop.setStartupPreview(preview);
     }
 
     public OpenDocument document() {
@@ -78,110 +78,111 @@ public final class Workbench implements AutoCloseable {
     }
 
     /** The picture, and how far the next one is. */
-    public RenderState rendering() {
-        return rendering;
+    public RenderState renderState() {
+        return renderState;
     }
 
     /** The picture rendered last; its film may be written over by now. */
     public Optional<Frame> frame() {
-        return Optional.ofNullable(rendering.frame());
+        return Optional.ofNullable(renderState.frame());
     }
 
-    /** What is kept of the picture: see {@link RenderLoop#known}. On any thread. */
-    public Optional<PixelCache> known() {
-        return loop.known();
+    /** What is kept of the picture: see {@link RenderLoop#cache}. On any thread. */
+    public Optional<PixelCache> cache() {
+        return loop.cache();
     }
 
-    private void hear() {
-        Frame before = rendering.frame();
-        boolean worked = inWork.isPresent();
-        boolean verified = verifying;
+    private void renderStateChanged() {
+        Frame before = renderState.frame();
+        boolean wasRendering = sceneInProgress.isPresent();
+        boolean wasVerifying = isVerifying;
         refresh();
-        boolean same = rendering.frame() == before && inWork.isPresent() == worked && verifying == verified;
-        (same ? progressed : changed).run();
+        boolean isSame = renderState.frame() == before && sceneInProgress.isPresent() == wasRendering && isVerifying == wasVerifying;
+        (isSame ? progressListener : changeListener).run();
     }
 
     /** Looks at what the loop does, and then at what it has told: what it finished before the first is in the second. */
     private void refresh() {
-        boolean busy = loop.isBusy();
-        verifying = loop.isVerifying();
-        inWork = busy ? inWork : Optional.empty();
-        RenderState now = feed.state();
-        if (now.frame() != null && now.frame() != rendering.frame()) {
-            Optional<Scene> shown = frame().map(Frame::scene);
-            previous = shown.filter(s -> !VisiblePart.same(s, now.frame().scene())).or(() -> previous);
+        boolean isBusy = loop.isBusy();
+        isVerifying = loop.isVerifying();
+        sceneInProgress = isBusy ? sceneInProgress : Optional.empty();
+        RenderState newState = feed.state();
+        if (newState.frame() != null && newState.frame() != renderState.frame()) {
+            Optional<Scene> shownScene = frame().map(Frame::scene);
+            previousScene = shownScene.filter(s -> !VisibleState.isSame(s, newState.frame().scene())).or(() -> previousScene);
         }
-        rendering = now;
+        renderState = newState;
     }
 
     /** The edit made last; empty where there is none, or it made another picture of it. */
     public Optional<LastEdit> lastEdit() {
-        return LastEdit.of(document.scene(), frame().map(Frame::scene), previous);
+        return LastEdit.of(document.scene(), frame().map(Frame::scene), previousScene);
     }
 
     /** What decides which commands are enabled. */
-    public Situation situation() {
-        return Situation.of(document, frame()).withInWork(inWork).withVerifying(verifying).withCopied(copied)
-                .withAnimating(animating).withWay(way);
+    public EditorState editorState() {
+        return EditorState.of(document, frame()).withSceneInProgress(sceneInProgress).withVerifying(isVerifying)
+                .withCopiedLight(copiedLight)
+                .withAnimating(isAnimating).withMotionRecorded(motionRecorded);
     }
 
     /** Puts another document in place of the open one and renders it. The open one's unsaved edits are lost. */
     public void open(OpenDocument other) {
-        opened++;
-        feed.open(opened);
-        loop.open(other.scene(), opened);
-        inWork = Optional.of(other.scene());
-        autosave.forget();
+        openCount++;
+        feed.open(openCount);
+        loop.open(other.scene(), openCount);
+        sceneInProgress = Optional.of(other.scene());
+        autosave.discard();
         document = other;
-        rendering = RenderState.NONE;
-        previous = Optional.empty();
-        animating = false;
-        way = false;
-        autosave.changed(document);
-        changed.run();
+        renderState = RenderState.NONE;
+        previousScene = Optional.empty();
+        isAnimating = false;
+        motionRecorded = false;
+        autosave.documentChanged(document);
+        changeListener.run();
     }
 
     /** Opens what a crash left unsaved: see {@link OpenDocument#recover}. Until it is saved it can be recovered again. */
-    public void recover(Recovery.Found found, OpenDocument recovered) {
+    public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
         open(recovered);
-        autosave.adopt(found);
+        autosave.adopt(recoverable);
     }
 
     /** Makes an edit unless it was refused; returns the reason if it was. Live, the edit is rendered at once. */
-    public Optional<String> edit(Change change) {
+    public Optional<String> edit(EditOutcome change) {
         return edit(change, null);
     }
 
-    /** The same as part of a gesture: see {@link History#edit(Scene, Object)}. */
-    public Optional<String> edit(Change change, Object gesture) {
+    /** The same as part of a gesture: see {@link EditHistory#edit(Scene, Object)}. */
+    public Optional<String> edit(EditOutcome change, Object gesture) {
         Optional<String> refusal = document.apply(change, gesture);
         if (refusal.isEmpty()) {
-            edited();
+            afterEdit();
         }
         return refusal;
     }
 
     /** The same as a step of its own, and selects something then: who shows the document hears of both at once. */
-    public Optional<String> editAndSelect(Change change, Selection then) {
+    public Optional<String> editAndSelect(EditOutcome change, Selection selection) {
         Optional<String> refusal = document.apply(change, null);
         if (refusal.isEmpty()) {
-            document.select(then);
-            edited();
+            document.select(selection);
+            afterEdit();
         }
         return refusal;
     }
 
-    /** Makes an edit of the scene with its shot: see {@link OpenDocument#applyToAll}. */
-    public Optional<String> editAll(Supplier<AnimatedScene> edit, Object gesture) {
+    /** Makes an edit of the scene with its shot: see {@link OpenDocument#applyToShot}. */
+    public Optional<String> editShot(Supplier<AnimatedScene> edit, Object gesture) {
         Scene before = document.scene();
-        Optional<String> refusal = document.applyToAll(edit, gesture);
+        Optional<String> refusal = document.applyToShot(edit, gesture);
         if (refusal.isEmpty()) {
-            boolean same = document.scene().equals(before);
-            autosave.changed(document);
-            if (!same) {
+            boolean isSameScene = document.scene().equals(before);
+            autosave.documentChanged(document);
+            if (!isSameScene) {
                 renderIfLive();
             }
-            changed.run();
+            changeListener.run();
         }
         return refusal;
     }
@@ -195,46 +196,46 @@ public final class Workbench implements AutoCloseable {
 
     public void undo() {
         document.history().undo();
-        edited();
+        afterEdit();
     }
 
     public void redo() {
         document.history().redo();
-        edited();
+        afterEdit();
     }
 
-    /** Undoes or does again until so many of the document's steps are done: see {@link History#goTo}. */
+    /** Undoes or does again until so many of the document's steps are done: see {@link EditHistory#goTo}. */
     public void goTo(int position) {
         document.history().goTo(position);
-        edited();
+        afterEdit();
     }
 
-    /** The same of the selected light alone; returns the reason if it could not: see {@link History#goToOfLight}. */
-    public Optional<String> goToOfLight(int position) {
-        return ofSelected(id -> document.history().goToOfLight(id, position));
+    /** The same of the selected light alone; returns the reason if it could not: see {@link EditHistory#goToLightStep}. */
+    public Optional<String> goToLightStep(int position) {
+        return editSelectedLight(id -> document.history().goToLightStep(id, position));
     }
 
     /** Takes back the last edit of the selected light alone; returns the reason if it could not. */
     public Optional<String> undoLight() {
-        return ofSelected(document.history()::undoLight);
+        return editSelectedLight(document.history()::undoLight);
     }
 
     /** Does again what was undone last of the selected light; returns the reason if it could not. */
     public Optional<String> redoLight() {
-        return ofSelected(document.history()::redoLight);
+        return editSelectedLight(document.history()::redoLight);
     }
 
-    private Optional<String> ofSelected(LongFunction<Change> step) {
-        document.settleSelection();
+    private Optional<String> editSelectedLight(LongFunction<EditOutcome> step) {
+        document.resolveSelection();
         long id = document.selectedLight().map(l -> document.history().id(l.name())).orElse(-1L);
         Optional<String> refusal = step.apply(id).refusal();
-        edited();
+        afterEdit();
         return refusal;
     }
 
     public void select(Selection selection) {
         document.select(selection);
-        changed.run();
+        changeListener.run();
     }
 
     /** Selects the light of that name; nothing if there is none. */
@@ -244,86 +245,87 @@ public final class Workbench implements AutoCloseable {
 
     /** Keeps the selected light's settings for {@link #pasteSettings}. */
     public void copySettings() {
-        copied = document.selectedLight();
-        changed.run();
+        copiedLight = document.selectedLight();
+        changeListener.run();
     }
 
     /** Gives the selected light the settings copied last; returns the reason if it could not. */
     public Optional<String> pasteSettings() {
         Optional<Light> selected = document.selectedLight();
-        return selected.isEmpty() || copied.isEmpty() ? Command.PASTE_SETTINGS.obstacle(situation())
-                : edit(LightEdits.paste(document.scene(), selected.get().name(), copied.get()));
+        return selected.isEmpty() || copiedLight.isEmpty() ? Command.PASTE_SETTINGS.disabledReason(editorState())
+                : edit(LightEdits.pasteSettings(document.scene(), selected.get().name(), copiedLight.get()));
     }
 
     /**
-     * Saves to a file, that of the document or another, after all saves asked for before: see {@link SceneWriting#write}.
+     * Saves to a file, that of the document or another, after all saves asked for before: see {@link SaveRequest#write}.
      *
-     * @param ended hears why the scene could not be written; nothing where it was
+     * @param completion hears why the scene could not be written; nothing where it was
      */
-    public void saveAs(Path file, Set<Consent> allowed, Consumer<Optional<Throwable>> ended) {
-        OpenDocument saved = document;
-        saves.add(() -> write(saved, file, allowed, ended));
-        if (saves.size() == 1) {
-            saves.element().run();
+    public void saveAs(Path file, Set<OverwriteConfirmation> allowed, Consumer<Optional<Throwable>> completion) {
+        OpenDocument savedDocument = document;
+        pendingSaves.add(() -> write(savedDocument, file, allowed, completion));
+        if (pendingSaves.size() == 1) {
+            pendingSaves.element().run();
         }
     }
 
-    private void write(OpenDocument saved, Path file, Set<Consent> allowed, Consumer<Optional<Throwable>> ended) {
-        files.inTurn(saved.writing(file, allowed)::write, now -> {
-            saved.written(now);
-            kept();
+    private void write(OpenDocument savedDocument, Path file, Set<OverwriteConfirmation> allowed,
+            Consumer<Optional<Throwable>> completion) {
+        files.runInOrder(savedDocument.prepareSave(file, allowed)::write, newSaved -> {
+            savedDocument.onSaved(newSaved);
+            contentChanged();
             saveNext();
-            ended.accept(Optional.empty());
-        }, why -> {
+            completion.accept(Optional.empty());
+        }, failure -> {
             saveNext();
-            ended.accept(Optional.of(why));
+            completion.accept(Optional.of(failure));
         });
     }
 
     private void saveNext() {
-        saves.remove();
-        if (!saves.isEmpty()) {
-            saves.element().run();
+        pendingSaves.remove();
+        if (!pendingSaves.isEmpty()) {
+            pendingSaves.element().run();
         }
     }
 
     /** Whether a save is not written yet. */
     public boolean isSaving() {
-        return !saves.isEmpty();
+        return !pendingSaves.isEmpty();
     }
 
     /** Takes what was seen of the document's file on disk. */
-    public void hear(DiskNews news) {
-        document.hear(news);
-        changed.run();
+    public void setDiskStatus(DiskStatus status) {
+        document.setDiskStatus(status);
+        changeListener.run();
     }
 
-    /** Stays with the open scene although its file was changed: see {@link OpenDocument#keepAgainstNews}. */
-    public void keepAgainstNews() {
-        document.keepAgainstNews();
-        kept();
+    /** Stays with the open scene although its file was changed: see {@link OpenDocument#ignoreDiskChange}. */
+    public void ignoreDiskChange() {
+        document.ignoreDiskChange();
+        contentChanged();
     }
 
     /**
      * Starts over with the file as it is on disk and renders it.
      *
-     * @param ended hears why the file could not be read; nothing where it was. Not told where another document is open by then
+     * @param completion hears why the file could not be read; nothing where it was. Not told where another document is open by then
      */
-    public void reload(Consumer<Optional<Throwable>> ended) {
-        OpenDocument old = document;
-        files.inTurn(() -> SavedScene.read(old.file()), now -> {
-            if (old == document) {
-                old.reloaded(now);
-                kept();
+    public void reload(Consumer<Optional<Throwable>> completion) {
+        OpenDocument reloadedDocument = document;
+        files.runInOrder(() -> SavedScene.read(reloadedDocument.file()), newSaved -> {
+            if (reloadedDocument == document) {
+                reloadedDocument.onReloaded(newSaved);
+                contentChanged();
                 go();
-                ended.accept(Optional.empty());
+                completion.accept(Optional.empty());
             }
-        }, why -> ended.accept(Optional.of(why)));
+        }, failure -> completion.accept(Optional.of(failure)));
     }
 
-    private void kept() {
-        autosave.changed(document);
-        changed.run();
+    private void contentChanged() {
+        autosave.documentChanged(document);
+        changeListener.run();
     }
 
     /** Renders the document's scene. */
@@ -333,42 +335,42 @@ public final class Workbench implements AutoCloseable {
 
     /** Renders a scene that is not the document's, as an animation's frame. */
     public void show(Scene scene) {
-        inWork = Optional.of(scene);
+        sceneInProgress = Optional.of(scene);
         loop.render(scene);
-        changed.run();
+        changeListener.run();
     }
 
     public void updateReflections() {
-        inWork = Optional.of(inWork.orElseGet(() -> frame().map(Frame::scene).orElse(document.scene())));
+        sceneInProgress = Optional.of(sceneInProgress.orElseGet(() -> frame().map(Frame::scene).orElse(document.scene())));
         loop.updateReflections();
-        changed.run();
+        changeListener.run();
     }
 
     public void verify() {
-        verifying = frame().isPresent();
+        isVerifying = frame().isPresent();
         loop.verify();
-        changed.run();
+        changeListener.run();
     }
 
     /** Stops what runs and forgets what waits. */
     public void cancel() {
         if (loop.cancel()) {
-            feed.cancelledUnbegun();
+            feed.waitingRenderCanceled();
         }
         refresh();
-        changed.run();
+        changeListener.run();
     }
 
     /** Another accuracy: what is known of the picture serves on. */
-    public void reopen(Options options) {
-        inWork = Optional.of(document.scene());
-        loop.reopen(options, document.scene());
-        changed.run();
+    public void changeOptions(RenderOptions options) {
+        sceneInProgress = Optional.of(document.scene());
+        loop.changeOptions(options, document.scene());
+        changeListener.run();
     }
 
-    /** Shows the picture in another way: see {@link RenderLoop#setLook}. */
-    public void setLook(Look look) {
-        loop.setLook(look);
+    /** Shows the picture in another way: see {@link RenderLoop#setDisplayMode}. */
+    public void setDisplayMode(DisplayMode mode) {
+        loop.setDisplayMode(mode);
     }
 
     /** See {@link RenderLoop#setView}. */
@@ -378,39 +380,39 @@ public final class Workbench implements AutoCloseable {
 
     /** Whether every edit is rendered at once; off at first (paper §3.3). */
     public boolean isLive() {
-        return live;
+        return isLive;
     }
 
     /** Switched on, renders what is pending. */
     public void setLive(boolean v) {
-        live = v;
+        isLive = v;
         renderIfLive();
-        changed.run();
+        changeListener.run();
     }
 
     /** Whether an animation is open, which holds back the commands that change the document. */
     public void setAnimating(boolean v) {
-        animating = v;
-        way &= v;
-        changed.run();
+        isAnimating = v;
+        motionRecorded &= v;
+        changeListener.run();
     }
 
     /** Whether the open animation has a way. */
-    public void setWay(boolean v) {
-        way = v;
-        changed.run();
+    public void setMotionRecorded(boolean v) {
+        motionRecorded = v;
+        changeListener.run();
     }
 
-    private void edited() {
-        document.settleFrame();
-        autosave.changed(document);
+    private void afterEdit() {
+        document.clampFrame();
+        autosave.documentChanged(document);
         renderIfLive();
-        changed.run();
+        changeListener.run();
     }
 
     private void renderIfLive() {
-        if (live && Command.GO.isEnabled(situation())) {
-            inWork = Optional.of(document.scene());
+        if (isLive && Command.GO.isEnabled(editorState())) {
+            sceneInProgress = Optional.of(document.scene());
             loop.render(document.scene());
         }
     }
@@ -419,7 +421,7 @@ public final class Workbench implements AutoCloseable {
     @Override
     public void close() {
         loop.close();
-        autosave.forget();
+        autosave.discard();
         autosave.close();
     }
 }

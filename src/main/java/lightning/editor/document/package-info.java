@@ -4,11 +4,11 @@
  *
  * <pre>{@code
  * OpenDocument document = OpenDocument.open(Path.of("scenes/bird.jen"));
- * document.apply(LightEdits.with(document.scene(), "lamp", light -> light.withIntensity(1.2)));
+ * document.apply(LightEdits.edit(document.scene(), "lamp", light -> light.withIntensity(1.2)));
  * document.undo();
  * }</pre>
  *
- * <p>An edit is a function from a scene to a {@link lightning.editor.document.Change}: another scene, or the reason why there is
+ * <p>An edit is a function from a scene to a {@link lightning.editor.document.EditOutcome}: another scene, or the reason why there is
  * none. Pixels count from the left and from the top of a canvas; angles are in degrees unless a name says radians.
  * Nothing here is safe for several threads but {@link lightning.editor.loop.RenderLoop} and {@link lightning.editor.document.Autosave}.
  */

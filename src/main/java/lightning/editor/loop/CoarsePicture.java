@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.render.relight.PictureTooLarge;
+import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
-import lightning.scene.Antialias;
-import lightning.scene.Picture;
-import lightning.scene.Sampling;
+import lightning.scene.AntialiasMode;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
 /**
@@ -25,45 +25,45 @@ import lightning.scene.Scene;
  */
 public record CoarsePicture(Scene scene, Geometry geometry, Film film) {
     /** So many pixels coarse pictures have, about: the first is there at once in a process that has compiled nothing yet. */
-    private static final List<Integer> PIXELS = List.of(2_000, 30_000);
+    private static final List<Integer> PIXEL_COUNTS = List.of(2_000, 30_000);
     /** A picture of fewer samples for each pixel of a coarse one is there before that could be looked at. */
-    private static final int LEAST_SHARE = 16;
+    private static final int MIN_SAMPLES_PER_PIXEL = 16;
 
     /**
-     * The first look, before anything renders the scene; it can be handed to what does ({@link RenderLoop#begin}).
+     * The first look, before anything renders the scene; it can be handed to what does ({@link RenderLoop#setStartupPreview}).
      *
      * @return empty where the picture itself is there as soon, or too large to be made
      */
-    public static Optional<CoarsePicture> first(Scene scene, Options options) {
+    public static Optional<CoarsePicture> first(Scene scene, RenderOptions options) {
         try (var renderer = new Renderer(options)) {
-            renderer.check(scene, 0);
+            renderer.requireMemory(scene, 0);
             return sizes(scene.picture()).stream().findFirst()
-                    .map(pixels -> of(scene, pixels, renderer::prepare, options.threads(), Progress.NONE));
-        } catch (PictureTooLarge e) {
+                    .map(pixels -> trace(scene, pixels, renderer::prepare, options.threads(), Progress.NONE));
+        } catch (PictureTooLargeException e) {
             return Optional.empty();
         }
     }
 
     /** How many pixels the coarse pictures have that are worth a look, the least first. */
-    static List<Integer> sizes(Picture picture) {
-        Sampling sampling = picture.sampling();
-        double samples = pixels(picture) * (sampling.antialias() == Antialias.EVERY ? sampling.perPixel() : 1);
-        return PIXELS.stream().filter(pixels -> samples / pixels >= LEAST_SHARE).toList();
+    static List<Integer> sizes(PictureSettings picture) {
+        SamplingSettings sampling = picture.sampling();
+        double samples = pixels(picture) * (sampling.antialias() == AntialiasMode.EVERY ? sampling.samplesPerPixel() : 1);
+        return PIXEL_COUNTS.stream().filter(pixels -> samples / pixels >= MIN_SAMPLES_PER_PIXEL).toList();
     }
 
-    /** @param prepared what the rays of a scene can meet */
-    static CoarsePicture of(Scene scene, int pixels, Function<Scene, Geometry> prepared, int threads, Progress progress) {
-        Picture picture = scene.picture();
+    /** @param geometryOf what the rays of a scene can meet */
+    static CoarsePicture trace(Scene scene, int pixels, Function<Scene, Geometry> geometryOf, int threads, Progress progress) {
+        PictureSettings picture = scene.picture();
         double shrink = Math.max(1, Math.sqrt(pixels(picture) / pixels));
         Scene small = scene.withPicture(picture.withSize(side(picture.width() / shrink), side(picture.height() / shrink))
-                .withSampling(Sampling.DEFAULT));
-        Geometry geometry = prepared.apply(small);
-        try (var workers = new Workers(threads)) {
+                .withSampling(SamplingSettings.DEFAULT));
+        Geometry geometry = geometryOf.apply(small);
+        try (var workers = new WorkerPool(threads)) {
             return new CoarsePicture(scene, geometry, new TraditionalTracer(small, geometry).trace(workers, progress).film());
         }
     }
 
-    private static double pixels(Picture picture) {
+    private static double pixels(PictureSettings picture) {
         return (double) picture.width() * picture.height();
     }
 

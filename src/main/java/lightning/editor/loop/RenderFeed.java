@@ -17,30 +17,30 @@ import lightning.scene.Scene;
  */
 public final class RenderFeed implements RenderListener {
     /** How far a work is is told so often at most, nanoseconds: the window's thread takes a processor from the work each time. */
-    private static final long STEP_NS = 40_000_000;
+    private static final long REPORT_INTERVAL_NS = 40_000_000;
 
     private final Executor window;
     private final RenderListener canvas;
-    private final Runnable heard;
-    private final AtomicBoolean hopping = new AtomicBoolean();
+    private final Runnable stateListener;
+    private final AtomicBoolean notificationPending = new AtomicBoolean();
     /** When it was last told how far a work is, or that one begins. */
-    private final AtomicLong toldAt = new AtomicLong(System.nanoTime());
+    private final AtomicLong lastReportNs = new AtomicLong(System.nanoTime());
     /** Held while the canvas is filled, so that it is emptied after what it shows of the document before. */
-    private final Object filling = new Object();
+    private final Object canvasLock = new Object();
     private RenderState state = RenderState.NONE;
     /** The number of the document that is open, and of that whose forerunners the loop has dropped. */
-    private long open;
-    private long dropped;
+    private long openDocument;
+    private long currentDocument;
 
     /**
      * @param window runs tasks in turn on the window's thread
      * @param canvas hears all on the loop's threads, where it holds up nobody, before the window does
-     * @param heard  hears on the window's thread that the state is another
+     * @param stateListener  hears on the window's thread that the state is another
      */
-    public RenderFeed(Executor window, RenderListener canvas, Runnable heard) {
+    public RenderFeed(Executor window, RenderListener canvas, Runnable stateListener) {
         this.window = window;
         this.canvas = canvas;
-        this.heard = heard;
+        this.stateListener = stateListener;
     }
 
     /** What was told, up to now. */
@@ -48,62 +48,62 @@ public final class RenderFeed implements RenderListener {
         return state;
     }
 
-    /** Another document takes the place of the one before; {@link #forgotten} with its number tells that the loop has left that. */
+    /** Another document takes the place of the one before; {@link #pictureDropped} with its number tells that the loop has left that. */
     public void open(long number) {
         synchronized (this) {
-            open = number;
+            openDocument = number;
             state = RenderState.NONE;
         }
-        synchronized (filling) {
-            canvas.forgotten(number);
+        synchronized (canvasLock) {
+            canvas.pictureDropped(number);
         }
     }
 
     /** What waited was cancelled, also where the loop has not left the document before. */
-    public synchronized void cancelledUnbegun() {
-        state = state.stopped(null);
+    public synchronized void waitingRenderCanceled() {
+        state = state.withStop(null);
     }
 
-    private synchronized boolean isOfTheOpenDocument() {
-        return dropped == open;
+    private synchronized boolean isOpenDocumentCurrent() {
+        return currentDocument == openDocument;
     }
 
-    private void fill(Runnable step) {
-        synchronized (filling) {
-            if (isOfTheOpenDocument()) {
+    private void updateCanvas(Runnable step) {
+        synchronized (canvasLock) {
+            if (isOpenDocumentCurrent()) {
                 step.run();
             }
         }
     }
 
     /** Returns whether it is of the open document. */
-    private synchronized boolean note(UnaryOperator<RenderState> change) {
-        boolean open = isOfTheOpenDocument();
-        state = open ? change.apply(state) : state;
-        return open;
+    private synchronized boolean changeState(UnaryOperator<RenderState> change) {
+        boolean isCurrent = isOpenDocumentCurrent();
+        state = isCurrent ? change.apply(state) : state;
+        return isCurrent;
     }
 
-    private void tell(UnaryOperator<RenderState> change) {
-        if (note(change) && hopping.compareAndSet(false, true)) {
+    private void publish(UnaryOperator<RenderState> change) {
+        if (changeState(change) && notificationPending.compareAndSet(false, true)) {
             window.execute(() -> {
-                hopping.set(false);
-                heard.run();
+                notificationPending.set(false);
+                stateListener.run();
             });
         }
     }
 
     /** Whether a work has gone on for long enough to tell again how far it is; its end is told in any case. */
-    private boolean isTime(int done, int total) {
-        long last = toldAt.get();
+    private boolean isReportDue(int done, int total) {
+        long last = lastReportNs.get();
         long now = System.nanoTime();
-        return done == total || now - last > STEP_NS && toldAt.compareAndSet(last, now);
+        return done == total || now - last > REPORT_INTERVAL_NS && lastReportNs.compareAndSet(last, now);
     }
 
     @Override
     public void started(UpdatePlan plan) {
-        toldAt.set(System.nanoTime());
+        lastReportNs.set(System.nanoTime());
         canvas.started(plan);
-        tell(s -> s.started(plan));
+        publish(s -> s.withPlan(plan));
     }
 
     @Override
@@ -111,74 +111,74 @@ public final class RenderFeed implements RenderListener {
         canvas.progress(done, total);
         if (done == total) {
             // Heard with what came of it.
-            note(s -> s.at(done, total));
-        } else if (isTime(done, total)) {
-            tell(s -> s.at(done, total));
+            changeState(s -> s.withProgress(done, total));
+        } else if (isReportDue(done, total)) {
+            publish(s -> s.withProgress(done, total));
         }
     }
 
     @Override
-    public void verifying(int done, int total) {
-        canvas.verifying(done, total);
-        if (isTime(done, total)) {
-            tell(s -> s.checking(done, total));
+    public void verificationProgress(int done, int total) {
+        canvas.verificationProgress(done, total);
+        if (isReportDue(done, total)) {
+            publish(s -> s.withVerificationProgress(done, total));
         }
     }
 
     @Override
-    public void coarse(Film film, Scene scene) {
-        fill(() -> canvas.coarse(film, scene));
-        tell(s -> s);
+    public void coarseRendered(Film film, Scene scene) {
+        updateCanvas(() -> canvas.coarseRendered(film, scene));
+        publish(s -> s);
     }
 
     @Override
-    public void tile(Scene scene, int tile, float[][] film) {
-        fill(() -> canvas.tile(scene, tile, film));
+    public void tileRendered(Scene scene, int tile, float[][] film) {
+        updateCanvas(() -> canvas.tileRendered(scene, tile, film));
     }
 
     @Override
     public void rendered(Frame frame) {
-        fill(() -> canvas.rendered(frame));
-        note(s -> s.rendered(frame));
+        updateCanvas(() -> canvas.rendered(frame));
+        changeState(s -> s.withFrame(frame));
     }
 
     @Override
-    public synchronized void forgotten(long number) {
-        dropped = number;
+    public synchronized void pictureDropped(long number) {
+        currentDocument = number;
     }
 
     @Override
-    public void measured(WarmSaving saving) {
-        canvas.measured(saving);
-        tell(s -> s.measured(saving));
+    public void savingMeasured(WarmSaving saving) {
+        canvas.savingMeasured(saving);
+        publish(s -> s.withSaving(saving));
     }
 
     @Override
     public void verified(Verification verification) {
         canvas.verified(verification);
-        tell(s -> s.verified(verification));
+        publish(s -> s.withVerification(verification));
     }
 
     @Override
-    public void cancelled() {
-        canvas.cancelled();
-        tell(s -> s.stopped(null));
+    public void canceled() {
+        canvas.canceled();
+        publish(s -> s.withStop(null));
     }
 
     @Override
     public void failed(Throwable problem) {
         canvas.failed(problem);
-        tell(s -> s.stopped(problem));
+        publish(s -> s.withStop(problem));
     }
 
     @Override
-    public void goesOn() {
-        tell(s -> s);
+    public void workRemaining() {
+        publish(s -> s);
     }
 
     @Override
     public void idle() {
-        fill(canvas::idle);
-        tell(s -> s);
+        updateCanvas(canvas::idle);
+        publish(s -> s);
     }
 }

@@ -2,11 +2,11 @@ package lightning.editor.loop;
 
 import java.util.Optional;
 import java.util.concurrent.Future;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
@@ -14,30 +14,30 @@ import lightning.scene.Scene;
  * editor. All methods return at once and may be called from any thread.
  *
  * <pre>{@code
- * RenderLoop loop = new RenderLoop(Options.DEFAULT, listener);
+ * RenderLoop loop = new RenderLoop(RenderOptions.DEFAULT, listener);
  * loop.render(document.scene());      // Go
  * loop.updateReflections();
  * }</pre>
  */
 public final class RenderLoop implements AutoCloseable {
-    private static final long PATIENCE_MS = 10_000;
+    private static final long CLOSE_TIMEOUT_MS = 10_000;
 
     private final RenderQueue queue = new RenderQueue();
-    private final Verifier verifier;
+    private final PictureVerifier verifier;
     private final RenderWorker worker;
     private final Thread thread;
 
     /** Starts the thread; nothing is rendered until a scene is wanted. */
-    public RenderLoop(Options options, RenderListener listener) {
-        verifier = new Verifier(options.threads(), listener);
+    public RenderLoop(RenderOptions options, RenderListener listener) {
+        verifier = new PictureVerifier(options.threads(), listener);
         worker = new RenderWorker(options, queue, verifier, listener);
-        thread = OwnThread.of("lightning-render", new RenderTurns(queue, worker, listener));
+        thread = DedicatedThread.create("lightning-render", new RenderJobRunner(queue, worker, listener));
         thread.start();
     }
 
     /** Before the first scene is wanted: how that is looked at first, by somebody else. Whatever goes wrong with it is the loop's to tell. */
-    public void begin(Future<Optional<CoarsePicture>> seen) {
-        worker.begin(seen);
+    public void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
+        worker.setStartupPreview(preview);
     }
 
     /**
@@ -50,22 +50,22 @@ public final class RenderLoop implements AutoCloseable {
 
     /** Makes the mirrors show the scene rendered last, after a scene that waits. Nothing happens before a first picture. */
     public void updateReflections() {
-        queue.reflections();
+        queue.requestReflections();
     }
 
     /** Traces the scene rendered last in full, beside all other work, and compares. Nothing happens before a first picture. */
     public void verify() {
-        queue.verify();
+        queue.requestVerification();
     }
 
-    /** Another way of working. What is known of the picture serves on as far as it can: see {@link Renderer#change}. */
-    public void reopen(Options options) {
-        queue.reopen(options);
+    /** Another way of working. What is known of the picture serves on as far as it can: see {@link Renderer#setOptions}. */
+    public void changeOptions(RenderOptions options) {
+        queue.changeOptions(options);
     }
 
     /** Another way of working, and another scene. */
-    public void reopen(Options options, Scene scene) {
-        queue.reopen(options, scene);
+    public void changeOptions(RenderOptions options, Scene scene) {
+        queue.changeOptions(options, scene);
     }
 
     /** See {@link Renderer#setView}; counts from the next update. */
@@ -74,9 +74,9 @@ public final class RenderLoop implements AutoCloseable {
     }
 
     /** Shows the picture in another way; nothing of it changes. */
-    public void setLook(Look v) {
-        worker.setLook(v);
-        queue.look();
+    public void setDisplayMode(DisplayMode v) {
+        worker.setDisplayMode(v);
+        queue.requestRedisplay();
     }
 
     /**
@@ -85,9 +85,9 @@ public final class RenderLoop implements AutoCloseable {
      * @return whether a scene waited: the listener does not hear that it is cancelled, since it was not begun
      */
     public boolean cancel() {
-        boolean waited = queue.cancel();
+        boolean wasWaiting = queue.cancel();
         verifier.cancel();
-        return waited;
+        return wasWaiting;
     }
 
     /**
@@ -104,8 +104,8 @@ public final class RenderLoop implements AutoCloseable {
      * What is kept of the picture that was told of last; empty where there is none, or it was let go of. It is never written over
      * and may be read on any thread, but holds much memory: it is to be let go of soon.
      */
-    public Optional<PixelCache> known() {
-        return worker.known();
+    public Optional<PixelCache> cache() {
+        return worker.cache();
     }
 
     /** Whether the picture is being worked at. A verification runs beside and does not count. */
@@ -129,7 +129,7 @@ public final class RenderLoop implements AutoCloseable {
         queue.close();
         verifier.close();
         try {
-            thread.join(PATIENCE_MS);
+            thread.join(CLOSE_TIMEOUT_MS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

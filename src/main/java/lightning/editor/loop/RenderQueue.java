@@ -1,7 +1,7 @@
 package lightning.editor.loop;
 
 import lightning.base.work.Progress;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
@@ -10,165 +10,165 @@ import lightning.scene.Scene;
  */
 final class RenderQueue {
     /** One piece of work. */
-    public sealed interface Work {
-        record Render(Scene scene) implements Work {}
+    public sealed interface RenderJob {
+        record Render(Scene scene) implements RenderJob {}
 
-        record Reflections() implements Work {}
+        record UpdateReflections() implements RenderJob {}
 
         /** The finer samples that a picture lacks. */
-        record Finish() implements Work {}
+        record RenderSamples() implements RenderJob {}
 
-        record Verify() implements Work {}
+        record Verify() implements RenderJob {}
 
         /** All that is known of the picture is dropped for a document of that number. */
-        record Forget(long number) implements Work {}
+        record DropPicture(long number) implements RenderJob {}
 
         /** The picture that there is, to be looked at in another way. */
-        public record Looks() implements Work {}
+        public record Redisplay() implements RenderJob {}
 
         /** Another renderer, then {@code scene}; null where nothing was rendered yet. */
-        record Reopen(Options options, Scene scene) implements Work {}
+        record ChangeOptions(RenderOptions options, Scene scene) implements RenderJob {}
     }
 
     /** Hears how far it is. */
-    interface Tiles {
+    interface TileListener {
         void tiles(int done, int total);
     }
 
     /** Stops one piece of work. */
-    static final class Stop implements Progress {
-        private final Tiles hears;
-        private volatile boolean asked;
-        private volatile boolean gaveWay;
+    static final class CancelSignal implements Progress {
+        private final TileListener listener;
+        private volatile boolean canceled;
+        private volatile boolean preempted;
 
-        Stop(Tiles hears) {
-            this.hears = hears;
+        CancelSignal(TileListener listener) {
+            this.listener = listener;
         }
 
-        void ask() {
-            gaveWay = false;
-            asked = true;
+        void cancel() {
+            preempted = false;
+            canceled = true;
         }
 
         /** Stops a work that is taken up again after another: nobody needs to hear of it. */
-        void giveWay() {
-            gaveWay = !asked;
-            asked = true;
+        void preempt() {
+            preempted = !canceled;
+            canceled = true;
         }
 
-        boolean gaveWay() {
-            return gaveWay;
-        }
-
-        @Override
-        public void tiles(int done, int total) {
-            hears.tiles(done, total);
+        boolean isPreempted() {
+            return preempted;
         }
 
         @Override
-        public boolean isCancelled() {
-            return asked;
+        public void report(int done, int total) {
+            listener.tiles(done, total);
+        }
+
+        @Override
+        public boolean isCanceled() {
+            return canceled;
         }
     }
 
     private Scene scene;
-    private Options options;
-    private boolean reflections;
-    private boolean finish;
-    private boolean verify;
-    private boolean look;
-    private boolean forget;
-    private long opened;
+    private RenderOptions options;
+    private boolean reflectionsRequested;
+    private boolean samplesRequested;
+    private boolean verificationRequested;
+    private boolean redisplayRequested;
+    private boolean dropRequested;
+    private long openedDocument;
     private boolean closed;
-    private Work running;
+    private RenderJob running;
     private Scene rendered;
-    private Stop stop;
+    private CancelSignal cancelSignal;
 
-    synchronized void render(Scene wanted) {
-        scene = wanted;
-        if (wanted != rendered) {
-            finishLater();
+    synchronized void render(Scene requested) {
+        scene = requested;
+        if (requested != rendered) {
+            postponeSamples();
         }
-        if (isUselessFor(wanted)) {
+        if (isObsoleteFor(requested)) {
             // The mirrors are still wanted, of the newer scene.
-            reflections |= running instanceof Work.Reflections;
-            stop.ask();
+            reflectionsRequested |= running instanceof RenderJob.UpdateReflections;
+            cancelSignal.cancel();
         }
         notifyAll();
     }
 
     /** An update is left to finish, or dragging would starve the picture; a trace of another picture is not. */
-    private boolean isUselessFor(Scene wanted) {
+    private boolean isObsoleteFor(Scene requested) {
         return switch (running) {
             case null -> false;
-            case Work.Render r -> !r.scene().hasSameView(wanted);
-            case Work.Reopen r -> r.scene() != null && !r.scene().hasSameView(wanted);
-            case Work.Reflections _ -> true;
-            case Work.Finish _,Work.Verify _,Work.Looks _,Work.Forget _ -> false;
+            case RenderJob.Render r -> !r.scene().hasSameView(requested);
+            case RenderJob.ChangeOptions r -> r.scene() != null && !r.scene().hasSameView(requested);
+            case RenderJob.UpdateReflections _ -> true;
+            case RenderJob.RenderSamples _,RenderJob.Verify _,RenderJob.Redisplay _,RenderJob.DropPicture _ -> false;
         };
     }
 
-    synchronized void reflections() {
-        reflections = true;
+    synchronized void requestReflections() {
+        reflectionsRequested = true;
         notifyAll();
     }
 
     /** The picture lacks samples: they are made when nothing else of it is to be done. */
-    synchronized void finish() {
-        finish = true;
+    synchronized void requestSamples() {
+        samplesRequested = true;
         notifyAll();
     }
 
     /** Other work comes before samples, which nobody can see to be begun. */
-    private void finishLater() {
-        if (running instanceof Work.Finish) {
-            finish = true;
-            stop.giveWay();
+    private void postponeSamples() {
+        if (running instanceof RenderJob.RenderSamples) {
+            samplesRequested = true;
+            cancelSignal.preempt();
         }
     }
 
-    synchronized void verify() {
-        verify = true;
+    synchronized void requestVerification() {
+        verificationRequested = true;
         notifyAll();
     }
 
-    synchronized void look() {
-        look = true;
-        finishLater();
+    synchronized void requestRedisplay() {
+        redisplayRequested = true;
+        postponeSamples();
         notifyAll();
     }
 
     /** What waits, what runs and what is known is of no use any more. */
-    synchronized void open(Scene wanted, long number) {
+    synchronized void open(Scene requested, long number) {
         cancel();
-        forget = true;
-        opened = number;
-        render(wanted);
+        dropRequested = true;
+        openedDocument = number;
+        render(requested);
     }
 
-    synchronized void reopen(Options wanted) {
-        options = wanted;
-        finishLater();
+    synchronized void changeOptions(RenderOptions requested) {
+        options = requested;
+        postponeSamples();
         notifyAll();
     }
 
     /** At once, so that nobody sees the old scene in the new way between. */
-    synchronized void reopen(Options wanted, Scene wantedScene) {
-        reopen(wanted);
-        render(wantedScene);
+    synchronized void changeOptions(RenderOptions requested, Scene requestedScene) {
+        changeOptions(requested);
+        render(requestedScene);
     }
 
     /** Forgets what waits and stops what runs; returns whether a scene waited, of which nobody else hears. */
     synchronized boolean cancel() {
-        boolean waited = scene != null;
+        boolean wasWaiting = scene != null;
         scene = null;
-        reflections = false;
-        finish = false;
-        verify = false;
-        if (stop != null) {
-            stop.ask();
+        reflectionsRequested = false;
+        samplesRequested = false;
+        verificationRequested = false;
+        if (cancelSignal != null) {
+            cancelSignal.cancel();
         }
-        return waited;
+        return wasWaiting;
     }
 
     synchronized void close() {
@@ -183,56 +183,57 @@ final class RenderQueue {
 
     /** Whether a verification waits or is about to be handed on. */
     synchronized boolean isVerifying() {
-        return verify || running instanceof Work.Verify;
+        return verificationRequested || running instanceof RenderJob.Verify;
     }
 
     private boolean isWaiting() {
-        return scene != null || options != null || reflections || look || finish || verify || forget;
+        return scene != null || options != null || reflectionsRequested || redisplayRequested || samplesRequested || verificationRequested
+                || dropRequested;
     }
 
     /** Waits for work; returns null when the queue was closed. */
-    synchronized Work take(Stop newStop) throws InterruptedException {
+    synchronized RenderJob take(CancelSignal newSignal) throws InterruptedException {
         while (!closed && !isWaiting()) {
             wait();
         }
         if (closed) {
             return null;
         }
-        stop = newStop;
+        cancelSignal = newSignal;
         running = next();
         return running;
     }
 
-    private Work next() {
-        if (forget) {
-            forget = false;
-            return new Work.Forget(opened);
+    private RenderJob next() {
+        if (dropRequested) {
+            dropRequested = false;
+            return new RenderJob.DropPicture(openedDocument);
         }
         if (options != null) {
-            var work = new Work.Reopen(options, scene == null ? rendered : scene);
+            var job = new RenderJob.ChangeOptions(options, scene == null ? rendered : scene);
             options = null;
             scene = null;
-            return work;
+            return job;
         }
         if (scene != null) {
-            var work = new Work.Render(scene);
+            var job = new RenderJob.Render(scene);
             scene = null;
-            return work;
+            return job;
         }
-        if (reflections) {
-            reflections = false;
-            return new Work.Reflections();
+        if (reflectionsRequested) {
+            reflectionsRequested = false;
+            return new RenderJob.UpdateReflections();
         }
-        if (look) {
-            look = false;
-            return new Work.Looks();
+        if (redisplayRequested) {
+            redisplayRequested = false;
+            return new RenderJob.Redisplay();
         }
-        if (finish) {
-            finish = false;
-            return new Work.Finish();
+        if (samplesRequested) {
+            samplesRequested = false;
+            return new RenderJob.RenderSamples();
         }
-        verify = false;
-        return new Work.Verify();
+        verificationRequested = false;
+        return new RenderJob.Verify();
     }
 
     /**
@@ -241,9 +242,9 @@ final class RenderQueue {
      * @param nowRendered the scene that the picture shows now; null where there is none
      * @return whether nothing is left
      */
-    synchronized boolean done(Scene nowRendered) {
+    synchronized boolean finishJob(Scene nowRendered) {
         running = null;
-        stop = null;
+        cancelSignal = null;
         rendered = nowRendered;
         return !isWaiting();
     }

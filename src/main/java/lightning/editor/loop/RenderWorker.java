@@ -7,259 +7,261 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.Promise;
+import lightning.bench.accuracy.AccuracyGuarantee;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.PictureTooLarge;
+import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.PlannedUpdate;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /** Does the work of a {@link RenderLoop} with a renderer, on the loop's thread; other threads set only how the picture is shown. */
-final class RenderWorker implements RenderTurns.WorkHandler {
+final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     private final RenderListener listener;
     private final RenderQueue queue;
-    private final Verifier verifier;
+    private final PictureVerifier verifier;
     private final Renderer renderer;
-    private final Looking looking = new Looking();
+    private final DisplayRenderer displayRenderer = new DisplayRenderer();
     private volatile ViewTransform view = ViewTransform.DEFAULT;
-    private volatile Look look = Look.PLAIN;
+    private volatile DisplayMode displayMode = DisplayMode.FULL_PICTURE;
     /** What is seen of the first scene; none after that. */
-    private volatile Future<Optional<CoarsePicture>> begun = CompletableFuture.completedFuture(Optional.empty());
-    private Update last;
-    private Accuracy madeAt;
-    private Scene rendered;
+    private volatile Future<Optional<CoarsePicture>> startupPreview = CompletableFuture.completedFuture(Optional.empty());
+    private UpdateResult lastUpdate;
+    private Accuracy lastAccuracy;
+    private Scene renderedScene;
     /** What is kept of the picture told last, as long as the renderer keeps it: who looks at it must not hold it in memory. */
-    private volatile WeakReference<PixelCache> told = new WeakReference<>(null);
+    private volatile WeakReference<PixelCache> publishedCache = new WeakReference<>(null);
 
-    RenderWorker(Options options, RenderQueue queue, Verifier verifier, RenderListener listener) {
+    RenderWorker(RenderOptions options, RenderQueue queue, PictureVerifier verifier, RenderListener listener) {
         renderer = new Renderer(options);
         this.queue = queue;
         this.verifier = verifier;
         this.listener = listener;
     }
 
-    /** See {@link RenderLoop#begin}. */
-    void begin(Future<Optional<CoarsePicture>> seen) {
-        begun = seen;
+    /** See {@link RenderLoop#setStartupPreview}. */
+    void setStartupPreview(Future<Optional<CoarsePicture>> preview) {
+        startupPreview = preview;
     }
 
     void setView(ViewTransform v) {
         view = v;
     }
 
-    void setLook(Look v) {
-        look = v;
+    void setDisplayMode(DisplayMode v) {
+        displayMode = v;
     }
 
-    /** See {@link RenderLoop#known}. */
-    Optional<PixelCache> known() {
-        return Optional.ofNullable(told.get());
+    /** See {@link RenderLoop#cache}. */
+    Optional<PixelCache> cache() {
+        return Optional.ofNullable(publishedCache.get());
     }
 
     @Override
-    public void work(RenderQueue.Work work, RenderQueue.Stop stop) {
-        verifier.pause();
-        switch (work) {
-            case RenderQueue.Work.Render r -> renderScene(r.scene(), stop);
-            case RenderQueue.Work.Reopen r -> reopen(r, stop);
-            case RenderQueue.Work.Reflections _ -> mirror(stop);
-            case RenderQueue.Work.Looks _ -> lookAgain(stop);
-            case RenderQueue.Work.Finish _ -> finish(stop);
-            case RenderQueue.Work.Verify _ -> handToVerifier(stop);
-            case RenderQueue.Work.Forget f -> drop(f.number());
+    public void handle(RenderQueue.RenderJob job, RenderQueue.CancelSignal signal) {
+        verifier.stopIdleWork();
+        switch (job) {
+            case RenderQueue.RenderJob.Render r -> renderScene(r.scene(), signal);
+            case RenderQueue.RenderJob.ChangeOptions r -> changeOptions(r, signal);
+            case RenderQueue.RenderJob.UpdateReflections _ -> updateReflections(signal);
+            case RenderQueue.RenderJob.Redisplay _ -> redisplay(signal);
+            case RenderQueue.RenderJob.RenderSamples _ -> renderSamples(signal);
+            case RenderQueue.RenderJob.Verify _ -> startVerification(signal);
+            case RenderQueue.RenderJob.DropPicture f -> dropDocument(f.number());
         }
     }
 
     @Override
-    public Scene rendered() {
-        return rendered;
+    public Scene renderedScene() {
+        return renderedScene;
     }
 
     @Override
-    public void rest() {
-        if (rendered != null) {
-            verifier.rest(rendered, renderer.cache().geometry());
+    public void becomeIdle() {
+        if (renderedScene != null) {
+            verifier.startIdleWork(renderedScene, renderer.cache().geometry());
         }
     }
 
-    private void reopen(RenderQueue.Work.Reopen work, RenderQueue.Stop stop) {
-        renderer.change(work.options());
+    private void changeOptions(RenderQueue.RenderJob.ChangeOptions job, RenderQueue.CancelSignal signal) {
+        renderer.setOptions(job.options());
         if (!renderer.hasPicture()) {
-            letGo();
+            dropPicture();
         }
-        if (work.scene() != null) {
-            renderScene(work.scene(), stop);
+        if (job.scene() != null) {
+            renderScene(job.scene(), signal);
         }
     }
 
-    private void renderScene(Scene scene, RenderQueue.Stop stop) {
+    private void renderScene(Scene scene, RenderQueue.CancelSignal signal) {
         PlannedUpdate planned = renderer.plan(scene);
         listener.started(planned.update());
         if (planned.update() instanceof UpdatePlan.FirstPass) {
-            makeRoom(scene);
-            coarse(scene, stop);
+            freeMemory(scene);
+            renderCoarse(scene, signal);
         }
-        make((r, progress) -> r.renderCenters(planned, watched(scene, progress)), (r, progress) -> r.render(scene, progress), stop);
+        update((r, progress) -> r.renderCenters(planned, reportingTiles(scene, progress)), (r, progress) -> r.render(scene, progress),
+                signal);
         if (!renderer.isFinished()) {
-            queue.finish();
+            queue.requestSamples();
         }
     }
 
     /** Makes the samples that the picture lacks; nothing where it lacks none. */
-    private void finish(RenderQueue.Stop stop) {
+    private void renderSamples(RenderQueue.CancelSignal signal) {
         if (!renderer.isFinished()) {
             Scene scene = renderer.scene();
-            make((r, progress) -> r.finish(watched(scene, progress)), (r, progress) -> r.render(scene, progress), stop);
+            update((r, progress) -> r.finish(reportingTiles(scene, progress)), (r, progress) -> r.render(scene, progress), signal);
         }
     }
 
     /**
      * Lets go of the picture before where the new one does not fit beside it; then a pass that is cancelled has none to go back to.
      *
-     * @throws PictureTooLarge if it does not fit even so; nothing is let go of then
+     * @throws PictureTooLargeException if it does not fit even so; nothing is let go of then
      */
-    private void makeRoom(Scene scene) {
-        renderer.check(scene, 0);
-        long kept = renderer.bytes() + looking.bytes();
+    private void freeMemory(Scene scene) {
+        renderer.requireMemory(scene, 0);
+        long usedBytes = renderer.bytes() + displayRenderer.bytes();
         try {
-            renderer.check(scene, kept);
-        } catch (PictureTooLarge e) {
-            letGo();
+            renderer.requireMemory(scene, usedBytes);
+        } catch (PictureTooLargeException e) {
+            dropPicture();
         }
     }
 
-    private void letGo() {
-        renderer.forget();
-        looking.close();
-        told = new WeakReference<>(null);
-        rendered = null;
-        last = null;
-        verifier.done(Optional.empty());
+    private void dropPicture() {
+        renderer.clear();
+        displayRenderer.close();
+        publishedCache = new WeakReference<>(null);
+        renderedScene = null;
+        lastUpdate = null;
+        verifier.setLastEdit(Optional.empty());
     }
 
     /**
      * Updates the picture.
      *
-     * @param again does the same from the beginning, planning included, to measure what it saves
+     * @param repeatStep does the same from the beginning, planning included, to measure what it saves
      */
-    private void make(WarmSaving.Step step, WarmSaving.Step again, RenderQueue.Stop stop) {
-        PixelCache start = start();
-        ViewTransform shown = view;
-        renderer.setView(shown.exposure(), shown.steepest());
-        Update update = step.on(renderer, stop);
-        verifier.done(!renderer.isFinished() ? Optional.empty()
-                : WarmSaving.Edit.of(update, start, renderer.options(), (r, progress) -> {
-                    r.setView(shown.exposure(), shown.steepest());
-                    return again.on(r, progress);
+    private void update(WarmSaving.UpdateStep step, WarmSaving.UpdateStep repeatStep, RenderQueue.CancelSignal signal) {
+        PixelCache start = startCache();
+        ViewTransform usedView = view;
+        renderer.setView(usedView.exposure(), usedView.steepestCurve());
+        UpdateResult update = step.run(renderer, signal);
+        verifier.setLastEdit(!renderer.isFinished() ? Optional.empty()
+                : WarmSaving.RepeatableEdit.of(update, start, renderer.options(), (r, progress) -> {
+                    r.setView(usedView.exposure(), usedView.steepestCurve());
+                    return repeatStep.run(r, progress);
                 }));
-        madeAt = renderer.options().accuracy();
-        show(update, stop);
+        lastAccuracy = renderer.options().accuracy();
+        show(update, signal);
     }
 
     /** What an update starts from; null where it cannot start from there again, as it is of another accuracy. */
-    private PixelCache start() {
-        return renderer.hasPicture() && renderer.options().accuracy() == madeAt ? renderer.finishedCache() : null;
+    private PixelCache startCache() {
+        return renderer.hasPicture() && renderer.options().accuracy() == lastAccuracy ? renderer.lastFinishedCache() : null;
     }
 
-    private void drop(long number) {
-        letGo();
-        listener.forgotten(number);
+    private void dropDocument(long number) {
+        dropPicture();
+        listener.pictureDropped(number);
     }
 
-    private void mirror(RenderQueue.Stop stop) {
-        if (rendered != null && !renderer.reflectionsAreCurrent()) {
-            make(Renderer::updateReflections, Renderer::updateReflections, stop);
+    private void updateReflections(RenderQueue.CancelSignal signal) {
+        if (renderedScene != null && !renderer.hasCurrentReflections()) {
+            update(Renderer::updateReflections, Renderer::updateReflections, signal);
         }
     }
 
-    private void lookAgain(RenderQueue.Stop stop) {
-        if (rendered != null) {
-            show(last, stop);
+    private void redisplay(RenderQueue.CancelSignal signal) {
+        if (renderedScene != null) {
+            show(lastUpdate, signal);
         }
     }
 
-    private void show(Update update, RenderQueue.Stop stop) {
-        rendered = renderer.scene();
-        last = update;
-        Look wanted = look;
+    private void show(UpdateResult update, RenderQueue.CancelSignal signal) {
+        renderedScene = renderer.scene();
+        lastUpdate = update;
+        DisplayMode mode = displayMode;
         try {
-            tell(wanted.isPlain() ? looking.plain(renderer) : looking.film(renderer, wanted, stop.silent()), wanted);
+            publish(mode.isFullPicture() ? displayRenderer.fullPicture(renderer)
+                    : displayRenderer.film(renderer, mode, signal.cancellationOnly()), mode);
         } catch (CancellationException e) {
             // The picture itself is finished.
-            tell(renderer.film(), Look.PLAIN);
-        } catch (PictureTooLarge | OutOfMemoryError e) {
-            tell(looking.plain(renderer), Look.PLAIN);
+            publish(renderer.film(), DisplayMode.FULL_PICTURE);
+        } catch (PictureTooLargeException | OutOfMemoryError e) {
+            publish(displayRenderer.fullPicture(renderer), DisplayMode.FULL_PICTURE);
             throw e;
         }
     }
 
-    private void tell(Film seen, Look shown) {
-        told = new WeakReference<>(renderer.cache());
-        listener.rendered(new Frame(renderer.film(), seen, shown, rendered, renderer.cache().mirroredScene(), last,
+    private void publish(Film displayed, DisplayMode mode) {
+        publishedCache = new WeakReference<>(renderer.cache());
+        listener.rendered(new Frame(renderer.film(), displayed, mode, renderedScene, renderer.cache().mirroredScene(), lastUpdate,
                 renderer.cache().geometry(), renderer.isFinished()));
     }
 
     /** Tells of the tiles, where it is a first pass. */
-    private Progress watched(Scene scene, Progress progress) {
+    private Progress reportingTiles(Scene scene, Progress progress) {
         return new Progress() {
             @Override
-            public void tiles(int done, int total) {
-                progress.tiles(done, total);
+            public void report(int done, int total) {
+                progress.report(done, total);
             }
 
             @Override
-            public void made(int tile, float[][] film) {
-                listener.tile(scene, tile, film);
+            public void tileFinished(int tile, float[][] film) {
+                listener.tileRendered(scene, tile, film);
             }
 
             @Override
-            public boolean isCancelled() {
-                return progress.isCancelled();
+            public boolean isCanceled() {
+                return progress.isCanceled();
             }
         };
     }
 
     /** A look at all of the picture in a fraction of its time, then a better one. */
-    private void coarse(Scene scene, RenderQueue.Stop stop) {
-        Optional<CoarsePicture> first = begun().filter(seen -> seen.scene() == scene);
-        first.ifPresent(seen -> {
-            renderer.share(seen.geometry());
-            listener.coarse(seen.film(), scene);
+    private void renderCoarse(Scene scene, RenderQueue.CancelSignal signal) {
+        Optional<CoarsePicture> startPicture = takeStartupPreview().filter(preview -> preview.scene() == scene);
+        startPicture.ifPresent(preview -> {
+            renderer.setSharedGeometry(preview.geometry());
+            listener.coarseRendered(preview.film(), scene);
         });
-        CoarsePicture.sizes(scene.picture()).stream().skip(first.isPresent() ? 1 : 0).forEach(pixels -> listener
-                .coarse(CoarsePicture.of(scene, pixels, renderer::prepare, renderer.options().threads(), stop).film(), scene));
+        CoarsePicture.sizes(scene.picture()).stream().skip(startPicture.isPresent() ? 1 : 0).forEach(pixels -> listener
+                .coarseRendered(CoarsePicture.trace(scene, pixels, renderer::prepare, renderer.options().threads(), signal).film(), scene));
     }
 
-    private Optional<CoarsePicture> begun() {
+    private Optional<CoarsePicture> takeStartupPreview() {
         try {
-            return begun.get();
+            return startupPreview.get();
         } catch (ExecutionException | CancellationException e) {
             return Optional.empty();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return Optional.empty();
         } finally {
-            begun = CompletableFuture.completedFuture(Optional.empty());
+            startupPreview = CompletableFuture.completedFuture(Optional.empty());
         }
     }
 
-    private void handToVerifier(RenderQueue.Stop stop) {
-        if (rendered != null) {
-            finish(stop);
-            verifier.verify(Promise.of(renderer, last), renderer.film().copy(), stop);
+    private void startVerification(RenderQueue.CancelSignal signal) {
+        if (renderedScene != null) {
+            renderSamples(signal);
+            verifier.verify(AccuracyGuarantee.of(renderer, lastUpdate), renderer.film().copy(), signal);
         }
     }
 
     @Override
     public void close() {
         renderer.close();
-        looking.close();
+        displayRenderer.close();
     }
 }

@@ -7,65 +7,65 @@ import javafx.scene.control.ButtonType;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
-import lightning.editor.document.Recovery;
+import lightning.editor.document.RecoveryFolder;
+import lightning.editor.window.command.EditorDialogs;
 import lightning.editor.window.command.FileActions;
 import lightning.editor.window.command.FilePrompt;
-import lightning.editor.window.command.Notices;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
-import lightning.editor.window.model.PreviewLook;
-import lightning.editor.window.widget.Looks;
+import lightning.editor.window.model.PreviewSettings;
+import lightning.editor.window.widget.ColorTheme;
 import lightning.render.image.ViewTransform;
 
 /** The editor of one document in one window, from opening to closing. */
 public final class Editor implements AutoCloseable {
     private final Stage stage;
-    private final FirstSight sight;
+    private final StartupSession startup;
     private final Preferences preferences;
     private final FileThread thread;
-    private final Notices notices;
+    private final EditorDialogs notices;
     private final FileActions files;
     private final EditorModel model;
     private final EditorWindow window;
-    private final DiskBar disk;
+    private final ExternalChangeBar changeBar;
 
     /**
      * Opens the window.
      *
-     * @param sight     the document's model and picture; closed with the editor
+     * @param startup     the document's model and picture; closed with the editor
      * @param thread    reads and writes files; closed with the editor
-     * @param mostWidth the largest size of the window, pixels: the screen's; likewise {@code mostHeight}
+     * @param maxWidth the largest size of the window, pixels: the screen's; likewise {@code maxHeight}
      */
-    Editor(Stage stage, FirstSight sight, Preferences preferences, FileThread thread, FilePrompt prompt, double mostWidth,
-            double mostHeight) {
+    Editor(Stage stage, StartupSession startup, Preferences preferences, FileThread thread, FilePrompt prompt, double maxWidth,
+            double maxHeight) {
         this.stage = stage;
-        this.sight = sight;
+        this.startup = startup;
         this.preferences = preferences;
         this.thread = thread;
-        notices = new Notices(stage);
-        model = sight.model();
+        notices = new EditorDialogs(stage);
+        model = startup.model();
         files = new FileActions(model, prompt, notices, preferences, this::closeWindow);
-        window = new EditorWindow(sight.frame(), model, files, notices);
-        disk = new DiskBar(model.workbench(), model.commands(), thread.window(), files::compareWithDisk);
-        window.addLine(disk);
-        model.editor().situationProperty()
+        window = new EditorWindow(startup.frame(), model, files, notices);
+        changeBar = new ExternalChangeBar(model.workbench(), model.commands(), thread.windowExecutor(), files::compareWithDisk);
+        window.addBar(changeBar);
+        model.editor().editorStateProperty()
                 .subscribe(now -> stage.setTitle((now.dirty() ? "• " : "") + model.editor().document().name() + " – Lightning"));
-        stage.focusedProperty().subscribe(_ -> disk.look());
+        stage.focusedProperty().subscribe(_ -> changeBar.checkFile());
         stage.setOnCloseRequest(e -> {
             e.consume();
-            files.leave(() -> {
-                remember();
-                closeOthers();
+            files.confirmClose(() -> {
+                savePreferences();
+                closeOtherWindows();
                 stage.hide();
             });
         });
-        preferences.opened(model.editor().document().file());
-        keepChoices();
-        EditorStage.show(stage, sight.frame(), preferences, mostWidth, mostHeight);
+        preferences.addRecent(model.editor().document().file());
+        savePreferencesOnChange();
+        EditorStage.show(stage, startup.frame(), preferences, maxWidth, maxHeight);
         window.focus();
     }
 
@@ -78,9 +78,9 @@ public final class Editor implements AutoCloseable {
     }
 
     /** Whether the picture is there, and nothing is being done about another. */
-    boolean rests() {
-        return model.picture().frame() != null && model.fileWork().file() == null
-                && model.editor().situationProperty().get().inWork().isEmpty();
+    boolean isIdle() {
+        return model.picture().frame() != null && model.fileActivity().file() == null
+                && model.editor().editorStateProperty().get().sceneInProgress().isEmpty();
     }
 
     public FileActions files() {
@@ -88,25 +88,25 @@ public final class Editor implements AutoCloseable {
     }
 
     /** Asks about edits that a crash left unsaved, until some are wanted. */
-    void offer(List<Recovery.Found> all) {
-        for (Recovery.Found found : all) {
-            ButtonType answer = notices.recover(found).orElse(null);
-            if (answer == Notices.RECOVER) {
+    void offerRecovery(List<RecoveryFolder.RecoverableScene> recoveries) {
+        for (RecoveryFolder.RecoverableScene found : recoveries) {
+            ButtonType answer = notices.askRecover(found).orElse(null);
+            if (answer == EditorDialogs.RECOVER) {
                 files.recover(found);
                 return;
             }
-            if (answer == Notices.FORGET) {
-                thread.inTurn(() -> {
+            if (answer == EditorDialogs.FORGET) {
+                thread.runInOrder(() -> {
                     found.delete();
                     return found;
-                }, _ -> {}, why -> notices.failed(Texts.of("The edits could not be discarded"), why));
+                }, _ -> {}, failure -> notices.showFailure(Messages.tr("The edits could not be discarded"), failure));
             }
         }
     }
 
     /** Says that a scene could not be opened, and goes on when it was read. */
-    void failed(Path file, Exception why) {
-        notices.failedAndRead(Texts.of("{0} could not be opened", Quote.path(file)), why);
+    void reportFailedOpen(Path file, Exception failure) {
+        notices.showFailureAndWait(Messages.tr("{0} could not be opened", Quote.path(file)), failure);
     }
 
     private void closeWindow() {
@@ -114,43 +114,43 @@ public final class Editor implements AutoCloseable {
     }
 
     /** Choices are kept at once, for the case of a crash. */
-    private void keepChoices() {
-        PreviewLook look = model.previewLook();
-        for (Observable choice : List.of(model.precisionProperty(), model.picture().viewProperty().map(ViewTransform::curve),
-                look.glowingProperty(),
-                look.sizeProperty(), model.commands().keys().changesProperty(), model.arrangement().canvasesProperty(),
-                model.speechProperty(),
-                model.machineChoice().hostsProperty(), model.machineChoice().certificateProperty(),
-                model.commands().switched(Command.LIGHT_THEME).orElseThrow())) {
-            choice.addListener(_ -> remember());
+    private void savePreferencesOnChange() {
+        PreviewSettings settings = model.previewSettings();
+        for (Observable choice : List.of(model.accuracyModeProperty(), model.picture().viewProperty().map(ViewTransform::curve),
+                settings.glowingTexturesProperty(),
+                settings.gizmoSizeProperty(), model.commands().keyBindings().changesProperty(), model.layout().canvasLayoutProperty(),
+                model.languageProperty(),
+                model.renderMachines().hostsProperty(), model.renderMachines().certificateProperty(),
+                model.commands().toggleState(Command.LIGHT_THEME).orElseThrow())) {
+            choice.addListener(_ -> savePreferences());
         }
     }
 
-    private void remember() {
+    private void savePreferences() {
         preferences.set("width", stage.getScene().getWidth());
         preferences.set("height", stage.getScene().getHeight());
-        preferences.set("theme", Looks.worn().name());
-        model.speechProperty().get().remember(preferences);
+        preferences.set("theme", ColorTheme.current().name());
+        model.languageProperty().get().save(preferences);
         preferences.set("curve", model.picture().viewProperty().get().curve().name());
-        model.previewLook().remember(preferences);
-        model.commands().keys().remember(preferences);
-        model.arrangement().remember(preferences);
-        model.machineChoice().remember(preferences);
-        preferences.set("precision", model.precisionProperty().get().name());
+        model.previewSettings().save(preferences);
+        model.commands().keyBindings().save(preferences);
+        model.layout().save(preferences);
+        model.renderMachines().save(preferences);
+        preferences.set("precision", model.accuracyModeProperty().get().name());
         preferences.save();
     }
 
     /** Windows go before the one that owns them: the toolkit may touch one once more that its owner took with it. */
-    private void closeOthers() {
+    private void closeOtherWindows() {
         List.copyOf(Window.getWindows()).reversed().stream().filter(window -> window != stage).forEach(Window::hide);
     }
 
     @Override
     public void close() {
-        closeOthers();
-        disk.close();
+        closeOtherWindows();
+        changeBar.close();
         window.close();
-        sight.close();
+        startup.close();
         thread.close();
     }
 }

@@ -11,78 +11,84 @@ import javafx.scene.control.MenuBar;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.control.skin.ContextMenuSkin;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.FileActions;
 import lightning.editor.window.command.SizeMenu;
-import lightning.editor.window.model.Arrangement.Canvases;
+import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.Precision;
-import lightning.editor.window.model.Speech;
-import lightning.editor.window.preview.PreviewItems;
+import lightning.editor.window.model.UiLanguage;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.preview.PreviewMenuItems;
 import lightning.editor.window.traced.SamplingMenu;
-import lightning.editor.window.traced.ViewItems;
-import lightning.editor.window.widget.Looks;
+import lightning.editor.window.traced.ViewMenuItems;
+import lightning.editor.window.widget.ColorTheme;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** Every command in a menu, with its key. */
 final class EditorMenu extends MenuBar {
     /** Where a line is drawn between items. */
-    private static final Command LINE = null;
+    private static final Command SEPARATOR = null;
 
     private final EditorModel model;
-    private final CommandItems items;
+    private final CommandMenuItems items;
 
     /** Every command that is not about a menu itself does something by now. */
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
-        items = CommandItems.ofBar(model.commands());
-        Menu file = menu(Texts.of("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.RELOAD, LINE, Command.SAVE_SCENE,
+        items = CommandMenuItems.forMenuBar(model.commands());
+        Menu file = menu(Messages.tr("File"), Command.NEW_SCENE, Command.LOAD_FILE, Command.RELOAD, SEPARATOR, Command.SAVE_SCENE,
                 Command.SAVE_SCENE_AS,
                 Command.SAVE_IMAGE,
-                LINE, Command.QUIT);
+                SEPARATOR, Command.QUIT);
         file.getItems().add(2, recent(files));
         file.getItems().add(file.getItems().size() - 2, export(files));
-        Menu edit = menu(Texts.of("Edit"), Command.UNDO, Command.REDO, LINE, Command.UNDO_LIGHT, Command.REDO_LIGHT, Command.HISTORY_PANEL,
-                LINE,
+        Menu edit = menu(Messages.tr("Edit"), Command.UNDO, Command.REDO, SEPARATOR, Command.UNDO_LIGHT, Command.REDO_LIGHT,
+                Command.HISTORY_PANEL,
+                SEPARATOR,
                 Command.COPY_SETTINGS,
-                Command.PASTE_SETTINGS, LINE, Command.PICK_MATERIAL);
-        Menu light = menu(Texts.of("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, LINE, Command.NEW_BANK,
-                Command.DELETE_BANK, LINE, Command.RENAME_LIGHT,
-                Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, LINE, Command.AIM, Command.PLACE_HIGHLIGHT,
-                Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, LINE, Command.MIXER, Command.CONTRIBUTIONS, Command.CUES,
-                Command.MAKE_ANIMATION, LINE);
-        Menu rig = menu(Texts.of("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
+                Command.PASTE_SETTINGS, SEPARATOR, Command.PICK_MATERIAL);
+        Menu light =
+                menu(Messages.tr("Light"), Command.ADD_LIGHT, Command.DUPLICATE_LIGHT, Command.DELETE_LIGHT, SEPARATOR, Command.NEW_BANK,
+                        Command.DELETE_BANK, SEPARATOR, Command.RENAME_LIGHT,
+                        Command.SWITCH_ON, Command.SOLO, Command.LOOK_THROUGH_LIGHT, SEPARATOR, Command.AIM, Command.PLACE_HIGHLIGHT,
+                        Command.PLACE_DIFFUSE, Command.PLACE_RIM, Command.PLACE_SHADOW, SEPARATOR, Command.MIXER, Command.CONTRIBUTIONS,
+                        Command.CUES,
+                        Command.MAKE_ANIMATION, SEPARATOR);
+        Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
         rig.setGraphic(new FontIcon("mdi2f-file-outline"));
         light.getItems().add(rig);
-        Menu shape = menu(Texts.of("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, LINE, Command.SHOW_SHAPE);
-        Menu shot = menu(Texts.of("Shot"), Command.TIMELINE, Command.FILM_STRIP, LINE, Command.NEW_SHOT, Command.DELETE_SHOT, LINE,
-                Command.PLAY_SHOT,
-                Command.FIRST_FRAME,
-                Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY, LINE,
-                Command.SET_KEY,
-                Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS, LINE, Command.WAY_TO_KEYS,
-                Command.KEYS_TO_WAY, LINE,
-                Command.EXPORT_SHOT);
-        Menu render = menu(Texts.of("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, LINE,
-                Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, LINE);
+        Menu shape = menu(Messages.tr("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
+                Command.SHOW_SHAPE);
+        Menu shot =
+                menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, SEPARATOR, Command.NEW_SHOT, Command.DELETE_SHOT, SEPARATOR,
+                        Command.PLAY_SHOT,
+                        Command.FIRST_FRAME,
+                        Command.PREVIOUS_FRAME, Command.NEXT_FRAME, Command.LAST_FRAME, Command.PREVIOUS_KEY, Command.NEXT_KEY, SEPARATOR,
+                        Command.SET_KEY,
+                        Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS, SEPARATOR, Command.WAY_TO_KEYS,
+                        Command.KEYS_TO_WAY, SEPARATOR,
+                        Command.EXPORT_SHOT);
+        Menu render =
+                menu(Messages.tr("Render"), Command.GO, Command.LIVE, Command.UPDATE_REFLECTIONS, Command.VERIFY, Command.CANCEL, SEPARATOR,
+                        Command.UPDATES_PANEL, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, SEPARATOR);
         render.getItems().addAll(accuracy(), sizes(), SamplingMenu.of(model.editor(), items));
         getMenus().setAll(file, edit, light, shape, shot, render, view(),
-                menu(Texts.of("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
+                menu(Messages.tr("Help"), Command.PALETTE, Command.KEYS, Command.ABOUT));
     }
 
     /**
      * What makes each menu's lines with their looks before it is opened, a step after the other. A first opening is twice as quick then,
      * though it puts the looks on again.
      */
-    Stream<Runnable> ahead() {
-        return getMenus().stream().flatMap(menu -> Stream.of(() -> window(menu).ifPresent(EditorMenu::make),
-                () -> window(menu).ifPresent(EditorMenu::layOut)));
+    Stream<Runnable> preloadSteps() {
+        return getMenus().stream().flatMap(menu -> Stream.of(() -> popup(menu).ifPresent(EditorMenu::createSkin),
+                () -> popup(menu).ifPresent(EditorMenu::layOut)));
     }
 
     /** The window of a menu, which there is once the bar has its looks. */
-    private static Optional<ContextMenu> window(Menu menu) {
+    private static Optional<ContextMenu> popup(Menu menu) {
         return Optional.ofNullable(menu.getItems().getFirst().getParentPopup());
     }
 
@@ -92,8 +98,8 @@ final class EditorMenu extends MenuBar {
         lines.layout();
     }
 
-    private static void make(ContextMenu menu) {
-        Looks.dress(menu.getScene());
+    private static void createSkin(ContextMenu menu) {
+        ColorTheme.style(menu.getScene());
         if (menu.getSkin() == null) {
             menu.setSkin(new ContextMenuSkin(menu));
         }
@@ -107,7 +113,7 @@ final class EditorMenu extends MenuBar {
 
     private void add(Menu menu, Command... commands) {
         for (Command command : commands) {
-            menu.getItems().add(command == LINE ? new SeparatorMenuItem() : items.item(command));
+            menu.getItems().add(command == SEPARATOR ? new SeparatorMenuItem() : items.item(command));
         }
     }
 
@@ -125,25 +131,26 @@ final class EditorMenu extends MenuBar {
     }
 
     private Menu view() {
-        var light = new SimpleBooleanProperty(Looks.worn() == Looks.LIGHT);
-        light.addListener((_, _, on) -> (on ? Looks.LIGHT : Looks.DARK).wear());
-        model.commands().setSwitch(Command.LIGHT_THEME, light);
-        Menu view = menu(Texts.of("View"), Command.ONLY_SELECTED, Command.SCOPES);
+        var light = new SimpleBooleanProperty(ColorTheme.current() == ColorTheme.LIGHT);
+        light.addListener((_, _, on) -> (on ? ColorTheme.LIGHT : ColorTheme.DARK).apply());
+        model.commands().setToggle(Command.LIGHT_THEME, light);
+        Menu view = menu(Messages.tr("View"), Command.ONLY_SELECTED, Command.SCOPES);
         view.getItems().add(
-                new Menu(Texts.of("Show the Picture"), null, ViewItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
-        add(view, LINE, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
-                LINE, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, LINE);
-        view.getItems().addAll(PreviewItems.of(model.previewLook(), items));
+                new Menu(Messages.tr("Show the Picture"), null,
+                        ViewMenuItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
+        add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
+                SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
+        view.getItems().addAll(PreviewMenuItems.of(model.previewSettings(), items));
         view.getItems().addAll(new SeparatorMenuItem(), canvases());
-        add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, LINE, Command.LIGHT_THEME);
+        add(view, Command.HIDE_PANELS, Command.FULL_SCREEN, SEPARATOR, Command.LIGHT_THEME);
         view.getItems().add(languages());
         return view;
     }
 
     private Menu canvases() {
         Menu menu = items.menu(Command.ARRANGEMENT);
-        var chosen = model.arrangement().canvasesProperty();
-        for (Canvases value : Canvases.values()) {
+        var chosen = model.layout().canvasLayoutProperty();
+        for (CanvasLayout value : CanvasLayout.values()) {
             menu.getItems().add(items.choice(Command.ARRANGEMENT, "canvases-" + value.name(), value.toString(), chosen.map(c -> c == value),
                     () -> chosen.set(value)));
         }
@@ -152,12 +159,12 @@ final class EditorMenu extends MenuBar {
 
     private Menu languages() {
         Menu menu = items.menu(Command.LANGUAGE);
-        var chosen = model.speechProperty();
-        for (Speech value : Speech.values()) {
+        var chosen = model.languageProperty();
+        for (UiLanguage value : UiLanguage.values()) {
             menu.getItems()
                     .add(items.choice(Command.LANGUAGE, "language-" + value.name(), value.toString(), chosen.map(c -> c == value), () -> {
                         chosen.set(value);
-                        model.editor().message().show(Texts.of("The editor speaks it from its next start on"));
+                        model.editor().message().show(Messages.tr("The editor speaks it from its next start on"));
                     }));
         }
         return menu;
@@ -165,8 +172,8 @@ final class EditorMenu extends MenuBar {
 
     private Menu accuracy() {
         Menu menu = items.menu(Command.ACCURACY);
-        var chosen = model.precisionProperty();
-        for (Precision precision : Precision.values()) {
+        var chosen = model.accuracyModeProperty();
+        for (AccuracyMode precision : AccuracyMode.values()) {
             menu.getItems().add(items.choice(Command.ACCURACY, "accuracy-" + precision.name(), precision.toString(),
                     chosen.map(p -> p == precision), () -> chosen.set(precision)));
         }
@@ -175,7 +182,7 @@ final class EditorMenu extends MenuBar {
 
     private Menu sizes() {
         Menu menu = items.menu(Command.PICTURE_SIZE);
-        menu.getItems().setAll(List.copyOf(SizeMenu.ofPicture(model.editor(), items)));
+        menu.getItems().setAll(List.copyOf(SizeMenu.pictureSizeItems(model.editor(), items)));
         return menu;
     }
 }

@@ -16,13 +16,13 @@ import javafx.scene.input.TransferMode;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.window.animation.AnimationWindow;
 import lightning.editor.window.command.CommandKeys;
 import lightning.editor.window.command.CommandPalette;
+import lightning.editor.window.command.EditorDialogs;
 import lightning.editor.window.command.FileActions;
-import lightning.editor.window.command.Notices;
 import lightning.editor.window.command.UndoKeys;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.preview.PreviewPane;
@@ -34,11 +34,11 @@ import lightning.editor.window.timeline.TimelinePane;
 
 /** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
 public final class EditorWindow implements AutoCloseable {
-    private final Runnable makeTimeline;
-    private final EditorFrame frame;
+    private final Runnable createTimeline;
+    private final EditorLayout layout;
     private final PreviewPane preview;
     private final FileActions files;
-    private final Panels panels;
+    private final PanelWindows panels;
     private final VBox bars;
     private final EditorMenu menu;
     private final SidePane side;
@@ -47,72 +47,72 @@ public final class EditorWindow implements AutoCloseable {
     private final BooleanProperty fullScreen = new SimpleBooleanProperty();
 
     /** Fills a frame, in which the traced picture stands already. */
-    EditorWindow(EditorFrame frame, EditorModel model, FileActions files, Notices notices) {
-        this.frame = frame;
+    EditorWindow(EditorLayout layout, EditorModel model, FileActions files, EditorDialogs notices) {
+        this.layout = layout;
         this.files = files;
         preview = new PreviewPane(model);
-        panels = new Panels(model, this::window);
-        panels.addTo(model.commands());
-        model.commands().setAction(Command.ABOUT, () -> About.show(notices));
-        AnimationWindow.addTo(model, this::window);
-        model.commands().setSwitch(Command.FULL_SCREEN, fullScreen, this::switchFullScreen);
+        panels = new PanelWindows(model, this::window);
+        panels.registerCommands(model.commands());
+        model.commands().setAction(Command.ABOUT, () -> AboutDialog.show(notices));
+        AnimationWindow.registerCommands(model, this::window);
+        model.commands().setToggle(Command.FULL_SCREEN, fullScreen, this::toggleFullScreen);
         var playback = new Playback(model.editor(), model.picture(), model.commands());
         model.commands().setAction(Command.EXPORT_SHOT, () -> new ShotExportWindow(model, window()).show());
         menu = new EditorMenu(model, files);
         model.commands().setAction(Command.PALETTE, () -> CommandPalette.open(window(), menu, model.commands()));
-        var tools = new EditorToolBar(model.editor(), model.commands(), model.precisionProperty());
-        tools.visibleProperty().bind(model.arrangement().panelsHiddenProperty().not());
+        var tools = new EditorToolBar(model.editor(), model.commands(), model.accuracyModeProperty());
+        tools.visibleProperty().bind(model.layout().panelsHiddenProperty().not());
         tools.managedProperty().bind(tools.visibleProperty());
         bars = new VBox(menu, tools);
         side = new SidePane(model);
-        frame.fill(bars, preview, new ListTabs(model.editor(), model.commands()), side,
-                new StatusLine(model.editor(), model.picture(), model.commands()));
-        frame.follow(model.arrangement());
-        makeTimeline = frame.addTimeline(model.arrangement(), () -> {
+        layout.setPanes(bars, preview, new ListTabs(model.editor(), model.commands()), side,
+                new StatusBar(model.editor(), model.picture(), model.commands()));
+        layout.bindTo(model.layout());
+        createTimeline = layout.addTimeline(model.layout(), () -> {
             timeline = new TimelinePane(model, playback);
             return timeline;
         });
-        frame.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
-            if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && frame.isOverPictures()) {
+        layout.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
+            if (e.getCode() == KeyCode.TAB && !e.isShiftDown() && !e.isControlDown() && !e.isAltDown() && layout.isOverPictures()) {
                 model.commands().run(Command.HIDE_PANELS);
                 e.consume();
             }
         });
-        UndoKeys.take(frame, model.commands());
-        CommandKeys.explain(frame, model.commands());
-        frame.setOnDragOver(this::dragOver);
-        frame.setOnDragDropped(this::dropped);
+        UndoKeys.install(layout, model.commands());
+        CommandKeys.explainDisabled(layout, model.commands());
+        layout.setOnDragOver(this::dragOver);
+        layout.setOnDragDropped(this::handleDrop);
     }
 
-    private void switchFullScreen() {
+    private void toggleFullScreen() {
         var stage = (Stage) window();
         if (!fullScreen.isBound()) {
             // Escape cancels and ends what is asked.
             stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
-            stage.setFullScreenExitHint(Texts.of("F11 leaves the full screen"));
+            stage.setFullScreenExitHint(Messages.tr("F11 leaves the full screen"));
             fullScreen.bind(stage.fullScreenProperty());
         }
         stage.setFullScreen(!stage.isFullScreen());
     }
 
     /** Puts a line below the tool bar. */
-    void addLine(Node line) {
-        bars.getChildren().add(line);
+    void addBar(Node bar) {
+        bars.getChildren().add(bar);
     }
 
     /** The keyboard takes lights at once. */
     void focus() {
         // What lies between the bars of the split panes is in the window only when they have their looks.
-        frame.applyCss();
+        layout.applyCss();
         preview.canvas().requestFocus();
     }
 
     private Window window() {
-        return frame.getScene().getWindow();
+        return layout.getScene().getWindow();
     }
 
     private static boolean isScene(File file) {
-        return Opening.isNamedSo(file.getName());
+        return StartupFiles.canOpen(file.getName());
     }
 
     private void dragOver(DragEvent e) {
@@ -122,19 +122,20 @@ public final class EditorWindow implements AutoCloseable {
         e.consume();
     }
 
-    private void dropped(DragEvent e) {
-        e.setDropCompleted(drop(e.getDragboard().getFiles()));
+    private void handleDrop(DragEvent e) {
+        e.setDropCompleted(openDropped(e.getDragboard().getFiles()));
         e.consume();
     }
 
     /** What can be made before somebody asks for it, a step after the other. */
-    Stream<Runnable> ahead() {
-        return Stream.of(side.ahead(), menu.ahead(), panels.ahead(), Stream.of(makeTimeline)).flatMap(Function.identity());
+    Stream<Runnable> preloadSteps() {
+        return Stream.of(side.preloadSteps(), menu.preloadSteps(), panels.preloadSteps(), Stream.of(createTimeline))
+                .flatMap(Function.identity());
     }
 
     /** Opens the first scene among files; returns whether there is one. */
-    boolean drop(List<File> dropped) {
-        Optional<File> scene = dropped.stream().filter(EditorWindow::isScene).findFirst();
+    boolean openDropped(List<File> droppedFiles) {
+        Optional<File> scene = droppedFiles.stream().filter(EditorWindow::isScene).findFirst();
         scene.ifPresent(f -> files.load(f.toPath()));
         return scene.isPresent();
     }

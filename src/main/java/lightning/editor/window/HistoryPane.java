@@ -13,12 +13,12 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
-import lightning.editor.document.History;
-import lightning.editor.document.Situation;
+import lightning.base.text.Messages;
+import lightning.editor.document.EditHistory;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.widget.WhileSeen;
+import lightning.editor.window.widget.VisibilityListener;
 
 /**
  * All edits as a list, the first at the top: a click goes to what was after that edit. What is undone is dimmed. The document's, or those
@@ -30,60 +30,61 @@ final class HistoryPane extends VBox {
     private final SceneEditor editor;
     private final Workbench workbench;
     private final ListView<Row> list = new ListView<>();
-    private final ToggleButton document = new ToggleButton(Texts.of("Document"));
-    private final ToggleButton light = new ToggleButton(Texts.of("Selected light"));
-    private final Label about = new Label();
+    private final ToggleButton documentToggle = new ToggleButton(Messages.tr("Document"));
+    private final ToggleButton lightToggle = new ToggleButton(Messages.tr("Selected light"));
+    private final Label lightName = new Label();
 
-    /** @param done how many steps are done there */
-    private record Row(int done, String text, boolean undone) {}
+    /** @param position how many steps are done there */
+    private record Row(int position, String text, boolean isUndone) {}
 
     HistoryPane(SceneEditor editor, Workbench workbench) {
         this.editor = editor;
         this.workbench = workbench;
         setId("history");
         getStyleClass().add("history");
-        var of = new ToggleGroup();
-        document.setToggleGroup(of);
-        document.setId("history-document");
-        light.setToggleGroup(of);
-        light.setId("history-light");
-        of.selectToggle(document);
-        of.selectedToggleProperty().addListener((_, before, now) -> {
+        var toggles = new ToggleGroup();
+        documentToggle.setToggleGroup(toggles);
+        documentToggle.setId("history-document");
+        lightToggle.setToggleGroup(toggles);
+        lightToggle.setId("history-light");
+        toggles.selectToggle(documentToggle);
+        toggles.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {
-                of.selectToggle(before);
+                toggles.selectToggle(before);
             } else {
-                show(editor.situationProperty().get());
+                show(editor.editorStateProperty().get());
             }
         });
-        about.setId("history-about");
-        about.getStyleClass().add("pane-note");
-        var head = new HBox(8, document, light, about);
-        head.getStyleClass().add("history-head");
+        lightName.setId("history-about");
+        lightName.getStyleClass().add("pane-note");
+        var header = new HBox(8, documentToggle, lightToggle, lightName);
+        header.getStyleClass().add("history-head");
         list.setId("history-list");
-        list.setAccessibleText(Texts.of("edits"));
+        list.setAccessibleText(Messages.tr("edits"));
         list.getStyleClass().add("edge-to-edge");
         list.setCellFactory(_ -> new Cell());
         list.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.ENTER || e.getCode() == KeyCode.SPACE) {
-                go(list.getSelectionModel().getSelectedItem());
+                goTo(list.getSelectionModel().getSelectedItem());
                 e.consume();
             }
         });
         setVgrow(list, Priority.ALWAYS);
-        getChildren().addAll(head, list);
-        WhileSeen.follow(this, () -> editor.situationProperty().subscribe(this::show));
+        getChildren().addAll(header, list);
+        VisibilityListener.attach(this, () -> editor.editorStateProperty().subscribe(this::show));
     }
 
-    private void show(Situation now) {
-        History history = editor.document().history();
-        long id = now.selected().map(l -> history.id(l.name())).orElse(-1L);
-        List<String> steps = light.isSelected() ? history.lightSteps(id) : history.steps();
-        int position = light.isSelected() ? history.lightPosition(id) : history.position();
-        String name = now.selected().map(l -> l.name()).orElse(Texts.of("no light is selected"));
-        about.setText(light.isSelected() ? name : "");
+    private void show(EditorState state) {
+        EditHistory history = editor.document().history();
+        long id = state.selectedLight().map(l -> history.id(l.name())).orElse(-1L);
+        List<String> steps = lightToggle.isSelected() ? history.lightSteps(id) : history.steps();
+        int position = lightToggle.isSelected() ? history.lightPosition(id) : history.position();
+        String name = state.selectedLight().map(l -> l.name()).orElse(Messages.tr("no light is selected"));
+        lightName.setText(lightToggle.isSelected() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
                 .mapToObj(i -> new Row(i,
-                        i == 0 ? light.isSelected() ? Texts.of("As it first was") : Texts.of("As it was opened") : steps.get(i - 1),
+                        i == 0 ? lightToggle.isSelected() ? Messages.tr("As it first was") : Messages.tr("As it was opened")
+                                : steps.get(i - 1),
                         i > position))
                 .toList();
         if (!list.getItems().equals(rows)) {
@@ -93,20 +94,20 @@ final class HistoryPane extends VBox {
         list.scrollTo(Math.max(0, position - 3));
     }
 
-    private void go(Row row) {
+    private void goTo(Row row) {
         if (row == null) {
             return;
         }
         if (editor.isAnimating()) {
-            editor.message().show(Texts.of("An animation is open; close it first"));
-        } else if (row.done() == list.getItems().stream().filter(r -> !r.undone()).count() - 1) {
+            editor.message().show(Messages.tr("An animation is open; close it first"));
+        } else if (row.position() == list.getItems().stream().filter(r -> !r.isUndone()).count() - 1) {
             return;
-        } else if (light.isSelected()) {
-            workbench.goToOfLight(row.done()).ifPresent(editor.message()::show);
+        } else if (lightToggle.isSelected()) {
+            workbench.goToLightStep(row.position()).ifPresent(editor.message()::show);
         } else {
-            workbench.goTo(row.done());
+            workbench.goTo(row.position());
         }
-        show(editor.situationProperty().get());
+        show(editor.editorStateProperty().get());
     }
 
     private final class Cell extends ListCell<Row> {
@@ -114,7 +115,7 @@ final class HistoryPane extends VBox {
             setPrefWidth(0);
             setOnMouseClicked(_ -> {
                 if (!isEmpty()) {
-                    go(getItem());
+                    goTo(getItem());
                 }
             });
         }
@@ -123,7 +124,7 @@ final class HistoryPane extends VBox {
         protected void updateItem(Row row, boolean empty) {
             super.updateItem(row, empty);
             setText(empty ? "" : row.text());
-            pseudoClassStateChanged(UNDONE, !empty && row.undone());
+            pseudoClassStateChanged(UNDONE, !empty && row.isUndone());
         }
     }
 }

@@ -14,14 +14,14 @@ import javafx.stage.Screen;
 import javafx.stage.Stage;
 import lightning.base.file.ShippedFile;
 import lightning.editor.document.FileThread;
-import lightning.editor.document.Recovery;
+import lightning.editor.document.RecoveryFolder;
 import lightning.editor.window.command.FilePrompt;
+import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.Preferences;
-import lightning.editor.window.model.Sentence;
-import lightning.editor.window.model.Speech;
 import lightning.editor.window.model.TracedRaster;
+import lightning.editor.window.model.UiLanguage;
 import lightning.editor.window.traced.TracedPane;
-import lightning.editor.window.widget.Looks;
+import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
 
 /**
@@ -30,28 +30,28 @@ import lightning.editor.window.widget.PictureView;
  */
 public class LightningApp extends Application {
     /** What is being read for the program that starts in this process; null where it was not begun by {@link #open}. */
-    private static FutureTask<Opening> ahead;
+    private static FutureTask<StartupFiles> startupRead;
 
-    private static final long PATIENCE_MS = 600;
+    private static final long PREVIEW_TIMEOUT_MS = 600;
     /** How long a window that is there waits for a first look, before it shows that it waits; nanoseconds. */
-    private static final long FIRST_PATIENCE_NS = 300_000_000;
+    private static final long FIRST_PICTURE_TIMEOUT_NS = 300_000_000;
 
     private final FileThread thread = new FileThread(Platform::runLater);
-    private final Recovery recovery = recovery();
+    private final RecoveryFolder recovery = recovery();
     private Preferences preferences;
     /** What was read and nobody works at yet; else null. */
-    private Opening opening;
+    private StartupFiles startupFiles;
     /** Null before it was drawn. */
-    private EditorFrame frame;
-    private FirstSight sight;
+    private EditorLayout layout;
+    private StartupSession startupSession;
     private Editor editor;
-    private Ahead beforehand;
+    private IdlePreloader preloader;
 
     /**
      * Opens the editor and returns when its window is closed. At most once in a process.
      *
      * @param arguments the file to open, a scene or one of which a scene can be made, or nothing
-     * @return why no window can be opened, as {@link Display#obstacle} tells; empty if one was
+     * @return why no window can be opened, as {@link WindowToolkit#start} tells; empty if one was
      */
     public static Optional<String> open(List<String> arguments) {
         return open(LightningApp.class, arguments);
@@ -59,20 +59,20 @@ public class LightningApp extends Application {
 
     static Optional<String> open(Class<? extends LightningApp> program, List<String> arguments) {
         Path file = file(arguments);
-        Recovery recovery = recovery();
+        RecoveryFolder recovery = recovery();
         // The program's own preferences are read later, which write too.
-        ahead = new FutureTask<>(() -> Opening.read(file, new Preferences(Folders.data(), _ -> {}), recovery));
-        Thread.ofPlatform().daemon().name("lightning-opening").start(ahead);
-        Optional<String> obstacle = Display.obstacle();
-        if (obstacle.isEmpty()) {
+        startupRead = new FutureTask<>(() -> StartupFiles.read(file, new Preferences(EditorPaths.dataFolder(), _ -> {}), recovery));
+        Thread.ofPlatform().daemon().name("lightning-opening").start(startupRead);
+        Optional<String> problem = WindowToolkit.start();
+        if (problem.isEmpty()) {
             launch(program, arguments.toArray(String[]::new));
         }
-        return obstacle;
+        return problem;
     }
 
     /** Whether the editor opens a file, by its name. */
-    public static boolean opens(String file) {
-        return Opening.isNamedSo(file);
+    public static boolean canOpen(String file) {
+        return StartupFiles.canOpen(file);
     }
 
     /** The file to open. */
@@ -81,59 +81,59 @@ public class LightningApp extends Application {
     }
 
     private static Path file(List<String> arguments) {
-        return arguments.isEmpty() ? Folders.firstScene() : ShippedFile.find(Path.of(arguments.getFirst()));
+        return arguments.isEmpty() ? EditorPaths.defaultScene() : ShippedFile.resolve(Path.of(arguments.getFirst()));
     }
 
-    private static Recovery recovery() {
-        return new Recovery(Folders.data().resolve("recovery"));
+    private static RecoveryFolder recovery() {
+        return new RecoveryFolder(EditorPaths.dataFolder().resolve("recovery"));
     }
 
     /** Before there is a window that could wait for a disk. */
     @Override
     public void init() {
-        preferences = new Preferences(Folders.data(), thread);
-        Speech.begin(preferences);
+        preferences = new Preferences(EditorPaths.dataFolder(), thread);
+        UiLanguage.activate(preferences);
     }
 
     @Override
     public void start(Stage stage) {
         Path file = file();
-        Looks looks = preferences.choice("theme", Looks.DARK);
-        var first = new FirstFrame(looks);
+        ColorTheme looks = preferences.enumValue("theme", ColorTheme.DARK);
+        var startupView = new StartupView(looks);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        EditorStage.begin(stage, first, preferences, screen.getWidth(), screen.getHeight());
-        thread.beside(() -> lookedAt(ahead == null ? Opening.read(file, preferences, recovery) : read(ahead)),
-                read -> unlessClosed(stage, () -> {
-                    glimpse(first.picture(), read);
-                    opening = read;
-                    begin(stage);
-                }), why -> unlessClosed(stage, () -> {
-                    looks.wear();
-                    new Alert(Alert.AlertType.ERROR, Sentence.of(why), ButtonType.CLOSE).showAndWait();
+        EditorStage.showUnstyled(stage, startupView, preferences, screen.getWidth(), screen.getHeight());
+        thread.runConcurrently(() -> awaitPreview(startupRead == null ? StartupFiles.read(file, preferences, recovery) : read(startupRead)),
+                result -> runIfOpen(stage, () -> {
+                    showFirstPixels(startupView.picture(), result);
+                    startupFiles = result;
+                    showIfReady(stage);
+                }), failure -> runIfOpen(stage, () -> {
+                    looks.apply();
+                    new Alert(Alert.AlertType.ERROR, ErrorMessage.of(failure), ButtonType.CLOSE).showAndWait();
                     Platform.exit();
                 }));
-        Drawn.with(() -> !first.picture().isEmpty(), FIRST_PATIENCE_NS, () -> unlessClosed(stage, () -> {
-            looks.wear();
-            Looks.dress(stage.getScene());
-            Drawn.once(() -> unlessClosed(stage, () -> frame(stage, file, first.picture())));
+        PaintCallbacks.afterPaintOf(() -> !startupView.picture().isEmpty(), FIRST_PICTURE_TIMEOUT_NS, () -> runIfOpen(stage, () -> {
+            looks.apply();
+            ColorTheme.style(stage.getScene());
+            PaintCallbacks.afterNextPaint(() -> runIfOpen(stage, () -> showLayout(stage, file, startupView.picture())));
         }));
     }
 
     /** Shows the panes, which say that they wait. */
-    private void frame(Stage stage, Path file, PictureView picture) {
-        var made = new EditorFrame(file, picture);
-        stage.getScene().setRoot(made);
-        Drawn.once(() -> unlessClosed(stage, () -> {
-            frame = made;
-            begin(stage);
+    private void showLayout(Stage stage, Path file, PictureView picture) {
+        var newLayout = new EditorLayout(file, picture);
+        stage.getScene().setRoot(newLayout);
+        PaintCallbacks.afterNextPaint(() -> runIfOpen(stage, () -> {
+            layout = newLayout;
+            showIfReady(stage);
         }));
     }
 
-    private static Opening read(FutureTask<Opening> opening) throws Exception {
+    private static StartupFiles read(FutureTask<StartupFiles> reading) throws Exception {
         // What it holds is for the first document alone.
-        ahead = null;
+        startupRead = null;
         try {
-            return opening.get();
+            return reading.get();
         } catch (ExecutionException e) {
             switch (e.getCause()) {
                 case Exception why -> throw why;
@@ -144,65 +144,65 @@ public class LightningApp extends Application {
     }
 
     /** How long a scene that is read waits for a first look at it, milliseconds. */
-    long patience() {
-        return PATIENCE_MS;
+    long previewTimeoutMs() {
+        return PREVIEW_TIMEOUT_MS;
     }
 
-    private Opening lookedAt(Opening opening) throws InterruptedException {
-        opening.glimpse().await(patience());
-        return opening;
+    private StartupFiles awaitPreview(StartupFiles files) throws InterruptedException {
+        files.preview().await(previewTimeoutMs());
+        return files;
     }
 
     /** Shows what there is to be seen already. */
-    private static void glimpse(PictureView picture, Opening read) {
-        TracedRaster.Pixels seen = read.glimpse().raster().pixels();
-        if (seen != null) {
-            picture.setPixels(seen.width(), seen.height(), seen.pixels());
-            picture.say(TracedPane.coarse());
+    private static void showFirstPixels(PictureView picture, StartupFiles files) {
+        TracedRaster.Pixels pixels = files.preview().raster().pixels();
+        if (pixels != null) {
+            picture.setPixels(pixels.width(), pixels.height(), pixels.pixels());
+            picture.showNote(TracedPane.coarseNote());
         }
     }
 
     /** Nobody waits for a scene whose window was closed while it was read. */
-    private static void unlessClosed(Stage stage, Runnable then) {
+    private static void runIfOpen(Stage stage, Runnable action) {
         if (stage.isShowing()) {
-            then.run();
+            action.run();
         }
     }
 
     /** Where the scene is read, and the window has its frame. */
-    private void begin(Stage stage) {
-        Opening read = opening;
-        if (read != null && frame != null) {
-            opening = null;
-            sight = new FirstSight(frame, read.document(), read.glimpse(), preferences, recovery, thread);
-            sight.whenSeen(() -> unlessClosed(stage, () -> show(stage, read)));
+    private void showIfReady(Stage stage) {
+        StartupFiles files = startupFiles;
+        if (files != null && layout != null) {
+            startupFiles = null;
+            startupSession = new StartupSession(layout, files.document(), files.preview(), preferences, recovery, thread);
+            startupSession.whenPainted(() -> runIfOpen(stage, () -> showEditor(stage, files)));
         }
     }
 
-    private void show(Stage stage, Opening opening) {
+    private void showEditor(Stage stage, StartupFiles files) {
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        editor = new Editor(stage, sight, preferences, thread, FilePrompt.of(stage), screen.getWidth(), screen.getHeight());
-        if (opening.failed() != null) {
-            editor.failed(opening.failed(), opening.why());
+        editor = new Editor(stage, startupSession, preferences, thread, FilePrompt.ofSystem(stage), screen.getWidth(), screen.getHeight());
+        if (files.failedFile() != null) {
+            editor.reportFailedOpen(files.failedFile(), files.failure());
         }
-        beforehand = new Ahead(stage.getScene(), editor::rests, editor.window().ahead().iterator());
-        opened(editor);
-        editor.offer(opening.left());
-        if (opening.next() != null) {
-            editor.files().load(opening.next());
+        preloader = new IdlePreloader(stage.getScene(), editor::isIdle, editor.window().preloadSteps().iterator());
+        editorOpened(editor);
+        editor.offerRecovery(files.findRecoveries());
+        if (files.fileToImport() != null) {
+            editor.files().load(files.fileToImport());
         }
     }
 
     /** An editor has its window. */
-    void opened(Editor opened) {}
+    void editorOpened(Editor opened) {}
 
     @Override
     public void stop() {
         if (editor != null) {
-            beforehand.close();
+            preloader.close();
             editor.close();
-        } else if (sight != null) {
-            sight.close();
+        } else if (startupSession != null) {
+            startupSession.close();
         }
     }
 }

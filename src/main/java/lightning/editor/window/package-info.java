@@ -2,7 +2,7 @@
  * The editor's window: JavaFX panes over what {@link lightning.editor.document} holds. The only package that knows JavaFX.
  *
  * <pre>{@code
- * Optional<String> obstacle = Display.obstacle();
+ * Optional<String> obstacle = WindowToolkit.start();
  * if (obstacle.isEmpty()) {
  *     LightningApp.open(List.of("scenes/bird.jen"));
  * }

@@ -7,14 +7,14 @@ import java.util.function.Consumer;
 import java.util.stream.StreamSupport;
 import lightning.base.text.Quote;
 import lightning.format.jen.FileKind;
-import lightning.scene.Attribute;
-import lightning.scene.Choice;
-import lightning.scene.FromFile;
+import lightning.scene.ChoiceKind;
+import lightning.scene.FileAsset;
 import lightning.scene.Gobo;
-import lightning.scene.Links;
+import lightning.scene.IesProfile;
+import lightning.scene.NumericKind;
 import lightning.scene.Photometry;
-import lightning.scene.Profile;
-import lightning.scene.Quantity;
+import lightning.scene.SceneAttribute;
+import lightning.scene.ShapeLinks;
 import lightning.scene.Texture;
 import lightning.scene.ValueKind;
 import tools.jackson.databind.JsonNode;
@@ -29,27 +29,27 @@ final class AttributeJson {
     private AttributeJson() {}
 
     /** Says whether the scene finds a file that a light names. */
-    interface Files {
-        boolean has(FileKind kind, String name);
+    interface FileLookup {
+        boolean contains(FileKind kind, String name);
     }
 
     /** Writes every attribute of a table; a file that a record does not have is left out. */
-    static <T> void write(ObjectNode out, T record, List<? extends Attribute<T, ?>> table) {
-        table.forEach(attribute -> write(out, record, attribute));
+    static <T> void write(ObjectNode out, T record, List<? extends SceneAttribute<T, ?>> attributes) {
+        attributes.forEach(attribute -> write(out, record, attribute));
     }
 
-    private static <T, V> void write(ObjectNode out, T record, Attribute<T, V> attribute) {
-        V value = attribute.of(record);
+    private static <T, V> void write(ObjectNode out, T record, SceneAttribute<T, V> attribute) {
+        V value = attribute.get(record);
         String name = attribute.name();
         switch (attribute.kind()) {
-            case Quantity<V> q when q.labels().size() == 1 -> number(out, name, q.number(value, 0), q.whole());
-            case Quantity<V> q -> q.split().apply(value).forEach(out.withArray(name)::add);
-            case Choice<V> _ when value instanceof Boolean yes -> out.put(name, yes);
-            case Choice<V> c -> out.put(name, c.text(value));
-            case ValueKind.Linking _ -> links(out.putObject(name), (Links) value);
-            case ValueKind.Naming _ -> out.put(name, (String) value);
-            case ValueKind.Filed<?> _ -> ((Optional<?>) value).ifPresent(file -> out.put(name, ((FromFile) file).file()));
-            case ValueKind.Texturing _ -> throw new AssertionError("no light has a texture");
+            case NumericKind<V> q when q.labels().size() == 1 -> number(out, name, q.number(value, 0), q.integer());
+            case NumericKind<V> q -> q.components().apply(value).forEach(out.withArray(name)::add);
+            case ChoiceKind<V> _ when value instanceof Boolean yes -> out.put(name, yes);
+            case ChoiceKind<V> c -> out.put(name, c.format(value));
+            case ValueKind.LinksKind _ -> links(out.putObject(name), (ShapeLinks) value);
+            case ValueKind.NameKind _ -> out.put(name, (String) value);
+            case ValueKind.AssetKind<?> _ -> ((Optional<?>) value).ifPresent(file -> out.put(name, ((FileAsset) file).file()));
+            case ValueKind.TextureKind _ -> throw new AssertionError("no light has a texture");
         }
     }
 
@@ -61,51 +61,52 @@ final class AttributeJson {
         }
     }
 
-    private static void links(ObjectNode out, Links links) {
-        ArrayNode names = out.put("only", links.only()).putArray("names");
+    private static void links(ObjectNode out, ShapeLinks links) {
+        ArrayNode names = out.put("only", links.exclusive()).putArray("names");
         links.names().forEach(names::add);
     }
 
     /**
      * The record with every attribute that the JSON has and it may have.
      *
-     * @param refused takes a sentence about each value that cannot be used, which leaves the attribute as it was
+     * @param onError takes a sentence about each value that cannot be used, which leaves the attribute as it was
      */
-    static <T> T read(JsonNode in, T record, List<? extends Attribute<T, ?>> table, Files files,
-            Consumer<String> refused) {
-        T made = record;
-        for (Attribute<T, ?> attribute : table) {
+    static <T> T read(JsonNode in, T record, List<? extends SceneAttribute<T, ?>> attributes, FileLookup files,
+            Consumer<String> onError) {
+        T result = record;
+        for (SceneAttribute<T, ?> attribute : attributes) {
             if (in.has(attribute.name())) {
                 try {
-                    made = with(made, attribute, in.get(attribute.name()), files);
+                    result = withValue(result, attribute, in.get(attribute.name()), files);
                 } catch (IllegalArgumentException e) {
-                    refused.accept(e.getMessage());
+                    onError.accept(e.getMessage());
                 }
             }
         }
-        return made;
+        return result;
     }
 
-    private static <T, V> T with(T record, Attribute<T, V> attribute, JsonNode in, Files files) {
+    private static <T, V> T withValue(T record, SceneAttribute<T, V> attribute, JsonNode in, FileLookup files) {
         return attribute.with(record, value(attribute.kind(), in, files));
     }
 
     @SuppressWarnings("unchecked")
-    private static <V> V value(ValueKind<V> kind, JsonNode in, Files files) {
+    private static <V> V value(ValueKind<V> kind, JsonNode in, FileLookup files) {
         return switch (kind) {
-            case Quantity<V> q -> quantity(q, in);
-            case Choice<V> c -> choice(c, in);
-            case ValueKind.Linking _ -> (V) links(in);
-            case ValueKind.Naming _ -> (V) text(in);
-            case ValueKind.Projecting _ -> (V) Optional.of(new Gobo(file(FileKind.TEXTURE, in, files),
+            case NumericKind<V> q -> quantity(q, in);
+            case ChoiceKind<V> c -> choice(c, in);
+            case ValueKind.LinksKind _ -> (V) links(in);
+            case ValueKind.NameKind _ -> (V) text(in);
+            case ValueKind.GoboKind _ -> (V) Optional.of(new Gobo(file(FileKind.TEXTURE, in, files),
                     new Texture(1, 1, new float[] {1, 1, 1})));
-            case ValueKind.Shining _ -> (V) Optional.of(new Profile(file(FileKind.PROFILE, in, files),
+            case ValueKind.ProfileKind _ -> (V) Optional.of(new IesProfile(file(FileKind.PROFILE, in, files),
                     new Photometry(Photometry.Type.C, new double[] {0, 180}, new double[] {0}, new double[] {1, 1})));
-            case ValueKind.Surrounding _,ValueKind.Texturing _ -> throw new AssertionError("no light has an environment or a texture");
+            case ValueKind.EnvironmentKind _,ValueKind.TextureKind _ ->
+                    throw new AssertionError("no light has an environment or a texture");
         };
     }
 
-    private static <V> V quantity(Quantity<V> q, JsonNode in) {
+    private static <V> V quantity(NumericKind<V> q, JsonNode in) {
         List<Double> numbers = new ArrayList<>();
         for (JsonNode number : in.isArray() ? in : List.of(in)) {
             if (!number.isNumber() || numbers.size() == q.labels().size()) {
@@ -118,23 +119,23 @@ final class AttributeJson {
         if (numbers.size() < q.labels().size()) {
             throw new IllegalArgumentException("expected " + q.labels().size() + " numbers, found " + numbers.size());
         }
-        return q.join().apply(numbers);
+        return q.compose().apply(numbers);
     }
 
-    private static <V> V choice(Choice<V> choice, JsonNode in) {
-        for (V value : choice.all()) {
-            if (value instanceof Boolean yes ? in.isBoolean() && in.asBoolean() == yes : choice.text(value).equals(text(in))) {
+    private static <V> V choice(ChoiceKind<V> choice, JsonNode in) {
+        for (V value : choice.values()) {
+            if (value instanceof Boolean yes ? in.isBoolean() && in.asBoolean() == yes : choice.format(value).equals(text(in))) {
                 return value;
             }
         }
         throw new IllegalArgumentException("expected one of " + String.join(", ", choice.words()));
     }
 
-    private static Links links(JsonNode in) {
+    private static ShapeLinks links(JsonNode in) {
         if (!in.path("only").isBoolean() || !in.path("names").isArray()) {
             throw new IllegalArgumentException("expected only and names");
         }
-        return new Links(in.get("only").asBoolean(), StreamSupport.stream(in.get("names").spliterator(), false)
+        return new ShapeLinks(in.get("only").asBoolean(), StreamSupport.stream(in.get("names").spliterator(), false)
                 .map(AttributeJson::text).toList());
     }
 
@@ -146,9 +147,9 @@ final class AttributeJson {
     }
 
     /** What the file holds is read with the scene. */
-    private static String file(FileKind kind, JsonNode in, Files files) {
+    private static String file(FileKind kind, JsonNode in, FileLookup files) {
         String name = text(in);
-        if (!files.has(kind, name)) {
+        if (!files.contains(kind, name)) {
             throw new IllegalArgumentException("there is no file " + Quote.of(name));
         }
         return name;

@@ -7,10 +7,10 @@ import lightning.scene.Mesh;
 /** The box around what was placed so far. */
 final class Bounds {
     /** No canonical solid is larger than its box from −1 to 1. */
-    static final Bounds SOLID = new Bounds(1);
+    static final Bounds UNIT_CUBE = new Bounds(1);
 
-    private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
-    private final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+    private final double[] min = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    private final double[] max = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
 
     Bounds() {}
 
@@ -30,34 +30,35 @@ final class Bounds {
     }
 
     /** A box that a map brings here. */
-    void add(Bounds other, Transform map) {
+    void add(Bounds other, Transform transform) {
         if (!other.isEmpty()) {
             for (int corner = 0; corner < 8; corner++) {
-                add(map.point(new Vec3((corner & 1) == 0 ? other.low[0] : other.high[0], (corner & 2) == 0 ? other.low[1] : other.high[1],
-                        (corner & 4) == 0 ? other.low[2] : other.high[2])));
+                add(transform.transformPoint(
+                        new Vec3((corner & 1) == 0 ? other.min[0] : other.max[0], (corner & 2) == 0 ? other.min[1] : other.max[1],
+                                (corner & 4) == 0 ? other.min[2] : other.max[2])));
             }
         }
     }
 
     private void add(Vec3 p) {
-        double[] at = {p.x(), p.y(), p.z()};
+        double[] coordinates = {p.x(), p.y(), p.z()};
         for (int axis = 0; axis < 3; axis++) {
-            low[axis] = Math.min(low[axis], at[axis]);
-            high[axis] = Math.max(high[axis], at[axis]);
+            min[axis] = Math.min(min[axis], coordinates[axis]);
+            max[axis] = Math.max(max[axis], coordinates[axis]);
         }
     }
 
     private boolean isEmpty() {
-        return !(low[0] <= high[0]);
+        return !(min[0] <= max[0]);
     }
 
-    Vec3 middle() {
-        return isEmpty() ? Vec3.ZERO : new Vec3((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2);
+    Vec3 center() {
+        return isEmpty() ? Vec3.ZERO : new Vec3((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
     }
 
     /** Half the diagonal; 1 where there is none. */
     double radius() {
-        double radius = isEmpty() ? 0 : new Vec3(high[0] - low[0], high[1] - low[1], high[2] - low[2]).length() / 2;
+        double radius = isEmpty() ? 0 : new Vec3(max[0] - min[0], max[1] - min[1], max[2] - min[2]).length() / 2;
         return radius > 0 ? radius : 1;
     }
 }

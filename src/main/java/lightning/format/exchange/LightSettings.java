@@ -9,11 +9,11 @@ import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.format.gltf.GltfLight;
-import lightning.format.mesh.Notes;
-import lightning.scene.Bank;
+import lightning.format.mesh.ConversionNotes;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
-import lightning.scene.Rig;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -24,17 +24,17 @@ import tools.jackson.databind.node.ObjectNode;
  */
 final class LightSettings {
     private static final JsonMapper JSON = JsonMapper.builder().build();
-    private static final String UNITS = "light_units";
-    private static final String BANK = "bank_settings";
+    private static final String UNITS_KEY = "light_units";
+    private static final String LIGHT_GROUP_KEY = "bank_settings";
     /** Files hold floats. */
-    private static final double SAME = 1e-5;
+    private static final double TOLERANCE = 1e-5;
 
-    private final Pieces pieces;
-    private final Map<String, Bank> banks = new HashMap<>();
+    private final SceneAssembler assembler;
+    private final Map<String, LightGroup> lightGroups = new HashMap<>();
 
-    /** @param pieces gets the light groups, and the notes of what cannot be restored */
-    LightSettings(Pieces pieces) {
-        this.pieces = pieces;
+    /** @param assembler gets the light groups, and the notes of what cannot be restored */
+    LightSettings(SceneAssembler assembler) {
+        this.assembler = assembler;
     }
 
     /**
@@ -42,81 +42,86 @@ final class LightSettings {
      *
      * @param units what the numbers of glTF are
      */
-    static ObjectNode of(Light light, Rig rig, LightUnits units) {
-        ObjectNode out = JSON.createObjectNode().put(UNITS, units.name().toLowerCase(Locale.ROOT));
+    static ObjectNode toJson(Light light, LightRig rig, LightUnits units) {
+        ObjectNode out = JSON.createObjectNode().put(UNITS_KEY, units.name().toLowerCase(Locale.ROOT));
         AttributeJson.write(out, light, LightAttribute.ALL);
-        rig.bank(light.bank()).ifPresent(bank -> AttributeJson.write(out.putObject(BANK), bank, Bank.ATTRIBUTES));
+        rig.lightGroup(light.lightGroup())
+                .ifPresent(group -> AttributeJson.write(out.putObject(LIGHT_GROUP_KEY), group, LightGroup.ATTRIBUTES));
         return out;
     }
 
     /**
      * The light that was written, where glTF's still is what was written of it.
      *
-     * @param made  as glTF says it
-     * @param found what glTF says
-     * @return {@code made} itself where this program did not write it
+     * @param imported  as glTF says it
+     * @param gltfLight what glTF says
+     * @return {@code imported} itself where this program did not write it
      */
-    Light restored(Light made, GltfLight found) {
-        JsonNode own = found.own();
+    Light restore(Light imported, GltfLight gltfLight) {
+        JsonNode settings = gltfLight.settings();
         Optional<LightUnits> units = Stream.of(LightUnits.values())
-                .filter(u -> own.path(UNITS).asString("").equals(u.name().toLowerCase(Locale.ROOT))).findFirst();
+                .filter(u -> settings.path(UNITS_KEY).asString("").equals(u.name().toLowerCase(Locale.ROOT))).findFirst();
         if (units.isEmpty()) {
-            return made;
+            return imported;
         }
-        Light said = AttributeJson.read(own, made, LightAttribute.ALL, pieces::finds, _ -> refuse());
-        Optional<Bank> bank = bank(said, own.path(BANK));
-        GltfLight written =
-                PunctualLight.of(bank.map(b -> Rig.of(List.of(said), List.of(b)).acting(said)).orElse(said), units.get(), own, new Notes());
-        Light light = said;
-        if (!isSameShape(written, found)) {
-            light = light.withType(made.type()).withAngle(made.angle()).withDropoff(made.dropoff());
+        Light stored = AttributeJson.read(settings, imported, LightAttribute.ALL, assembler::hasFile, _ -> noteUnusable());
+        Optional<LightGroup> group = lightGroup(stored, settings.path(LIGHT_GROUP_KEY));
+        GltfLight exported =
+                PunctualLightExport.convert(group.map(b -> LightRig.of(List.of(stored), List.of(b)).effectiveLight(stored)).orElse(stored),
+                        units.get(), settings, new ConversionNotes());
+        Light light = stored;
+        if (!isSameShape(exported, gltfLight)) {
+            light = light.withType(imported.type()).withAngle(imported.angle()).withDropoff(imported.dropoff());
         }
-        if (made.type().hasPosition() && !isNear(made.position(), said.position(), Math.max(1, made.position().maxAbs()))) {
-            light = light.withPosition(made.position());
+        if (imported.type().hasPosition() && !isNear(imported.position(), stored.position(), Math.max(1, imported.position().maxAbs()))) {
+            light = light.withPosition(imported.position());
         }
-        if (made.type().hasDirection() && !isNear(made.direction().normalized(), said.direction().normalized(), 1)) {
-            light = light.withDirection(made.direction());
+        if (imported.type().hasDirection() && !isNear(imported.direction().normalized(), stored.direction().normalized(), 1)) {
+            light = light.withDirection(imported.direction());
         }
-        if (!isSameStrength(written, found)) {
-            return light.withColor(made.color()).withIntensity(made.intensity()).withAttenuation(made.attenuation()).withBank("");
+        if (!isSameIntensity(exported, gltfLight)) {
+            return light.withColor(imported.color()).withIntensity(imported.intensity()).withAttenuation(imported.attenuation())
+                    .withLightGroup("");
         }
-        pieces.restored.add(made.name());
-        return bank.isEmpty() ? light.withBank("") : light.withBank(known(bank.get()));
+        assembler.restoredLights.add(imported.name());
+        return group.isEmpty() ? light.withLightGroup("") : light.withLightGroup(addLightGroup(group.get()));
     }
 
-    private void refuse() {
-        pieces.notes.add("settings of lights that cannot be used here");
+    private void noteUnusable() {
+        assembler.notes.add("settings of lights that cannot be used here");
     }
 
-    private Optional<Bank> bank(Light said, JsonNode settings) {
-        return said.bank().isEmpty() ? Optional.empty()
-                : Optional.of(AttributeJson.read(settings, Bank.of(said.bank()), Bank.ATTRIBUTES, pieces::finds, _ -> refuse()));
+    private Optional<LightGroup> lightGroup(Light stored, JsonNode settings) {
+        return stored.lightGroup().isEmpty() ? Optional.empty()
+                : Optional.of(AttributeJson.read(settings, LightGroup.of(stored.lightGroup()), LightGroup.ATTRIBUTES, assembler::hasFile,
+                        _ -> noteUnusable()));
     }
 
     /** The name of the scene's bank; the first of a name stands for the others. */
-    private String known(Bank bank) {
-        return banks.computeIfAbsent(bank.name(), name -> {
-            Bank free = bank.withName(pieces.names.unique(name, "bank"));
-            pieces.banks.add(free);
-            return free;
+    private String addLightGroup(LightGroup group) {
+        return lightGroups.computeIfAbsent(group.name(), name -> {
+            LightGroup unique = group.withName(assembler.names.unique(name, "bank"));
+            assembler.lightGroups.add(unique);
+            return unique;
         }).name();
     }
 
     private static boolean isSameShape(GltfLight a, GltfLight b) {
-        return a.type() == b.type() && (a.type() != GltfLight.Type.SPOT || isNear(a.inner(), b.inner()) && isNear(a.outer(), b.outer()));
+        return a.type() == b.type()
+                && (a.type() != GltfLight.Type.SPOT || isNear(a.innerAngle(), b.innerAngle()) && isNear(a.outerAngle(), b.outerAngle()));
     }
 
-    private static boolean isSameStrength(GltfLight a, GltfLight b) {
+    private static boolean isSameIntensity(GltfLight a, GltfLight b) {
         Rgb one = a.color().times(a.intensity());
         Rgb other = b.color().times(b.intensity());
         return isNear(one.r(), other.r()) && isNear(one.g(), other.g()) && isNear(one.b(), other.b());
     }
 
     private static boolean isNear(double a, double b) {
-        return Math.abs(a - b) <= SAME * Math.max(Math.abs(a), Math.abs(b));
+        return Math.abs(a - b) <= TOLERANCE * Math.max(Math.abs(a), Math.abs(b));
     }
 
-    private static boolean isNear(Vec3 a, Vec3 b, double size) {
-        return a.minus(b).maxAbs() <= SAME * size;
+    private static boolean isNear(Vec3 a, Vec3 b, double scale) {
+        return a.minus(b).maxAbs() <= TOLERANCE * scale;
     }
 }

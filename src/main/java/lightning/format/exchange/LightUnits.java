@@ -18,18 +18,18 @@ public enum LightUnits {
     /** Watts in all directions together of points and spots, watts per square metre of directional lights. */
     WATTS("watts, and watts per square metre");
 
-    private static final double LUMENS_OF_A_WATT = 683;
+    private static final double LUMENS_PER_WATT = 683;
 
-    private final String words;
+    private final String description;
 
-    LightUnits(String words) {
-        this.words = words;
+    LightUnits(String description) {
+        this.description = description;
     }
 
     /** How a light of 1 in the file shines here. */
-    public double intensityOfOne(LightType type) {
+    public double intensityOfOneUnit(LightType type) {
         double watts = switch (this) {
-            case CANDELA -> 1 / LUMENS_OF_A_WATT;
+            case CANDELA -> 1 / LUMENS_PER_WATT;
             case UNITLESS -> 1;
             case WATTS -> type == LightType.DIRECTIONAL ? 1 : 1 / (4 * Math.PI);
         };
@@ -37,17 +37,17 @@ public enum LightUnits {
     }
 
     /** What the numbers are, in words. */
-    public String words() {
-        return words;
+    public String description() {
+        return description;
     }
 
     /** The line of a scene's file that keeps what was chosen. */
-    String remark() {
-        return "# light units: the file's numbers were taken as " + words;
+    String comment() {
+        return "# light units: the file's numbers were taken as " + description;
     }
 
     /** What was chosen when the scene of this text was imported; empty where it was not, or nothing was to be chosen. */
-    public static Optional<LightUnits> chosenIn(String text) {
-        return Stream.of(values()).filter(units -> text.lines().anyMatch(units.remark()::equals)).findFirst();
+    public static Optional<LightUnits> findIn(String text) {
+        return Stream.of(values()).filter(units -> text.lines().anyMatch(units.comment()::equals)).findFirst();
     }
 }

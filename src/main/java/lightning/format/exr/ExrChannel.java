@@ -7,12 +7,12 @@ package lightning.format.exr;
  */
 public record ExrChannel(String name, ExrType type) {
     /** The longest name that a file may have. */
-    public static final int LONGEST = 255;
+    public static final int MAX_NAME_LENGTH = 255;
 
-    /** @throws IllegalArgumentException if the name is empty, longer than {@link #LONGEST}, or not of printable ASCII */
+    /** @throws IllegalArgumentException if the name is empty, longer than {@link #MAX_NAME_LENGTH}, or not of printable ASCII */
     public ExrChannel {
-        if (name.isEmpty() || name.length() > LONGEST || !name.chars().allMatch(c -> c > ' ' && c < 127)) {
-            throw new IllegalArgumentException("a channel's name must have 1 to " + LONGEST + " characters of ASCII, was " + name);
+        if (name.isEmpty() || name.length() > MAX_NAME_LENGTH || !name.chars().allMatch(c -> c > ' ' && c < 127)) {
+            throw new IllegalArgumentException("a channel's name must have 1 to " + MAX_NAME_LENGTH + " characters of ASCII, was " + name);
         }
     }
 }

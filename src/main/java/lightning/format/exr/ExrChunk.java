@@ -10,23 +10,23 @@ import java.util.zip.Inflater;
 /** The numbers of up to 16 lines, as they are before they are compressed. */
 public final class ExrChunk {
     /** What most writers of this format take: on noise of floats more effort gains a hundredth. */
-    private static final int EFFORT = 4;
+    private static final int COMPRESSION_LEVEL = 4;
 
     private final ExrHeader header;
-    private final int[] starts;
-    private final int line;
-    private final ByteBuffer numbers;
+    private final int[] channelOffsets;
+    private final int lineBytes;
+    private final ByteBuffer buffer;
 
-    ExrChunk(ExrHeader header, int[] starts, byte[] numbers) {
+    ExrChunk(ExrHeader header, int[] channelOffsets, byte[] numbers) {
         this.header = header;
-        this.starts = starts;
-        this.line = (int) header.bytesPerLine();
-        this.numbers = ByteBuffer.wrap(numbers).order(ByteOrder.LITTLE_ENDIAN);
+        this.channelOffsets = channelOffsets;
+        this.lineBytes = (int) header.bytesPerLine();
+        this.buffer = ByteBuffer.wrap(numbers).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** A chunk of zeros; {@code index} from 0 to before {@link ExrHeader#chunks}. */
+    /** A chunk of zeros; {@code index} from 0 to before {@link ExrHeader#chunkCount}. */
     public ExrChunk(ExrHeader header, int index) {
-        this(header, header.starts(), new byte[Math.toIntExact(header.bytesPerLine() * header.lines(index))]);
+        this(header, header.channelOffsets(), new byte[Math.toIntExact(header.bytesPerLine() * header.lineCount(index))]);
     }
 
     /**
@@ -37,60 +37,60 @@ public final class ExrChunk {
      */
     public void put(int channel, int x, int y, float v) {
         ExrType type = header.channels().get(channel).type();
-        type.put(numbers, y * line + starts[channel] + x * type.bytes(), v);
+        type.put(buffer, y * lineBytes + channelOffsets[channel] + x * type.bytes(), v);
     }
 
     float get(int channel, int x, int y) {
         ExrType type = header.channels().get(channel).type();
-        return type.get(numbers, y * line + starts[channel] + x * type.bytes());
+        return type.get(buffer, y * lineBytes + channelOffsets[channel] + x * type.bytes());
     }
 
     /**
      * The chunk as a file has it: all bytes of even places before those of odd ones, each as its difference from the one before, by
      * zlib; as it is where that is no shorter.
      */
-    public byte[] packed() {
-        byte[] raw = numbers.array();
-        byte[] apart = new byte[raw.length];
+    public byte[] compress() {
+        byte[] raw = buffer.array();
+        byte[] predicted = new byte[raw.length];
         int half = (raw.length + 1) / 2;
         for (int i = 0; i < raw.length; i++) {
-            apart[(i & 1) * half + i / 2] = raw[i];
+            predicted[(i & 1) * half + i / 2] = raw[i];
         }
         for (int i = raw.length - 1; i > 0; i--) {
-            apart[i] = (byte) (apart[i] - apart[i - 1] + 128);
+            predicted[i] = (byte) (predicted[i] - predicted[i - 1] + 128);
         }
-        try (Deflater deflater = new Deflater(EFFORT)) {
-            deflater.setInput(apart);
+        try (Deflater deflater = new Deflater(COMPRESSION_LEVEL)) {
+            deflater.setInput(predicted);
             deflater.finish();
-            byte[] packed = new byte[raw.length];
-            int length = deflater.deflate(packed);
-            return deflater.finished() && length < raw.length ? Arrays.copyOf(packed, length) : raw;
+            byte[] compressed = new byte[raw.length];
+            int length = deflater.deflate(compressed);
+            return deflater.finished() && length < raw.length ? Arrays.copyOf(compressed, length) : raw;
         }
     }
 
     /**
-     * The reverse of {@link #packed}.
+     * The reverse of {@link #compress}.
      *
      * @throws DataFormatException if it does not give exactly so many bytes
      */
-    static byte[] unpacked(byte[] packed, int length) throws DataFormatException {
-        if (packed.length == length) {
-            return packed;
+    static byte[] decompress(byte[] compressed, int length) throws DataFormatException {
+        if (compressed.length == length) {
+            return compressed;
         }
-        byte[] apart = new byte[length];
+        byte[] predicted = new byte[length];
         try (Inflater inflater = new Inflater()) {
-            inflater.setInput(packed);
-            if (inflater.inflate(apart) != length || inflater.inflate(new byte[1]) != 0) {
+            inflater.setInput(compressed);
+            if (inflater.inflate(predicted) != length || inflater.inflate(new byte[1]) != 0) {
                 throw new DataFormatException();
             }
         }
         for (int i = 1; i < length; i++) {
-            apart[i] = (byte) (apart[i - 1] + apart[i] - 128);
+            predicted[i] = (byte) (predicted[i - 1] + predicted[i] - 128);
         }
         byte[] raw = new byte[length];
         int half = (length + 1) / 2;
         for (int i = 0; i < length; i++) {
-            raw[i] = apart[(i & 1) * half + i / 2];
+            raw[i] = predicted[(i & 1) * half + i / 2];
         }
         return raw;
     }

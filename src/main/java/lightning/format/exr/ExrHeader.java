@@ -13,30 +13,30 @@ import java.util.Map;
  * Layout, openexr.com). All is little-endian.
  *
  * @param channels sorted by name, as a file must have them
- * @param texts    more that is told of the picture, by name
+ * @param attributes    more that is told of the picture, by name
  */
-public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, String> texts) {
+public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<String, String> attributes) {
     static final int MAGIC = 20000630;
     static final int VERSION = 2;
     /** The version's bit that allows names of more than 31 bytes. */
-    static final int LONG_NAMES = 0x400;
-    private static final int SHORT_NAME = 31;
+    static final int LONG_NAMES_FLAG = 0x400;
+    private static final int MAX_SHORT_NAME = 31;
     static final byte ZIP = 3;
     /** Lines of a chunk. */
-    public static final int LINES = 16;
+    public static final int LINES_PER_CHUNK = 16;
 
     public ExrHeader {
         channels = channels.stream().sorted(Comparator.comparing(ExrChannel::name)).toList();
     }
 
     /** How many chunks there are. */
-    public int chunks() {
-        return Math.ceilDiv(height, LINES);
+    public int chunkCount() {
+        return Math.ceilDiv(height, LINES_PER_CHUNK);
     }
 
     /** How many lines a chunk has. */
-    public int lines(int chunk) {
-        return Math.min(LINES, height - chunk * LINES);
+    public int lineCount(int chunk) {
+        return Math.min(LINES_PER_CHUNK, height - chunk * LINES_PER_CHUNK);
     }
 
     /** The bytes of a line, not compressed: first all numbers of the first channel, then of the next. */
@@ -45,7 +45,7 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     }
 
     /** Where each channel's numbers begin in a line. */
-    int[] starts() {
+    int[] channelOffsets() {
         int[] starts = new int[channels.size()];
         for (int c = 1; c < starts.length; c++) {
             starts[c] = starts[c - 1] + channels.get(c - 1).type().bytes() * width;
@@ -54,19 +54,19 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     }
 
     /** The header as a file has it. */
-    byte[] bytes() {
+    byte[] encode() {
         var out = new ByteArrayOutputStream();
-        boolean longNames = channels.stream().anyMatch(c -> c.name().length() > SHORT_NAME);
-        out.writeBytes(ints(MAGIC, longNames ? VERSION | LONG_NAMES : VERSION));
-        attribute(out, "channels", "chlist", channelList());
-        attribute(out, "compression", "compression", new byte[] {ZIP});
-        attribute(out, "dataWindow", "box2i", ints(0, 0, width - 1, height - 1));
-        attribute(out, "displayWindow", "box2i", ints(0, 0, width - 1, height - 1));
-        attribute(out, "lineOrder", "lineOrder", new byte[] {0});
-        attribute(out, "pixelAspectRatio", "float", ints(Float.floatToIntBits(1)));
-        attribute(out, "screenWindowCenter", "v2f", ints(0, 0));
-        attribute(out, "screenWindowWidth", "float", ints(Float.floatToIntBits(1)));
-        texts.forEach((name, text) -> attribute(out, name, "string", text.getBytes(StandardCharsets.UTF_8)));
+        boolean longNames = channels.stream().anyMatch(c -> c.name().length() > MAX_SHORT_NAME);
+        out.writeBytes(encodeInts(MAGIC, longNames ? VERSION | LONG_NAMES_FLAG : VERSION));
+        writeAttribute(out, "channels", "chlist", channelList());
+        writeAttribute(out, "compression", "compression", new byte[] {ZIP});
+        writeAttribute(out, "dataWindow", "box2i", encodeInts(0, 0, width - 1, height - 1));
+        writeAttribute(out, "displayWindow", "box2i", encodeInts(0, 0, width - 1, height - 1));
+        writeAttribute(out, "lineOrder", "lineOrder", new byte[] {0});
+        writeAttribute(out, "pixelAspectRatio", "float", encodeInts(Float.floatToIntBits(1)));
+        writeAttribute(out, "screenWindowCenter", "v2f", encodeInts(0, 0));
+        writeAttribute(out, "screenWindowWidth", "float", encodeInts(Float.floatToIntBits(1)));
+        attributes.forEach((name, text) -> writeAttribute(out, name, "string", text.getBytes(StandardCharsets.UTF_8)));
         out.write(0);
         return out.toByteArray();
     }
@@ -74,27 +74,27 @@ public record ExrHeader(int width, int height, List<ExrChannel> channels, Map<St
     private byte[] channelList() {
         var out = new ByteArrayOutputStream();
         for (ExrChannel channel : channels) {
-            text(out, channel.name());
+            writeText(out, channel.name());
             // Its type, then whether it is to be seen as it is, then one number for each pixel across and down.
-            out.writeBytes(ints(channel.type().ordinal(), 0, 1, 1));
+            out.writeBytes(encodeInts(channel.type().ordinal(), 0, 1, 1));
         }
         out.write(0);
         return out.toByteArray();
     }
 
-    private static void attribute(ByteArrayOutputStream out, String name, String type, byte[] value) {
-        text(out, name);
-        text(out, type);
-        out.writeBytes(ints(value.length));
+    private static void writeAttribute(ByteArrayOutputStream out, String name, String type, byte[] value) {
+        writeText(out, name);
+        writeText(out, type);
+        out.writeBytes(encodeInts(value.length));
         out.writeBytes(value);
     }
 
-    private static void text(ByteArrayOutputStream out, String text) {
+    private static void writeText(ByteArrayOutputStream out, String text) {
         out.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
         out.write(0);
     }
 
-    private static byte[] ints(int... values) {
+    private static byte[] encodeInts(int... values) {
         ByteBuffer buffer = ByteBuffer.allocate(Integer.BYTES * values.length).order(ByteOrder.LITTLE_ENDIAN);
         for (int value : values) {
             buffer.putInt(value);

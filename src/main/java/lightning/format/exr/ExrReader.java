@@ -16,13 +16,13 @@ import lightning.base.text.Quote;
  */
 public final class ExrReader implements AutoCloseable {
     /** A header is not longer, with the names of a million shapes in it. */
-    private static final int LONGEST_HEADER = 1 << 26;
-    private static final int USUAL_HEADER = 1 << 16;
+    private static final int MAX_HEADER_BYTES = 1 << 26;
+    private static final int INITIAL_HEADER_BYTES = 1 << 16;
     /** The bytes of a chunk at most, when decompressed: so few of a damaged file can ask for no more. */
-    private static final long MOST_OF_CHUNK = 1L << 28;
+    private static final long MAX_CHUNK_BYTES = 1L << 28;
 
     private final FileChannel file;
-    private final HeaderReader.Read header;
+    private final ExrHeaderReader.Result header;
 
     /**
      * Reads the header.
@@ -32,22 +32,22 @@ public final class ExrReader implements AutoCloseable {
     public ExrReader(Path path) throws IOException {
         file = FileChannel.open(path);
         try {
-            header = header(USUAL_HEADER);
+            header = readHeader(INITIAL_HEADER_BYTES);
         } catch (IOException | RuntimeException | Error e) {
             file.close();
             throw e;
         }
     }
 
-    private HeaderReader.Read header(int length) throws IOException {
+    private ExrHeaderReader.Result readHeader(int length) throws IOException {
         long size = file.size();
         try {
-            return new HeaderReader(bytes(0, (int) Math.min(size, length))).read();
+            return new ExrHeaderReader(readBytes(0, (int) Math.min(size, length))).read();
         } catch (EOFException e) {
-            if (length >= Math.min(size, LONGEST_HEADER)) {
+            if (length >= Math.min(size, MAX_HEADER_BYTES)) {
                 throw e;
             }
-            return header(LONGEST_HEADER);
+            return readHeader(MAX_HEADER_BYTES);
         }
     }
 
@@ -57,84 +57,85 @@ public final class ExrReader implements AutoCloseable {
     }
 
     /** Gets the numbers of pixels. */
-    public interface Sink {
+    public interface PixelConsumer {
         /** The numbers of a pixel, one for each channel that was asked for, in that order; the array is used again. */
-        void pixel(int x, int y, float[] values);
+        void accept(int x, int y, float[] values);
     }
 
     /**
      * Reads the numbers.
      *
      * @param names of the channels wanted
-     * @param to    gets every pixel once
+     * @param sink    gets every pixel once
      * @throws IOException if a channel is not there, or the file is cut short or damaged
      */
-    public void read(List<String> names, Sink to) throws IOException {
-        ExrHeader picture = header.header();
+    public void read(List<String> names, PixelConsumer sink) throws IOException {
+        ExrHeader exrHeader = header.header();
         int compression = header.compression();
-        int[] wanted = new int[names.size()];
-        List<String> there = picture.channels().stream().map(ExrChannel::name).toList();
-        for (int i = 0; i < wanted.length; i++) {
-            wanted[i] = there.indexOf(names.get(i));
-            if (wanted[i] < 0) {
+        int[] channelIndices = new int[names.size()];
+        List<String> channelNames = exrHeader.channels().stream().map(ExrChannel::name).toList();
+        for (int i = 0; i < channelIndices.length; i++) {
+            channelIndices[i] = channelNames.indexOf(names.get(i));
+            if (channelIndices[i] < 0) {
                 throw new IOException("has no channel " + Quote.of(names.get(i)));
             }
         }
-        int lines = compression == 3 ? ExrHeader.LINES : 1;
-        int chunks = Math.ceilDiv(picture.height(), lines);
-        long bytes = picture.bytesPerLine() * lines;
-        if (bytes > MOST_OF_CHUNK) {
-            throw new IOException("has lines of " + picture.bytesPerLine() + " bytes; expected at most " + MOST_OF_CHUNK / lines);
+        int lines = compression == 3 ? ExrHeader.LINES_PER_CHUNK : 1;
+        int chunks = Math.ceilDiv(exrHeader.height(), lines);
+        long bytes = exrHeader.bytesPerLine() * lines;
+        if (bytes > MAX_CHUNK_BYTES) {
+            throw new IOException("has lines of " + exrHeader.bytesPerLine() + " bytes; expected at most " + MAX_CHUNK_BYTES / lines);
         }
-        ByteBuffer table = bytes(header.end(), Math.multiplyExact(Long.BYTES, chunks));
-        boolean[] read = new boolean[picture.height()];
-        int[] starts = picture.starts();
-        float[] values = new float[wanted.length];
+        ByteBuffer table = readBytes(header.headerBytes(), Math.multiplyExact(Long.BYTES, chunks));
+        boolean[] seenLines = new boolean[exrHeader.height()];
+        int[] channelOffsets = exrHeader.channelOffsets();
+        float[] values = new float[channelIndices.length];
         for (int c = 0; c < chunks; c++) {
-            long at = table.getLong();
-            ByteBuffer head = bytes(at, 2 * Integer.BYTES);
-            long y = (long) head.getInt() - header.top();
-            int size = head.getInt();
-            if (y < 0 || y >= picture.height() || y % lines != 0 || read[(int) y]) {
+            long offset = table.getLong();
+            ByteBuffer chunkHeader = readBytes(offset, 2 * Integer.BYTES);
+            long y = (long) chunkHeader.getInt() - header.top();
+            int size = chunkHeader.getInt();
+            if (y < 0 || y >= exrHeader.height() || y % lines != 0 || seenLines[(int) y]) {
                 throw new IOException("has a damaged table of chunks: one begins at line " + y);
             }
-            read[(int) y] = true;
-            int count = (int) Math.min(lines, picture.height() - y);
+            seenLines[(int) y] = true;
+            int count = (int) Math.min(lines, exrHeader.height() - y);
             ExrChunk chunk =
-                    new ExrChunk(picture, starts, unpacked(at + 2 * Integer.BYTES, size, (int) (picture.bytesPerLine() * count), y));
+                    new ExrChunk(exrHeader, channelOffsets,
+                            readChunk(offset + 2 * Integer.BYTES, size, (int) (exrHeader.bytesPerLine() * count), y));
             for (int dy = 0; dy < count; dy++) {
-                for (int x = 0; x < picture.width(); x++) {
-                    for (int i = 0; i < wanted.length; i++) {
-                        values[i] = chunk.get(wanted[i], x, dy);
+                for (int x = 0; x < exrHeader.width(); x++) {
+                    for (int i = 0; i < channelIndices.length; i++) {
+                        values[i] = chunk.get(channelIndices[i], x, dy);
                     }
-                    to.pixel(x, (int) y + dy, values);
+                    sink.accept(x, (int) y + dy, values);
                 }
             }
         }
     }
 
-    private byte[] unpacked(long at, int size, int length, long y) throws IOException {
+    private byte[] readChunk(long offset, int size, int length, long y) throws IOException {
         if (size < 0 || size > length) {
             throw new IOException("is damaged at line " + y + ": expected at most " + length + " bytes, found " + size);
         }
-        byte[] packed = bytes(at, size).array();
+        byte[] compressed = readBytes(offset, size).array();
         try {
-            return header.compression() == 0 && size != length ? fail() : ExrChunk.unpacked(packed, length);
+            return header.compression() == 0 && size != length ? throwFormatException() : ExrChunk.decompress(compressed, length);
         } catch (DataFormatException e) {
             throw new IOException("is damaged at line " + y + ": its chunk does not give " + length + " bytes", e);
         }
     }
 
-    private static byte[] fail() throws DataFormatException {
+    private static byte[] throwFormatException() throws DataFormatException {
         throw new DataFormatException();
     }
 
-    private ByteBuffer bytes(long at, int count) throws IOException {
-        if (at < 0 || at > file.size() - count) {
+    private ByteBuffer readBytes(long offset, int count) throws IOException {
+        if (offset < 0 || offset > file.size() - count) {
             throw new EOFException("is cut short: it has fewer pixels than its header says");
         }
         ByteBuffer buffer = ByteBuffer.allocate(count).order(ByteOrder.LITTLE_ENDIAN);
-        while (buffer.hasRemaining() && file.read(buffer, at + buffer.position()) >= 0) {
+        while (buffer.hasRemaining() && file.read(buffer, offset + buffer.position()) >= 0) {
             // Until all is there.
         }
         if (buffer.hasRemaining()) {

@@ -12,7 +12,7 @@ public enum ExrType {
     FLOAT(4);
 
     /** The largest number of 16 bits. */
-    public static final float MOST_OF_HALF = 65504;
+    public static final float MAX_HALF = 65504;
 
     private final int bytes;
 
@@ -26,23 +26,23 @@ public enum ExrType {
     }
 
     /**
-     * Puts a number. HALF is the nearest, of two the even one; what is larger than any is {@link #MOST_OF_HALF}, so that no finite
+     * Puts a number. HALF is the nearest, of two the even one; what is larger than any is {@link #MAX_HALF}, so that no finite
      * number becomes infinite.
      */
-    void put(ByteBuffer to, int at, float v) {
+    void put(ByteBuffer buffer, int offset, float v) {
         switch (this) {
-            case UINT -> to.putInt(at, (int) (long) v);
-            case HALF -> to.putShort(at, Float.floatToFloat16(Float.isFinite(v) ? Math.clamp(v, -MOST_OF_HALF, MOST_OF_HALF) : v));
+            case UINT -> buffer.putInt(offset, (int) (long) v);
+            case HALF -> buffer.putShort(offset, Float.floatToFloat16(Float.isFinite(v) ? Math.clamp(v, -MAX_HALF, MAX_HALF) : v));
             // As raw bits, because a float register may change the payload of a NaN.
-            case FLOAT -> to.putInt(at, Float.floatToRawIntBits(v));
+            case FLOAT -> buffer.putInt(offset, Float.floatToRawIntBits(v));
         }
     }
 
-    float get(ByteBuffer from, int at) {
+    float get(ByteBuffer buffer, int offset) {
         return switch (this) {
-            case UINT -> Integer.toUnsignedLong(from.getInt(at));
-            case HALF -> Float.float16ToFloat(from.getShort(at));
-            case FLOAT -> Float.intBitsToFloat(from.getInt(at));
+            case UINT -> Integer.toUnsignedLong(buffer.getInt(offset));
+            case HALF -> Float.float16ToFloat(buffer.getShort(offset));
+            case FLOAT -> Float.intBitsToFloat(buffer.getInt(offset));
         };
     }
 }

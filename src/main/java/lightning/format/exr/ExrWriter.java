@@ -14,9 +14,9 @@ import java.util.TreeMap;
 public final class ExrWriter {
     private final SeekableByteChannel file;
     private final ExrHeader header;
-    private final long table;
-    private final long[] places;
-    private final Map<Integer, byte[]> early = new TreeMap<>();
+    private final long tableOffset;
+    private final long[] chunkOffsets;
+    private final Map<Integer, byte[]> pending = new TreeMap<>();
     private int next;
 
     /**
@@ -27,20 +27,20 @@ public final class ExrWriter {
     public ExrWriter(SeekableByteChannel file, ExrHeader header) throws IOException {
         this.file = file;
         this.header = header;
-        places = new long[header.chunks()];
-        byte[] begin = header.bytes();
-        table = begin.length;
-        write(ByteBuffer.wrap(begin), 0);
-        file.position(table + (long) Long.BYTES * places.length);
+        chunkOffsets = new long[header.chunkCount()];
+        byte[] headerBytes = header.encode();
+        tableOffset = headerBytes.length;
+        write(ByteBuffer.wrap(headerBytes), 0);
+        file.position(tableOffset + (long) Long.BYTES * chunkOffsets.length);
     }
 
     /** Writes a chunk, or keeps it until those before it have come. */
-    public synchronized void put(int index, byte[] packed) throws IOException {
-        early.put(index, packed);
-        for (byte[] now = early.remove(next); now != null; now = early.remove(next)) {
-            places[next] = file.position();
-            ByteBuffer buffer = ByteBuffer.allocate(2 * Integer.BYTES + now.length).order(ByteOrder.LITTLE_ENDIAN);
-            buffer.putInt(next * ExrHeader.LINES).putInt(now.length).put(now).flip();
+    public synchronized void writeChunk(int index, byte[] compressed) throws IOException {
+        pending.put(index, compressed);
+        for (byte[] chunk = pending.remove(next); chunk != null; chunk = pending.remove(next)) {
+            chunkOffsets[next] = file.position();
+            ByteBuffer buffer = ByteBuffer.allocate(2 * Integer.BYTES + chunk.length).order(ByteOrder.LITTLE_ENDIAN);
+            buffer.putInt(next * ExrHeader.LINES_PER_CHUNK).putInt(chunk.length).put(chunk).flip();
             write(buffer, file.position());
             next++;
         }
@@ -52,18 +52,18 @@ public final class ExrWriter {
      * @throws IllegalStateException if any has not come
      */
     public synchronized void finish() throws IOException {
-        if (next < header.chunks()) {
-            throw new IllegalStateException(next + " of " + header.chunks() + " chunks have come");
+        if (next < header.chunkCount()) {
+            throw new IllegalStateException(next + " of " + header.chunkCount() + " chunks have come");
         }
-        ByteBuffer buffer = ByteBuffer.allocate(Long.BYTES * places.length).order(ByteOrder.LITTLE_ENDIAN);
-        for (long place : places) {
-            buffer.putLong(place);
+        ByteBuffer buffer = ByteBuffer.allocate(Long.BYTES * chunkOffsets.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (long offset : chunkOffsets) {
+            buffer.putLong(offset);
         }
-        write(buffer.flip(), table);
+        write(buffer.flip(), tableOffset);
     }
 
-    private void write(ByteBuffer bytes, long at) throws IOException {
-        file.position(at);
+    private void write(ByteBuffer bytes, long offset) throws IOException {
+        file.position(offset);
         while (bytes.hasRemaining()) {
             file.write(bytes);
         }

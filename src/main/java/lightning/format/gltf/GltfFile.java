@@ -10,9 +10,9 @@ import java.util.Set;
 import lightning.base.text.Quote;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
-import lightning.format.mesh.Notes;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.StreamReadConstraints;
@@ -26,28 +26,28 @@ public final class GltfFile {
     static final int JSON_CHUNK = 0x4E4F534A;
     static final int BINARY_CHUNK = 0x004E4942;
     /** Values, names and brackets: an object for each is some hundred bytes. */
-    private static final long MOST_TOKENS = 5_000_000;
-    private static final int MOST_NESTING = 200;
+    private static final long MAX_TOKENS = 5_000_000;
+    private static final int MAX_NESTING = 200;
     static final JsonMapper JSON = JsonMapper.builder(JsonFactory.builder().streamReadConstraints(StreamReadConstraints.builder()
-            .maxStringLength(MeshLimits.FILE_BYTES).maxDocumentLength(MeshLimits.FILE_BYTES).maxTokenCount(MOST_TOKENS)
-            .maxNestingDepth(MOST_NESTING).build()).build()).build();
+            .maxStringLength(MeshLimits.FILE_BYTES).maxDocumentLength(MeshLimits.FILE_BYTES).maxTokenCount(MAX_TOKENS)
+            .maxNestingDepth(MAX_NESTING).build()).build()).build();
     /** Extensions that change nothing of the form and are understood, or cost no more than looks. */
-    private static final Set<String> KNOWN =
+    private static final Set<String> SUPPORTED_EXTENSIONS =
             Set.of("KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
                     "KHR_materials_emissive_strength", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_transmission",
                     "KHR_materials_volume");
 
     private final Path path;
-    private final Json root;
+    private final JsonValue root;
     private final boolean isBinary;
-    private final byte[] binary;
+    private final byte[] binaryChunk;
     private final Progress progress;
 
-    private GltfFile(Path path, JsonNode root, boolean isBinary, byte[] binary, Progress progress) {
+    private GltfFile(Path path, JsonNode root, boolean isBinary, byte[] binaryChunk, Progress progress) {
         this.path = path;
-        this.root = new Json(path, "", root);
+        this.root = new JsonValue(path, "", root);
         this.isBinary = isBinary;
-        this.binary = binary;
+        this.binaryChunk = binaryChunk;
         this.progress = progress;
     }
 
@@ -79,9 +79,9 @@ public final class GltfFile {
 
     private static GltfFile read(ByteSource source, Progress progress, JsonMapper json) throws IOException, MeshException {
         try {
-            GltfFile file = source.startsWith(MAGIC) ? binary(source, progress, json)
-                    : new GltfFile(source.file(), parse(source, source.bytes((int) source.left()), json), false, null, progress);
-            file.check();
+            GltfFile file = source.startsWith(MAGIC) ? readBinary(source, progress, json)
+                    : new GltfFile(source.file(), parse(source, source.bytes((int) source.remaining()), json), false, null, progress);
+            file.checkVersion();
             return file;
         } catch (EOFException e) {
             throw source.problem("", "the file ends too early");
@@ -95,49 +95,49 @@ public final class GltfFile {
         }
     }
 
-    private static GltfFile binary(ByteSource source, Progress progress, JsonMapper mapper) throws IOException, MeshException {
+    private static GltfFile readBinary(ByteSource source, Progress progress, JsonMapper mapper) throws IOException, MeshException {
         source.int32();
         int version = source.int32();
         if (version == 1) {
-            throw version1(source.file());
+            throw versionOneProblem(source.file());
         }
         if (version != 2) {
             throw source.problem("version", "must be 2, was " + Integer.toUnsignedString(version));
         }
         source.int32();
-        JsonNode json = parse(source, chunk(source, JSON_CHUNK, "JSON"), mapper);
-        byte[] data = source.left() >= 8 ? chunk(source, BINARY_CHUNK, "BIN") : null;
+        JsonNode json = parse(source, readChunk(source, JSON_CHUNK, "JSON"), mapper);
+        byte[] data = source.remaining() >= 8 ? readChunk(source, BINARY_CHUNK, "BIN") : null;
         return new GltfFile(source.file(), json, true, data, progress);
     }
 
-    private static byte[] chunk(ByteSource source, int type, String name) throws IOException, MeshException {
+    private static byte[] readChunk(ByteSource source, int type, String name) throws IOException, MeshException {
         long length = source.int32() & 0xFFFF_FFFFL;
         int found = source.int32();
         if (found != type) {
             throw source.problem("chunk " + name, "must come next, found one of another type");
         }
-        if (length > source.left()) {
-            throw source.problem("chunk " + name, "has " + length + " bytes by its head, but only " + source.left() + " follow");
+        if (length > source.remaining()) {
+            throw source.problem("chunk " + name, "has " + length + " bytes by its head, but only " + source.remaining() + " follow");
         }
         return source.bytes((int) length);
     }
 
     private static JsonNode parse(ByteSource source, byte[] json, JsonMapper mapper) throws MeshException {
         try (JsonParser parser = mapper.createParser(json)) {
-            JsonNode root = tree(parser, source);
+            JsonNode root = readTree(parser, source);
             if (!root.isObject()) {
                 throw source.problem("", "must be an object of JSON");
             }
             return root;
         } catch (JacksonException e) {
-            var place = e.getLocation();
-            throw source.problem(place == null ? "" : "line " + place.getLineNr() + ", column " + place.getColumnNr(),
+            var location = e.getLocation();
+            throw source.problem(location == null ? "" : "line " + location.getLineNr() + ", column " + location.getColumnNr(),
                     "is no JSON that can be read: " + e.getOriginalMessage());
         }
     }
 
     /** The whole text; one that keeps all digits cannot keep every number. */
-    private static JsonNode tree(JsonParser parser, ByteSource source) throws MeshException {
+    private static JsonNode readTree(JsonParser parser, ByteSource source) throws MeshException {
         try {
             JsonNode root = parser.readValueAsTree();
             if (root == null || parser.nextToken() != null) {
@@ -145,45 +145,45 @@ public final class GltfFile {
             }
             return root;
         } catch (NumberFormatException e) {
-            var place = parser.currentTokenLocation();
-            throw source.problem("line " + place.getLineNr() + ", column " + place.getColumnNr(),
+            var location = parser.currentTokenLocation();
+            throw source.problem("line " + location.getLineNr() + ", column " + location.getColumnNr(),
                     "must be a number with an exponent below 2147483648, was " + Quote.of(parser.getString()));
         }
     }
 
-    private void check() throws MeshException {
-        Json version = root.get("asset").get("version");
-        if (isVersion1(version)) {
-            throw version1(path);
+    private void checkVersion() throws MeshException {
+        JsonValue version = root.get("asset").get("version");
+        if (isVersionOne(version)) {
+            throw versionOneProblem(path);
         }
         if (!version.text().orElse("").startsWith("2.")) {
             throw version.problem("must be 2.0, was " + version.text().orElse("missing"));
         }
-        Json required = root.get("extensionsRequired");
+        JsonValue required = root.get("extensionsRequired");
         for (int i = 0; i < required.size(); i++) {
-            String name = required.at(i).text().orElse("");
-            if (!KNOWN.contains(name) && !name.startsWith("KHR_materials_")) {
-                throw required.at(i).problem("needs " + name + ", which Lightning cannot read; export it without");
+            String name = required.element(i).text().orElse("");
+            if (!SUPPORTED_EXTENSIONS.contains(name) && !name.startsWith("KHR_materials_")) {
+                throw required.element(i).problem("needs " + name + ", which Lightning cannot read; export it without");
             }
         }
     }
 
     /** Files of glTF 1.0 may leave their version out, or write it as a number; they name their meshes where those of 2.0 number them. */
-    private boolean isVersion1(Json version) {
-        String said = version.node().asString("");
-        return version.isThere() ? said.equals("1") || said.startsWith("1.") : root.node().path("meshes").isObject();
+    private boolean isVersionOne(JsonValue version) {
+        String text = version.node().asString("");
+        return version.isPresent() ? text.equals("1") || text.startsWith("1.") : root.node().path("meshes").isObject();
     }
 
-    private static MeshException version1(Path path) {
+    private static MeshException versionOneProblem(Path path) {
         return new MeshException(path, "", "is glTF 1.0; export it as glTF 2.0");
     }
 
     /** Tells the extensions in use that are not known. */
-    public void tellExtensions(Notes notes) throws MeshException {
-        Json used = root.get("extensionsUsed");
+    public void noteExtensions(ConversionNotes notes) throws MeshException {
+        JsonValue used = root.get("extensionsUsed");
         for (int i = 0; i < used.size(); i++) {
-            String name = used.at(i).text().orElse("");
-            if (!KNOWN.contains(name)) {
+            String name = used.element(i).text().orElse("");
+            if (!SUPPORTED_EXTENSIONS.contains(name)) {
                 notes.add("extensions " + name);
             }
         }
@@ -193,11 +193,11 @@ public final class GltfFile {
         return path;
     }
 
-    Json root() {
+    JsonValue root() {
         return root;
     }
 
-    Json array(String name) throws MeshException {
+    JsonValue array(String name) throws MeshException {
         return root.get(name);
     }
 
@@ -211,16 +211,16 @@ public final class GltfFile {
     }
 
     /** The binary data beside the JSON, or null. */
-    byte[] binary() {
-        return binary;
+    byte[] binaryChunk() {
+        return binaryChunk;
     }
 
     /** The bytes that this file names. */
-    Buffers buffers() {
-        return new Buffers(this);
+    BufferReader buffers() {
+        return new BufferReader(this);
     }
 
-    static ByteBuffer little(byte[] bytes) {
+    static ByteBuffer littleEndian(byte[] bytes) {
         return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
 }

@@ -11,30 +11,30 @@ import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.Notes;
 
 /** What a glTF file says beside its meshes: nodes, cameras, lights, materials, images. */
 public final class GltfScene {
     /** Nodes inside nodes. */
-    public static final int MOST_NESTING = 30;
+    public static final int MAX_NESTING = 30;
     private static final String LIGHTS = "KHR_lights_punctual";
 
     private final GltfFile file;
-    private final Notes notes;
-    private final boolean[] seen;
+    private final ConversionNotes notes;
+    private final boolean[] visited;
 
     /** @param notes hears what is left out */
-    public GltfScene(GltfFile file, Notes notes) throws MeshException {
+    public GltfScene(GltfFile file, ConversionNotes notes) throws MeshException {
         this.file = file;
         this.notes = notes;
-        seen = new boolean[file.array("nodes").size()];
-        for (String unknown : List.of("animations", "skins")) {
-            notes.add(unknown, file.array(unknown).size());
+        visited = new boolean[file.array("nodes").size()];
+        for (String property : List.of("animations", "skins")) {
+            notes.add(property, file.array(property).size());
         }
-        file.tellExtensions(notes);
+        file.noteExtensions(notes);
     }
 
     /**
@@ -46,49 +46,50 @@ public final class GltfScene {
      */
     public List<GltfNode> nodes(long limit) throws IOException, MeshException {
         List<GltfNode> nodes = nodes();
-        Unfolding.checkShapes(file, nodes, limit);
+        ExpansionLimit.checkShapes(file, nodes, limit);
         return nodes;
     }
 
     /** The nodes of the scene that the file shows first. */
     List<GltfNode> nodes() throws MeshException {
-        Json scenes = file.array("scenes");
+        JsonValue scenes = file.array("scenes");
         if (scenes.size() == 0) {
             throw file.root().get("scenes").problem("must have a scene");
         }
         notes.add("other scenes", scenes.size() - 1);
-        Json scene = scenes.at(file.root().get("scene").whole(0, scenes.size() - 1, 0));
-        return nodes(scene.get("nodes"), 1);
+        JsonValue scene = scenes.element(file.root().get("scene").integer(0, scenes.size() - 1, 0));
+        return readNodes(scene.get("nodes"), 1);
     }
 
-    private List<GltfNode> nodes(Json indices, int nesting) throws MeshException {
+    private List<GltfNode> readNodes(JsonValue indices, int nesting) throws MeshException {
         List<GltfNode> nodes = new ArrayList<>();
         for (int i = 0; i < indices.size(); i++) {
-            nodes.add(node(indices.at(i), nesting));
+            nodes.add(readNode(indices.element(i), nesting));
         }
         return List.copyOf(nodes);
     }
 
-    private GltfNode node(Json reference, int nesting) throws MeshException {
-        if (nesting > MOST_NESTING) {
-            throw reference.problem("nodes must be nested at most " + MOST_NESTING + " deep");
+    private GltfNode readNode(JsonValue reference, int nesting) throws MeshException {
+        if (nesting > MAX_NESTING) {
+            throw reference.problem("nodes must be nested at most " + MAX_NESTING + " deep");
         }
         int index = reference.index(file.array("nodes"));
-        if (seen[index]) {
+        if (visited[index]) {
             throw reference.problem("must be a node that stands nowhere else, was " + index);
         }
-        seen[index] = true;
-        Json node = file.array("nodes").at(index);
-        Json mesh = node.get("mesh");
-        Json camera = node.get("camera");
-        Json light = node.get("extensions").get(LIGHTS).get("light");
-        return new GltfNode(index, node.get("name").text().orElse(""), local(node), mesh.isThere() ? mesh.index(file.array("meshes")) : -1,
-                camera.isThere() ? camera.index(file.array("cameras")) : -1, light.isThere() ? light.index(lightArray()) : -1,
-                nodes(node.get("children"), nesting + 1));
+        visited[index] = true;
+        JsonValue node = file.array("nodes").element(index);
+        JsonValue mesh = node.get("mesh");
+        JsonValue camera = node.get("camera");
+        JsonValue light = node.get("extensions").get(LIGHTS).get("light");
+        return new GltfNode(index, node.get("name").text().orElse(""), localTransform(node),
+                mesh.isPresent() ? mesh.index(file.array("meshes")) : -1,
+                camera.isPresent() ? camera.index(file.array("cameras")) : -1, light.isPresent() ? light.index(lightArray()) : -1,
+                readNodes(node.get("children"), nesting + 1));
     }
 
-    private static Transform local(Json node) throws MeshException {
-        if (node.get("matrix").isThere()) {
+    private static Transform localTransform(JsonValue node) throws MeshException {
+        if (node.get("matrix").isPresent()) {
             // Column by column.
             double[] m = node.get("matrix").numbers(new double[16]);
             return new Transform(m[0], m[4], m[8], m[12], m[1], m[5], m[9], m[13], m[2], m[6], m[10], m[14]);
@@ -104,55 +105,55 @@ public final class GltfScene {
         double y = q[1] / length;
         double z = q[2] / length;
         double w = q[3] / length;
-        Transform turned = new Transform(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), t[0],
+        Transform rotated = new Transform(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), t[0],
                 2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), t[1],
                 2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), t[2]);
-        return turned.times(Transform.scaling(new Vec3(s[0], s[1], s[2])));
+        return rotated.times(Transform.scaling(new Vec3(s[0], s[1], s[2])));
     }
 
-    private Json lightArray() throws MeshException {
+    private JsonValue lightArray() throws MeshException {
         return file.root().get("extensions").get(LIGHTS).get("lights");
     }
 
     /** All lights, by their numbers. */
     public List<GltfLight> lights() throws MeshException {
         List<GltfLight> lights = new ArrayList<>();
-        Json array = lightArray();
+        JsonValue array = lightArray();
         for (int i = 0; i < array.size(); i++) {
-            Json light = array.at(i);
+            JsonValue light = array.element(i);
             String type = light.get("type").text().orElse("missing");
             if (!type.equals("directional") && !type.equals("point") && !type.equals("spot")) {
                 throw light.get("type").problem("must be directional, point or spot, was " + Quote.of(type));
             }
             double[] color = light.get("color").numbers(1, 1, 1);
-            Json spot = light.get("spot");
+            JsonValue spot = light.get("spot");
             lights.add(new GltfLight(i, light.get("name").text().orElse(""), GltfLight.Type.valueOf(type.toUpperCase(Locale.ROOT)),
                     new Rgb(color[0], color[1], color[2]), light.get("intensity").number(1), spot.get("innerConeAngle").number(0),
-                    spot.get("outerConeAngle").number(Math.PI / 4), light.get("range").isThere(),
-                    light.get("extras").node().path(GltfLight.OWN)));
+                    spot.get("outerConeAngle").number(Math.PI / 4), light.get("range").isPresent(),
+                    light.get("extras").node().path(GltfLight.SETTINGS_KEY)));
         }
         return List.copyOf(lights);
     }
 
     /** A camera by its number. Its other numbers are told. */
     public GltfCamera camera(int camera) throws MeshException {
-        Json look = file.array("cameras").at(camera);
-        Json perspective = look.get("perspective");
-        Json orthographic = look.get("orthographic");
+        JsonValue json = file.array("cameras").element(camera);
+        JsonValue perspective = json.get("perspective");
+        JsonValue orthographic = json.get("orthographic");
         for (String plane : List.of("znear", "zfar")) {
-            notes.add(plane + " of cameras", perspective.get(plane).isThere() || orthographic.get(plane).isThere() ? 1 : 0);
+            notes.add(plane + " of cameras", perspective.get(plane).isPresent() || orthographic.get(plane).isPresent() ? 1 : 0);
         }
-        Json yfov = perspective.get("yfov");
-        return new GltfCamera(yfov.isThere() ? Optional.of(yfov.number()) : Optional.empty(),
-                orthographic.isThere() ? Optional.of(aboveZero(orthographic.get("xmag")) / aboveZero(orthographic.get("ymag")))
-                        : perspective.get("aspectRatio").isThere() ? Optional.of(aboveZero(perspective.get("aspectRatio")))
+        JsonValue yfov = perspective.get("yfov");
+        return new GltfCamera(yfov.isPresent() ? Optional.of(yfov.number()) : Optional.empty(),
+                orthographic.isPresent() ? Optional.of(positive(orthographic.get("xmag")) / positive(orthographic.get("ymag")))
+                        : perspective.get("aspectRatio").isPresent() ? Optional.of(positive(perspective.get("aspectRatio")))
                         : Optional.empty());
     }
 
-    private static double aboveZero(Json value) throws MeshException {
+    private static double positive(JsonValue value) throws MeshException {
         double v = value.number();
         if (!(v > 0)) {
-            throw value.problem("must be above 0, was " + Decimal.text(v));
+            throw value.problem("must be above 0, was " + DecimalNumber.format(v));
         }
         return v;
     }
@@ -161,31 +162,32 @@ public final class GltfScene {
     public List<GltfMaterial> materials() throws MeshException {
         var reader = new MaterialReader(file, notes);
         List<GltfMaterial> materials = new ArrayList<>();
-        Json array = file.array("materials");
+        JsonValue array = file.array("materials");
         for (int i = 0; i < array.size(); i++) {
-            materials.add(reader.material(array.at(i)));
+            materials.add(reader.material(array.element(i)));
         }
         return List.copyOf(materials);
     }
 
     /** The name of an image, as the file says; empty where it says none. */
     public String imageName(int image) throws MeshException {
-        return file.array("images").at(image).get("name").text().orElse("");
+        return file.array("images").element(image).get("name").text().orElse("");
     }
 
     /** The file that an image is, in the folder of this one; empty where it is embedded. */
     public Optional<Path> imageFile(int image) throws IOException, MeshException {
-        Json uri = file.array("images").at(image).get("uri");
-        return !uri.isThere() || uri.text().orElse("").startsWith("data:") ? Optional.empty() : Optional.of(file.buffers().beside(uri));
+        JsonValue uri = file.array("images").element(image).get("uri");
+        return !uri.isPresent() || uri.text().orElse("").startsWith("data:") ? Optional.empty()
+                : Optional.of(file.buffers().siblingFile(uri));
     }
 
     /** The bytes of an image, be it embedded or a file. */
     public byte[] imageBytes(int image) throws IOException, MeshException {
-        Json at = file.array("images").at(image);
-        if (at.get("uri").isThere()) {
-            return file.buffers().bytes(at.get("uri"));
+        JsonValue json = file.array("images").element(image);
+        if (json.get("uri").isPresent()) {
+            return file.buffers().bytes(json.get("uri"));
         }
-        ByteBuffer view = file.buffers().view(at.get("bufferView"));
+        ByteBuffer view = file.buffers().view(json.get("bufferView"));
         byte[] bytes = new byte[view.remaining()];
         view.get(bytes);
         return bytes;

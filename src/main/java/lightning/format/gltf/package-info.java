@@ -3,7 +3,7 @@
  *
  * <pre>{@code
  * GltfFile file = GltfFile.read(Path.of("house.glb"), Progress.NONE);
- * List<GltfPart> parts = GltfMeshes.read(file, new Notes());
+ * List<GltfPart> parts = GltfMeshReader.read(file, new ConversionNotes());
  * }</pre>
  */
 package lightning.format.gltf;

@@ -6,11 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import lightning.base.file.OrdinaryFile;
+import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Limits;
-import lightning.scene.Sky;
+import lightning.scene.EnvironmentMap;
+import lightning.scene.SceneLimits;
 
 /**
  * Reads Radiance's pictures, {@code .hdr}: shared exponents of 8 bits (Ward, Real Pixels, Graphics Gems II, 1991), plain or with runs in each of
@@ -18,11 +18,11 @@ import lightning.scene.Sky;
  */
 public final class HdrReader {
     /** Bytes of a file: 64 MiB. */
-    public static final int BYTES = 64 << 20;
+    public static final int MAX_BYTES = 64 << 20;
     /** Pixels of a picture: 8 Mi, which are 96 MiB when decoded. */
-    public static final int PIXELS = 8 << 20;
+    public static final int MAX_PIXELS = 8 << 20;
 
-    private static final int HEADER = 1 << 16;
+    private static final int MAX_HEADER_BYTES = 1 << 16;
     private static final Pattern SIZE = Pattern.compile("-Y ([0-9]{1,18}) \\+X ([0-9]{1,18})");
     private static final Pattern EXPOSURE = Pattern.compile("EXPOSURE= *([0-9.]{1,20}(?:[eE][+-]?[0-9]{1,3})?) *");
 
@@ -38,40 +38,40 @@ public final class HdrReader {
     }
 
     /**
-     * The radiances of a file, at most {@link Limits#MAX_EMISSION} each.
+     * The radiances of a file, at most {@link SceneLimits#MAX_EMISSION} each.
      *
      * @throws MeshException if it is no such picture, is too large, or ends before its last pixel; the message says where
      * @throws IOException   if it cannot be read
      */
-    public static Sky read(Path file) throws IOException, MeshException {
+    public static EnvironmentMap read(Path file) throws IOException, MeshException {
         long size = Files.size(file);
-        if (size > BYTES) {
-            throw new MeshException(file, "", "an environment must have at most " + BYTES + " bytes, has " + size);
+        if (size > MAX_BYTES) {
+            throw new MeshException(file, "", "an environment must have at most " + MAX_BYTES + " bytes, has " + size);
         }
-        return new HdrReader(file, OrdinaryFile.bytes(file, "a Radiance HDR file", BYTES)).sky();
+        return new HdrReader(file, RegularFile.readBytes(file, "a Radiance HDR file", MAX_BYTES)).environment();
     }
 
-    private Sky sky() throws MeshException {
-        Matcher size = header();
-        int height = side(size.group(1));
-        int width = side(size.group(2));
+    private EnvironmentMap environment() throws MeshException {
+        Matcher size = readHeader();
+        int height = parseSide(size.group(1));
+        int width = parseSide(size.group(2));
         long pixels = (long) width * height;
-        if (pixels < 1 || pixels > PIXELS) {
-            throw problem("a picture must have from 1 to " + PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
+        if (pixels < 1 || pixels > MAX_PIXELS) {
+            throw problem("a picture must have from 1 to " + MAX_PIXELS + " pixels, has " + size.group(2) + "×" + size.group(1));
         }
-        long least = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
-        if (bytes.length - next < least) {
-            throw problem(width + "×" + height + " pixels take at least " + least + " bytes, found " + (bytes.length - next));
+        long minBytes = height * Math.min(4L * width, 4 + 8L * ((width + 126) / 127));
+        if (bytes.length - next < minBytes) {
+            throw problem(width + "×" + height + " pixels take at least " + minBytes + " bytes, found " + (bytes.length - next));
         }
         float[] rgb = new float[3 * width * height];
         byte[] pixel = new byte[4 * width];
         for (int y = 0; y < height; y++) {
-            scanline(width, y, pixel);
+            readScanline(width, y, pixel);
             for (int x = 0; x < width; x++) {
                 int e = pixel[3 * width + x] & 0xFF;
-                double unit = e == 0 ? 0 : Math.scalb(1.0, e - 136) / exposure;
+                double scale = e == 0 ? 0 : Math.scalb(1.0, e - 136) / exposure;
                 for (int c = 0; c < 3; c++) {
-                    rgb[3 * (y * width + x) + c] = (float) Math.min((pixel[c * width + x] & 0xFF) * unit, Limits.MAX_EMISSION);
+                    rgb[3 * (y * width + x) + c] = (float) Math.min((pixel[c * width + x] & 0xFF) * scale, SceneLimits.MAX_EMISSION);
                 }
             }
         }
@@ -79,38 +79,38 @@ public final class HdrReader {
             throw new MeshException(file, "",
                     "expected nothing behind the last of " + height + " lines, found " + (bytes.length - next) + " bytes");
         }
-        return new Sky(width, height, rgb);
+        return new EnvironmentMap(width, height, rgb);
     }
 
     /** A number of pixels along a side, cut at more than there may be in all. */
-    private static int side(String digits) {
-        return (int) Math.min(Long.parseLong(digits), PIXELS + 1);
+    private static int parseSide(String digits) {
+        return (int) Math.min(Long.parseLong(digits), MAX_PIXELS + 1);
     }
 
     /** Reads to behind the line that tells the size. */
-    private Matcher header() throws MeshException {
-        String first = line();
+    private Matcher readHeader() throws MeshException {
+        String first = readLine();
         if (!first.equals("#?RADIANCE") && !first.equals("#?RGBE")) {
             throw problem("a Radiance picture must begin with #?RADIANCE or #?RGBE, was " + Quote.of(first));
         }
-        boolean format = false;
-        for (String s = line(); !s.isEmpty(); s = line()) {
+        boolean hasFormat = false;
+        for (String s = readLine(); !s.isEmpty(); s = readLine()) {
             Matcher m = EXPOSURE.matcher(s);
             if (s.startsWith("FORMAT=")) {
-                format = s.equals("FORMAT=32-bit_rle_rgbe");
-                if (!format) {
+                hasFormat = s.equals("FORMAT=32-bit_rle_rgbe");
+                if (!hasFormat) {
                     throw problem("the format must be 32-bit_rle_rgbe, was " + Quote.of(s.substring(7)));
                 }
             } else if (m.matches()) {
-                exposure *= exposure(m.group(1));
+                exposure *= parseExposure(m.group(1));
             } else if (s.startsWith("EXPOSURE=")) {
                 throw problem("an exposure must be a number above 0, was " + Quote.of(s.substring(9)));
             }
         }
-        if (!format) {
+        if (!hasFormat) {
             throw problem("expected a line FORMAT=32-bit_rle_rgbe in the header, found none");
         }
-        String last = line();
+        String last = readLine();
         Matcher size = SIZE.matcher(last);
         if (!size.matches()) {
             throw problem("the size must be written as -Y HEIGHT +X WIDTH, was " + Quote.of(last));
@@ -118,20 +118,20 @@ public final class HdrReader {
         return size;
     }
 
-    private double exposure(String text) throws MeshException {
-        double v = lightning.base.text.Decimal.read(text).orElse(0);
+    private double parseExposure(String text) throws MeshException {
+        double v = lightning.base.text.DecimalNumber.parse(text).orElse(0);
         if (!(v >= 1e-30 && v <= 1e30) || !(exposure * v >= 1e-30 && exposure * v <= 1e30)) {
             throw problem("an exposure must be a number from 1e-30 to 1e30, was " + Quote.of(text));
         }
         return v;
     }
 
-    private String line() throws MeshException {
+    private String readLine() throws MeshException {
         int start = next;
         line++;
         while (next < bytes.length && bytes[next] != '\n') {
-            if (++next > HEADER) {
-                throw problem("a header must have at most " + HEADER + " bytes, found more");
+            if (++next > MAX_HEADER_BYTES) {
+                throw problem("a header must have at most " + MAX_HEADER_BYTES + " bytes, found more");
             }
         }
         if (next == bytes.length) {
@@ -141,51 +141,51 @@ public final class HdrReader {
     }
 
     /** Reads a line into four columns, one behind the other. */
-    private void scanline(int width, int y, byte[] to) throws MeshException {
-        need(4, y);
-        boolean runs = width >= 8 && width < 1 << 15 && bytes[next] == 2 && bytes[next + 1] == 2 && bytes[next + 2] >= 0;
-        if (!runs) {
-            need(4 * width, y);
+    private void readScanline(int width, int y, byte[] out) throws MeshException {
+        requireBytes(4, y);
+        boolean isRunLength = width >= 8 && width < 1 << 15 && bytes[next] == 2 && bytes[next + 1] == 2 && bytes[next + 2] >= 0;
+        if (!isRunLength) {
+            requireBytes(4 * width, y);
             for (int x = 0; x < width; x++) {
                 for (int c = 0; c < 4; c++) {
-                    to[c * width + x] = bytes[next++];
+                    out[c * width + x] = bytes[next++];
                 }
-                if (to[x] == 1 && to[width + x] == 1 && to[2 * width + x] == 1) {
-                    throw row(y, "runs of pixels that are the same are not read");
+                if (out[x] == 1 && out[width + x] == 1 && out[2 * width + x] == 1) {
+                    throw rowProblem(y, "runs of pixels that are the same are not read");
                 }
             }
             return;
         }
-        int told = (bytes[next + 2] & 0xFF) << 8 | bytes[next + 3] & 0xFF;
-        if (told != width) {
-            throw row(y, "must have " + width + " pixels, has " + told);
+        int encodedWidth = (bytes[next + 2] & 0xFF) << 8 | bytes[next + 3] & 0xFF;
+        if (encodedWidth != width) {
+            throw rowProblem(y, "must have " + width + " pixels, has " + encodedWidth);
         }
         next += 4;
         for (int c = 0; c < 4; c++) {
             for (int x = 0; x < width;) {
-                need(2, y);
+                requireBytes(2, y);
                 int count = bytes[next++] & 0xFF;
-                boolean run = count > 128;
-                count = run ? count - 128 : count;
+                boolean isRun = count > 128;
+                count = isRun ? count - 128 : count;
                 if (count == 0 || x + count > width) {
-                    throw row(y, "a run must have from 1 to " + (width - x) + " pixels, has " + count);
+                    throw rowProblem(y, "a run must have from 1 to " + (width - x) + " pixels, has " + count);
                 }
-                need(run ? 1 : count, y);
+                requireBytes(isRun ? 1 : count, y);
                 for (int end = x + count; x < end; x++) {
-                    to[c * width + x] = run ? bytes[next] : bytes[next++];
+                    out[c * width + x] = isRun ? bytes[next] : bytes[next++];
                 }
-                next += run ? 1 : 0;
+                next += isRun ? 1 : 0;
             }
         }
     }
 
-    private void need(int count, int y) throws MeshException {
+    private void requireBytes(int count, int y) throws MeshException {
         if (bytes.length - next < count) {
-            throw row(y, "expected more pixels, found the end of the file");
+            throw rowProblem(y, "expected more pixels, found the end of the file");
         }
     }
 
-    private MeshException row(int y, String message) {
+    private MeshException rowProblem(int y, String message) {
         return new MeshException(file, "row " + (y + 1), message);
     }
 

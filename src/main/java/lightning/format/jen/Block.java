@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import lightning.base.text.Quote;
-import lightning.scene.shot.Key;
+import lightning.scene.shot.Keyframe;
 
 /** A block as it stands in the text. All places are numbers of tokens; −1 where something is missing. */
 final class Block {
@@ -21,41 +21,41 @@ final class Block {
     /**
      * What is written of one property's keys.
      *
-     * @param open  the token of the brace before them; {@code close} of the one behind
+     * @param openToken  the token of the brace before them; {@code closeToken} of the one behind
      * @param keys  those that are well written
      */
-    record Keys(Property<?> property, int nameToken, int open, int close, List<Key> keys) {}
+    record PropertyKeys(Property<?> property, int nameToken, int openToken, int closeToken, List<Keyframe> keys) {}
 
-    private static final int FEW = 3;
+    private static final int INITIAL_CAPACITY = 3;
 
     final BlockType<?> type;
-    final int keyword;
+    final int keywordToken;
     int nameToken = -1;
     String name = "";
-    int open = -1;
-    int close = -1;
+    int openToken = -1;
+    int closeToken = -1;
     /** What a group holds, or what has keys in a shot. */
     final List<Block> children;
     /** Of what has keys in a shot. */
-    List<Keys> keys = List.of();
+    List<PropertyKeys> keys = List.of();
     /** All properties that are written, well or not. Lists, as there are few of them and may be a million blocks. */
-    private final List<Property<?>> written = new ArrayList<>(FEW);
+    private final List<Property<?>> writtenProperties = new ArrayList<>(INITIAL_CAPACITY);
     /** The well written ones, in the order of the text. */
-    private final List<Entry> entries = new ArrayList<>(FEW);
+    private final List<Entry> entries = new ArrayList<>(INITIAL_CAPACITY);
 
-    Block(BlockType<?> type, int keyword) {
+    Block(BlockType<?> type, int keywordToken) {
         this.type = type;
-        this.keyword = keyword;
-        children = type == Blocks.GROUP || type == Blocks.SHOT ? new ArrayList<>() : List.of();
+        this.keywordToken = keywordToken;
+        children = type == BlockTypes.GROUP || type == BlockTypes.SHOT ? new ArrayList<>() : List.of();
     }
 
     /** Tells that a property is written; whether it was not before. */
-    boolean write(Property<?> property) {
-        return !isWritten(property.name()) && written.add(property);
+    boolean markWritten(Property<?> property) {
+        return !isWritten(property.name()) && writtenProperties.add(property);
     }
 
     boolean isWritten(String property) {
-        for (Property<?> p : written) {
+        for (Property<?> p : writtenProperties) {
             if (p.name().equals(property)) {
                 return true;
             }
@@ -97,7 +97,7 @@ final class Block {
     }
 
     /** The token that stands for the whole block in messages. */
-    int place() {
-        return nameToken >= 0 ? nameToken : keyword;
+    int problemToken() {
+        return nameToken >= 0 ? nameToken : keywordToken;
     }
 }

@@ -1,37 +1,37 @@
 package lightning.format.jen;
 
 import java.util.List;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 
 /** Changes the words of one block in the text where an edited element says something else. */
 final class BlockPatch {
-    private final Source source;
-    private final Tokens tokens;
-    private final Edits edits;
+    private final SourceText source;
+    private final TokenList tokens;
+    private final TextEdits edits;
 
-    BlockPatch(Source source, Tokens tokens, Edits edits) {
+    BlockPatch(SourceText source, TokenList tokens, TextEdits edits) {
         this.source = source;
         this.tokens = tokens;
         this.edits = edits;
     }
 
     /** Patches the name and the properties; children are the caller's. */
-    void apply(Block block, Element wanted) {
-        if (!block.name.equals(wanted.name())) {
-            replace(block.nameToken, NameText.of(wanted.name()));
+    void apply(Block block, BlockContent target) {
+        if (!block.name.equals(target.name())) {
+            replace(block.nameToken, NameSyntax.format(target.name()));
         }
-        block.type.header().ifPresent(p -> change(block.entry(p.name()), wanted.values().get(p.name())));
+        block.type.header().ifPresent(p -> change(block.entry(p.name()), target.values().get(p.name())));
         for (Property<?> property : block.type.properties()) {
             Block.Entry entry = block.entry(property.name());
-            Value value = wanted.values().get(property.name());
+            Value value = target.values().get(property.name());
             if (entry == null) {
-                if (wanted.mustSay(property)) {
+                if (target.mustWrite(property)) {
                     insert(block, JenWriter.property(property, value));
                 }
             } else if (value instanceof Value.Absent) {
                 remove(entry);
             } else {
-                property.checkTogether(value);
+                property.checkValue(value);
                 change(entry, value);
             }
         }
@@ -42,7 +42,7 @@ final class BlockPatch {
         if (entry.value() instanceof Value.Numbers(List<Double> before) && value instanceof Value.Numbers(List<Double> after)) {
             for (int i = 0; i < after.size(); i++) {
                 if (!before.get(i).equals(after.get(i))) {
-                    replace(entry.from() + i, Decimal.text(after.get(i)));
+                    replace(entry.from() + i, DecimalNumber.format(after.get(i)));
                 }
             }
         } else if (!entry.value().equals(value)) {
@@ -51,8 +51,8 @@ final class BlockPatch {
         }
     }
 
-    private void replace(int token, String with) {
-        edits.replace(tokens.start(token), tokens.end(token), with);
+    private void replace(int token, String replacement) {
+        edits.replace(tokens.start(token), tokens.end(token), replacement);
     }
 
     /** Cuts out a property word by word, so that comments between them stay. */
@@ -63,7 +63,7 @@ final class BlockPatch {
     private void remove(int from, int to) {
         for (int token = from; token < to; token++) {
             int start = tokens.start(token);
-            while (Source.isBlank(source.text().charAt(start - 1))) {
+            while (SourceText.isBlank(source.text().charAt(start - 1))) {
                 start--;
             }
             edits.replace(start, tokens.end(token), "");
@@ -72,15 +72,15 @@ final class BlockPatch {
 
     /** Puts a property behind the last one in the braces, on a line of its own where that one ends its line. */
     private void insert(Block block, String property) {
-        int last = block.entries().stream().mapToInt(e -> e.to() - 1).filter(t -> t > block.open).max()
-                .orElse(block.open);
+        int last = block.entries().stream().mapToInt(e -> e.to() - 1).filter(t -> t > block.openToken).max()
+                .orElse(block.openToken);
         int end = tokens.end(last);
         int lineEnd = source.lineEnd(end);
         if (tokens.start(last + 1) > lineEnd) {
             String indent = source.indent(end);
-            String deeper = last == block.open || startsInLine(block.keyword, end) ? indent + "  " : indent;
-            edits.insert(lineEnd, source.newline() + deeper + property);
-        } else if (last == block.open) {
+            String deeperIndent = last == block.openToken || startsInLine(block.keywordToken, end) ? indent + "  " : indent;
+            edits.insert(lineEnd, source.newline() + deeperIndent + property);
+        } else if (last == block.openToken) {
             edits.insert(end, " " + property + (tokens.end(last) == tokens.start(last + 1) ? " " : ""));
         } else {
             edits.insert(end, "  " + property);

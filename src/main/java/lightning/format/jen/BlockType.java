@@ -5,24 +5,24 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import lightning.scene.Node;
+import lightning.scene.SceneNode;
 
 /**
  * One kind of block.
  *
  * @param <T>        the record of the scene that the block describes
  * @param keyword    the word that begins it
- * @param named      whether a name follows
+ * @param isNamed      whether a name follows
  * @param header     the property whose bare value follows the name, if any
  * @param properties those in the braces, in the order in which they are written
  * @param initials   what each of these is where the file does not say, by its name
  * @param builder    makes the record
  */
-record BlockType<T>(String keyword, boolean named, Optional<Property<T>> header, List<Property<T>> properties,
+record BlockType<T>(String keyword, boolean isNamed, Optional<Property<T>> header, List<Property<T>> properties,
         Map<String, Value> initials, Builder<T> builder) {
 
-    BlockType(String keyword, boolean named, Optional<Property<T>> header, List<Property<T>> properties, Builder<T> builder) {
-        this(keyword, named, header, properties,
+    BlockType(String keyword, boolean isNamed, Optional<Property<T>> header, List<Property<T>> properties, Builder<T> builder) {
+        this(keyword, isNamed, header, properties,
                 properties.stream().collect(Collectors.toUnmodifiableMap(Property::name, Property::initial)), builder);
     }
 
@@ -30,7 +30,7 @@ record BlockType<T>(String keyword, boolean named, Optional<Property<T>> header,
     @FunctionalInterface
     interface Builder<T> {
         /** @throws IllegalArgumentException if the values do not go together; the message says why */
-        T build(String name, Values values, List<Node> children);
+        T build(String name, PropertyValues values, List<SceneNode> children);
     }
 
     Optional<Property<T>> property(String name) {
@@ -49,8 +49,8 @@ record BlockType<T>(String keyword, boolean named, Optional<Property<T>> header,
     /** The values of {@code record} by property name, that of the header included. */
     Map<String, Value> values(T record) {
         Map<String, Value> values = new LinkedHashMap<>();
-        header.ifPresent(p -> values.put(p.name(), p.get().apply(record)));
-        properties.forEach(p -> values.put(p.name(), p.get().apply(record)));
+        header.ifPresent(p -> values.put(p.name(), p.getter().apply(record)));
+        properties.forEach(p -> values.put(p.name(), p.getter().apply(record)));
         return values;
     }
 }

@@ -5,13 +5,13 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import lightning.base.file.OrdinaryFile;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
+import lightning.base.file.RegularFile;
 import lightning.base.text.Quote;
 
 /** Brings a file from elsewhere into the textures beside a scene, where scenes find it by its name. */
 public final class FileCopy {
-    private static final String EXPECTED = "a file for the textures of a scene";
+    private static final String EXPECTED_FILE = "a file for the textures of a scene";
 
     private FileCopy() {}
 
@@ -22,10 +22,10 @@ public final class FileCopy {
     }
 
     /** It is there. */
-    public record Brought(String file) implements Outcome {}
+    public record Copied(String file) implements Outcome {}
 
     /** Another file has that name; nothing was written. */
-    public record Taken(String file) implements Outcome {}
+    public record NameConflict(String file) implements Outcome {}
 
     /**
      * Copies a file, unless the scene finds it already.
@@ -35,51 +35,52 @@ public final class FileCopy {
      * @throws IllegalArgumentException if the scene could not have it, by its name, its size or what it holds, or if the folder of textures
      *                                  is a link
      */
-    public static Outcome bring(FileKind kind, Path file, Path scene, boolean overwrite) throws IOException {
+    public static Outcome copyToScene(FileKind kind, Path file, Path scene, boolean overwrite) throws IOException {
         kind.check(file);
         String name = file.getFileName().toString();
-        Path textures = textures(kind, scene);
+        Path textureFolder = textureFolder(kind, scene);
         Path real = file.toRealPath();
-        for (Path beside : List.of(scene.resolve(name), textures.resolve(name))) {
-            if (Files.exists(beside) && beside.toRealPath().equals(real)) {
-                return new Brought(name);
+        for (Path candidate : List.of(scene.resolve(name), textureFolder.resolve(name))) {
+            if (Files.exists(candidate) && candidate.toRealPath().equals(real)) {
+                return new Copied(name);
             }
         }
-        return copy(real, scene, textures.resolve(name), overwrite);
+        return copy(real, scene, textureFolder.resolve(name), overwrite);
     }
 
     /** Where scenes there look for textures; where there is no such folder yet, one beside the scene. */
-    private static Path textures(FileKind kind, Path scene) throws IOException {
-        List<Path> folders = kind.folders(scene).all();
-        Path textures = folders.size() > 1 ? folders.getLast() : Files.createDirectories(folders.getFirst().resolve(TextureFolder.NAME));
-        if (!textures.toRealPath().equals(textures)) {
-            throw new IllegalArgumentException("the folder of textures must be no link, was one to " + textures.toRealPath());
+    private static Path textureFolder(FileKind kind, Path scene) throws IOException {
+        List<Path> folders = kind.searchPath(scene).folders();
+        Path textureFolder =
+                folders.size() > 1 ? folders.getLast() : Files.createDirectories(folders.getFirst().resolve(TextureFolder.NAME));
+        if (!textureFolder.toRealPath().equals(textureFolder)) {
+            throw new IllegalArgumentException("the folder of textures must be no link, was one to " + textureFolder.toRealPath());
         }
-        return textures;
+        return textureFolder;
     }
 
-    private static Outcome copy(Path file, Path scene, Path to, boolean overwrite) throws IOException {
-        String name = to.getFileName().toString();
-        Path hiding = scene.resolve(name);
-        if (Files.exists(hiding) && !OrdinaryFile.areSame(file, hiding, EXPECTED)) {
+    private static Outcome copy(Path file, Path scene, Path target, boolean overwrite) throws IOException {
+        String name = target.getFileName().toString();
+        Path shadowingFile = scene.resolve(name);
+        if (Files.exists(shadowingFile) && !RegularFile.haveSameContent(file, shadowingFile, EXPECTED_FILE)) {
             throw new IllegalArgumentException("another file " + Quote.of(name) + " lies beside the scene and would be found first");
         }
-        if (Files.isSymbolicLink(to)) {
+        if (Files.isSymbolicLink(target)) {
             throw new IllegalArgumentException(Quote.of(name) + " in the folder of textures is a link; it is not written over");
         }
-        if (Files.exists(to)) {
-            if (OrdinaryFile.areSame(file, to, EXPECTED)) {
-                return new Brought(name);
+        if (Files.exists(target)) {
+            if (RegularFile.haveSameContent(file, target, EXPECTED_FILE)) {
+                return new Copied(name);
             }
             if (!overwrite) {
-                return new Taken(name);
+                return new NameConflict(name);
             }
         }
-        SafeFile.write(to, out -> {
-            try (InputStream in = OrdinaryFile.open(file, EXPECTED)) {
+        AtomicFile.write(target, out -> {
+            try (InputStream in = RegularFile.open(file, EXPECTED_FILE)) {
                 in.transferTo(out);
             }
         });
-        return new Brought(name);
+        return new Copied(name);
     }
 }

@@ -6,9 +6,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import lightning.base.file.OrdinaryFile;
+import lightning.base.file.RegularFile;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.format.hdr.HdrReader;
 import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
@@ -16,21 +16,21 @@ import lightning.format.mesh.MeshException;
 /** What a scene names by its file, and finds beside it or among its textures. */
 public enum FileKind {
     /** A picture on a material, or one that a light projects. */
-    TEXTURE("texture", "a PNG or JPEG file", Texts.key("PNG, JPEG"), JenLimits.TEXTURE_BYTES, "png", "jpg", "jpeg") {
+    TEXTURE("texture", "a PNG or JPEG file", Messages.key("PNG, JPEG"), JenLimits.TEXTURE_BYTES, "png", "jpg", "jpeg") {
         @Override
         void read(String name, Path file) throws IOException, UnusableFileException {
-            TextureDecoder.numbers(name, OrdinaryFile.bytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
+            TextureDecoder.decodeNumbers(name, RegularFile.readBytes(file, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES));
         }
     },
     /** How strongly a light shines in each direction. */
-    PROFILE("profile", "an IES file", Texts.key("IES profiles"), IesReader.BYTES, "ies") {
+    PROFILE("profile", "an IES file", Messages.key("IES profiles"), IesReader.MAX_BYTES, "ies") {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
             IesReader.read(file);
         }
     },
     /** What is far around a scene. */
-    ENVIRONMENT("environment", "a Radiance HDR file", Texts.key("Radiance HDR"), HdrReader.BYTES, "hdr") {
+    ENVIRONMENT("environment", "a Radiance HDR file", Messages.key("Radiance HDR"), HdrReader.MAX_BYTES, "hdr") {
         @Override
         void read(String name, Path file) throws IOException, MeshException {
             HdrReader.read(file);
@@ -38,19 +38,19 @@ public enum FileKind {
     };
 
     private final String noun;
-    private final String form;
+    private final String description;
     private final String title;
-    private final long mostBytes;
-    private final List<String> endings;
+    private final long maxBytes;
+    private final List<String> extensions;
     private final Pattern pattern;
 
-    FileKind(String noun, String form, String title, long mostBytes, String... endings) {
+    FileKind(String noun, String description, String title, long maxBytes, String... extensions) {
         this.noun = noun;
-        this.form = form;
+        this.description = description;
         this.title = title;
-        this.mostBytes = mostBytes;
-        this.endings = List.of(endings);
-        pattern = Pattern.compile(".+\\.(" + String.join("|", endings) + ")", Pattern.CASE_INSENSITIVE);
+        this.maxBytes = maxBytes;
+        this.extensions = List.of(extensions);
+        pattern = Pattern.compile(".+\\.(" + String.join("|", extensions) + ")", Pattern.CASE_INSENSITIVE);
     }
 
     /** Reads a file as a scene would, and throws the same where it cannot. */
@@ -58,12 +58,12 @@ public enum FileKind {
 
     /** Such files, for people. */
     public String title() {
-        return Texts.of(title);
+        return Messages.tr(title);
     }
 
     /** How their names may end, without the point. */
     public List<String> endings() {
-        return endings;
+        return extensions;
     }
 
     /**
@@ -71,8 +71,8 @@ public enum FileKind {
      *
      * @param scene the folder that holds the scene file
      */
-    public List<String> names(Path scene) {
-        return folders(scene).names(pattern);
+    public List<String> fileNames(Path scene) {
+        return searchPath(scene).fileNames(pattern);
     }
 
     /**
@@ -84,15 +84,15 @@ public enum FileKind {
      */
     public Optional<Path> find(Path scene, String name) throws IOException {
         try {
-            return Optional.of(folders(scene).find(name));
+            return Optional.of(searchPath(scene).find(name));
         } catch (UnusableFileException e) {
             return Optional.empty();
         }
     }
 
     /** Where a scene in a folder looks for them. */
-    FileFolders folders(Path scene) {
-        return new FileFolders(scene, noun, TextureFolder.NAME);
+    AssetSearchPath searchPath(Path scene) {
+        return new AssetSearchPath(scene, noun, TextureFolder.NAME);
     }
 
     /**
@@ -105,11 +105,11 @@ public enum FileKind {
         FileName.check(noun, name, TextureFolder.NAME);
         String article = noun.startsWith("e") ? "an " : "a ";
         if (!pattern.matcher(name).matches()) {
-            throw new IllegalArgumentException(article + noun + " must be " + form + ", was " + Quote.of(name));
+            throw new IllegalArgumentException(article + noun + " must be " + description + ", was " + Quote.of(name));
         }
-        if (!Files.isRegularFile(file) || Files.size(file) > mostBytes) {
+        if (!Files.isRegularFile(file) || Files.size(file) > maxBytes) {
             throw new IllegalArgumentException(
-                    article + noun + " must be a file of at most " + mostBytes + " bytes, was " + Quote.of(name));
+                    article + noun + " must be a file of at most " + maxBytes + " bytes, was " + Quote.of(name));
         }
         try {
             read(name, file);

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
+import lightning.base.file.AtomicFile;
 import lightning.base.file.FileState;
-import lightning.base.file.SafeFile;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
-import lightning.scene.shot.ShotSuccession;
+import lightning.scene.shot.TrackRetargeting;
 
 /** A scene together with the text that says it. Immutable. */
 public final class JenDocument {
@@ -38,7 +38,7 @@ public final class JenDocument {
     }
 
     /** The scene with its shot. */
-    public AnimatedScene content() {
+    public AnimatedScene animatedScene() {
         return new AnimatedScene(scene, shot);
     }
 
@@ -57,23 +57,23 @@ public final class JenDocument {
      * @throws IllegalArgumentException if {@code edited} names a texture file that a scene file
      *     cannot name
      */
-    public JenDocument with(Scene edited) {
+    public JenDocument withScene(Scene edited) {
         if (edited.equals(scene)) {
             return this;
         }
-        Optional<Shot> followed = shot.map(s -> new ShotSuccession(scene, edited).of(s));
-        return new JenDocument(edited, followed, Patch.apply(text, scene, edited));
+        Optional<Shot> updatedShot = shot.map(s -> new TrackRetargeting(scene, edited).retarget(s));
+        return new JenDocument(edited, updatedShot, DocumentPatch.apply(text, scene, edited));
     }
 
     /** The same of a scene with its shot. */
-    public JenDocument with(AnimatedScene edited) {
-        JenDocument of = with(edited.still());
-        return edited.shot().map(of::withShot).orElseGet(of::withoutShot);
+    public JenDocument withAnimatedScene(AnimatedScene edited) {
+        JenDocument document = withScene(edited.base());
+        return edited.shot().map(document::withShot).orElseGet(document::withoutShot);
     }
 
     /** The same scene without its shot, whose block is cut out. */
     public JenDocument withoutShot() {
-        return shot.isEmpty() ? this : new JenDocument(scene, Optional.empty(), Patch.withoutShot(text));
+        return shot.isEmpty() ? this : new JenDocument(scene, Optional.empty(), DocumentPatch.removeShot(text));
     }
 
     /**
@@ -81,12 +81,12 @@ public final class JenDocument {
      *
      * @throws IllegalArgumentException if it is a shot of another scene ({@link Shot#check})
      */
-    public JenDocument withShot(Shot other) {
-        if (shot.filter(other::equals).isPresent()) {
+    public JenDocument withShot(Shot newShot) {
+        if (shot.filter(newShot::equals).isPresent()) {
             return this;
         }
-        other.check(scene);
-        return new JenDocument(scene, Optional.of(other), Patch.shot(text, scene, other));
+        newShot.check(scene);
+        return new JenDocument(scene, Optional.of(newShot), DocumentPatch.applyShot(text, scene, newShot));
     }
 
     /**
@@ -95,15 +95,15 @@ public final class JenDocument {
      * @throws IOException if it cannot be written; the old file is then unchanged
      */
     public void save(Path file) throws IOException {
-        save(SafeFile.at(file));
+        save(AtomicFile.of(file));
     }
 
     /**
      * The same with what else is asked of the file; returns what it holds then.
      *
-     * @throws IOException as {@link SafeFile#write(byte[])}
+     * @throws IOException as {@link AtomicFile#write(byte[])}
      */
-    public FileState save(SafeFile file) throws IOException {
+    public FileState save(AtomicFile file) throws IOException {
         return file.write(text.getBytes(StandardCharsets.UTF_8));
     }
 }

@@ -2,10 +2,10 @@ package lightning.format.jen;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import lightning.base.text.Told;
+import lightning.base.text.UserFacingException;
 
 /** A scene file cannot be used; holds every problem found in it, in the order of the file. */
-public final class JenException extends Exception implements Told {
+public final class JenException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
     private final transient List<Problem> problems;

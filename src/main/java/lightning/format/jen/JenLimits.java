@@ -2,7 +2,7 @@ package lightning.format.jen;
 
 /**
  * The limits of a scene file and its textures, so that no file exhausts the machine. Those of the
- * scene itself (counts, nesting, ranges) are in {@link lightning.scene.Limits}.
+ * scene itself (counts, nesting, ranges) are in {@link lightning.scene.SceneLimits}.
  */
 public final class JenLimits {
     /** Bytes of a scene file: 256 MiB, room for a million shapes of 268 bytes each. */
@@ -28,7 +28,7 @@ public final class JenLimits {
     /** Pixels of one texture: 16 Mi, which are 192 MiB when decoded. */
     public static final int TEXTURE_PIXELS = 16 << 20;
     /** Pixels of all textures of one scene together: 64 Mi, which are 768 MiB when decoded. */
-    public static final long ALL_TEXTURE_PIXELS = 64 << 20;
+    public static final long TOTAL_TEXTURE_PIXELS = 64 << 20;
 
     private JenLimits() {}
 }

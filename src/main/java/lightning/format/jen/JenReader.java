@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import lightning.base.file.OrdinaryFile;
+import lightning.base.file.RegularFile;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.shot.Shot;
@@ -36,30 +36,30 @@ public final class JenReader {
      * @throws IOException  as {@link #read(Path)}
      * @throws JenException likewise
      */
-    public static Scene lights(Path file, Path folder, Stage stage) throws IOException, JenException {
+    public static Scene readLights(Path file, Path folder, Stage stage) throws IOException, JenException {
         return read(file, folder, stage).scene();
     }
 
     private static JenDocument read(Path file, Path folder, Stage stage) throws IOException, JenException {
-        var problems = new Problems();
-        OrdinaryFile.check(file, "a .jen file");
+        var problems = new ProblemList();
+        RegularFile.check(file, "a .jen file");
         if (Files.size(file) > JenLimits.FILE_BYTES) {
             throw tooLarge(file, problems);
         }
         byte[] bytes;
         // It may grow meanwhile.
-        try (InputStream in = OrdinaryFile.open(file, "a .jen file")) {
+        try (InputStream in = RegularFile.open(file, "a .jen file")) {
             bytes = in.readNBytes(JenLimits.FILE_BYTES + 1);
         }
         if (bytes.length > JenLimits.FILE_BYTES) {
             throw tooLarge(file, problems);
         }
-        return read(Source.decode(file.toString(), bytes, problems), LoadedFiles.of(folder), stage, problems);
+        return read(SourceText.decode(file.toString(), bytes, problems), AssetFolders.of(folder), stage, problems);
     }
 
-    private static JenException tooLarge(Path file, Problems problems) {
+    private static JenException tooLarge(Path file, ProblemList problems) {
         problems.add(0, "a scene file may have at most " + JenLimits.FILE_BYTES + " bytes, found more");
-        return new JenException(problems.in(new Source(file.toString(), "")));
+        return new JenException(problems.toProblems(new SourceText(file.toString(), "")));
     }
 
     /**
@@ -70,22 +70,22 @@ public final class JenReader {
      * @throws JenException if anything is wrong; holds all problems
      */
     public static JenDocument read(String text, String name, Path folder) throws JenException {
-        var problems = new Problems();
-        var source = new Source(name, text);
+        var problems = new ProblemList();
+        var source = new SourceText(name, text);
         source.checkSurrogates(problems);
-        return read(source, LoadedFiles.of(folder), Stage.EMPTY, problems);
+        return read(source, AssetFolders.of(folder), Stage.EMPTY, problems);
     }
 
-    static JenDocument read(Source source, LoadedFiles files, Stage stage, Problems problems) throws JenException {
-        Tokens tokens = Lexer.tokens(source.text(), problems);
-        List<Block> blocks = Parser.file(tokens, problems);
+    static JenDocument read(SourceText source, AssetFolders files, Stage stage, ProblemList problems) throws JenException {
+        TokenList tokens = Lexer.tokens(source.text(), problems);
+        List<Block> blocks = Parser.parseFile(tokens, problems);
         Optional<Scene> scene = new SceneBuilder(tokens, problems, files, List.of(), stage).build(blocks);
         if (scene.isEmpty()) {
-            throw new JenException(problems.in(source));
+            throw new JenException(problems.toProblems(source));
         }
         Optional<Shot> shot = new ShotBuilder(tokens, problems, scene.get()).build(blocks);
         if (!problems.isEmpty()) {
-            throw new JenException(problems.in(source));
+            throw new JenException(problems.toProblems(source));
         }
         return new JenDocument(scene.get(), shot, source.text());
     }

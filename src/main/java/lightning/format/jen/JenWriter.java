@@ -7,7 +7,7 @@ import lightning.scene.shot.Shot;
 
 /** Writes scenes from scratch: only what is not the default, one block per line where it fits. */
 public final class JenWriter {
-    static final int LINE = 110;
+    static final int MAX_LINE_LENGTH = 110;
 
     private JenWriter() {}
 
@@ -17,15 +17,15 @@ public final class JenWriter {
      * @throws IllegalArgumentException if a texture's file name is none that a scene file can say
      */
     public static String write(Scene scene) {
-        List<Element> head = new ArrayList<>(List.of(Element.of(Blocks.PICTURE, scene.picture()),
-                Element.of(Blocks.CAMERA, scene.camera()), Element.of(Blocks.WORLD, scene.world())));
-        head.removeIf(Element::isInitial);
+        List<BlockContent> header = new ArrayList<>(List.of(BlockContent.of(BlockTypes.PICTURE, scene.picture()),
+                BlockContent.of(BlockTypes.CAMERA, scene.camera()), BlockContent.of(BlockTypes.WORLD, scene.world())));
+        header.removeIf(BlockContent::isInitial);
         var out = new StringBuilder("jen 1\n");
-        section(out, head);
-        section(out, scene.materials().stream().map(Element::of).toList());
-        section(out, scene.nodes().stream().map(Element::of).toList());
-        section(out, scene.rig().banks().stream().map(Element::of).toList());
-        section(out, scene.lights().stream().map(Element::of).toList());
+        section(out, header);
+        section(out, scene.materials().stream().map(BlockContent::of).toList());
+        section(out, scene.nodes().stream().map(BlockContent::of).toList());
+        section(out, scene.rig().lightGroups().stream().map(BlockContent::of).toList());
+        section(out, scene.lights().stream().map(BlockContent::of).toList());
         return out.toString();
     }
 
@@ -37,10 +37,10 @@ public final class JenWriter {
      */
     public static String write(Scene scene, Shot shot) {
         shot.check(scene);
-        return write(scene) + '\n' + new ShotText(scene, "\n").block(shot) + '\n';
+        return write(scene) + '\n' + new ShotWriter(scene, "\n").block(shot) + '\n';
     }
 
-    private static void section(StringBuilder out, List<Element> elements) {
+    private static void section(StringBuilder out, List<BlockContent> elements) {
         if (!elements.isEmpty()) {
             out.append('\n');
             elements.forEach(e -> out.append(block(e, "", "\n")).append('\n'));
@@ -52,27 +52,27 @@ public final class JenWriter {
      *
      * @param indent what stands before each of its lines (the first included)
      */
-    static String block(Element element, String indent, String newline) {
-        var head = new StringBuilder(indent).append(element.type().keyword());
-        if (element.type().named()) {
-            head.append(' ').append(NameText.of(element.name()));
+    static String block(BlockContent element, String indent, String newline) {
+        var header = new StringBuilder(indent).append(element.type().keyword());
+        if (element.type().isNamed()) {
+            header.append(' ').append(NameSyntax.format(element.name()));
         }
-        element.type().header().ifPresent(p -> head.append(' ').append(element.values().get(p.name()).text()));
-        List<String> properties = element.type().properties().stream().filter(element::mustSay)
+        element.type().header().ifPresent(p -> header.append(' ').append(element.values().get(p.name()).text()));
+        List<String> properties = element.type().properties().stream().filter(element::mustWrite)
                 .map(p -> property(p, element.values().get(p.name()))).toList();
-        String line = properties.isEmpty() ? head + " {}" : head + " { " + String.join("  ", properties) + " }";
-        if (element.children().isEmpty() && line.length() <= LINE) {
+        String line = properties.isEmpty() ? header + " {}" : header + " { " + String.join("  ", properties) + " }";
+        if (element.children().isEmpty() && line.length() <= MAX_LINE_LENGTH) {
             return line;
         }
-        head.append(" {").append(newline);
-        properties.forEach(p -> head.append(indent).append("  ").append(p).append(newline));
-        element.children().forEach(c -> head.append(block(c, indent + "  ", newline)).append(newline));
-        return head.append(indent).append('}').toString();
+        header.append(" {").append(newline);
+        properties.forEach(p -> header.append(indent).append("  ").append(p).append(newline));
+        element.children().forEach(c -> header.append(block(c, indent + "  ", newline)).append(newline));
+        return header.append(indent).append('}').toString();
     }
 
     /** A property as the file says it, name and value. */
     static String property(Property<?> property, Value value) {
-        property.checkTogether(value);
+        property.checkValue(value);
         return property.name() + " " + value.text();
     }
 }

@@ -1,114 +1,115 @@
 package lightning.format.jen;
 
 import java.util.Locale;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 
 /** Cuts the text of a scene file into tokens; comments run from {@code #} to the end of the line. */
 final class Lexer {
     private final String text;
-    private final Problems problems;
-    private final Tokens tokens;
-    private int at;
+    private final ProblemList problems;
+    private final TokenList tokens;
+    private int position;
 
-    private Lexer(String text, Problems problems) {
+    private Lexer(String text, ProblemList problems) {
         this.text = text;
         this.problems = problems;
-        this.tokens = new Tokens(text);
+        this.tokens = new TokenList(text);
     }
 
     /** All tokens of {@code text}; what is none is reported and left out. */
-    static Tokens tokens(String text, Problems problems) {
-        return new Lexer(text, problems).run();
+    static TokenList tokens(String text, ProblemList problems) {
+        return new Lexer(text, problems).tokenize();
     }
 
-    private Tokens run() {
+    private TokenList tokenize() {
         if (text.startsWith("\uFEFF")) {
-            at = 1; // a byte order mark, which some editors write
+            position = 1; // a byte order mark, which some editors write
         }
-        while (at < text.length() && !problems.isFull()) {
+        while (position < text.length() && !problems.isFull()) {
             if (tokens.size() == JenLimits.TOKENS) {
-                problems.add(at, "a scene file may have at most " + JenLimits.TOKENS + " words, numbers and braces");
+                problems.add(position, "a scene file may have at most " + JenLimits.TOKENS + " words, numbers and braces");
                 break;
             }
-            char c = text.charAt(at);
+            char c = text.charAt(position);
             switch (c) {
-                case ' ', '\t', '\r', '\n' -> at++;
+                case ' ', '\t', '\r', '\n' -> position++;
                 case '#' -> skipComment();
-                case '{' -> tokens.add(Tokens.Kind.OPEN, at, ++at);
-                case '}' -> tokens.add(Tokens.Kind.CLOSE, at, ++at);
-                case '"' -> string();
-                default -> word(c);
+                case '{' -> tokens.add(TokenList.Kind.OPEN, position, ++position);
+                case '}' -> tokens.add(TokenList.Kind.CLOSE, position, ++position);
+                case '"' -> readString();
+                default -> readWord(c);
             }
         }
-        tokens.add(Tokens.Kind.END, text.length(), text.length());
+        tokens.add(TokenList.Kind.END, text.length(), text.length());
         return tokens;
     }
 
     private void skipComment() {
-        int end = text.indexOf('\n', at);
-        at = end < 0 ? text.length() : end;
+        int end = text.indexOf('\n', position);
+        position = end < 0 ? text.length() : end;
     }
 
-    private void string() {
-        int start = at;
-        int close = NameText.closing(text, start);
+    private void readString() {
+        int start = position;
+        int close = NameSyntax.closingQuote(text, start);
         if (close < 0) {
             problems.add(start, "a '\"' must be closed by another in the same line");
             int end = text.indexOf('\n', start);
-            at = end < 0 ? text.length() : end;
+            position = end < 0 ? text.length() : end;
             return;
         }
-        escapes(start + 1, close);
-        at = close + 1;
-        end(Tokens.Kind.STRING, start);
+        checkEscapes(start + 1, close);
+        position = close + 1;
+        endToken(TokenList.Kind.STRING, start);
     }
 
     /** Reports a string with a backslash that stands before anything but a quote or a backslash. */
-    private void escapes(int from, int to) {
+    private void checkEscapes(int from, int to) {
         for (int i = text.indexOf('\\', from, to); i >= 0; i = text.indexOf('\\', i + 2, to)) {
-            if (!NameText.isEscaped(text.charAt(i + 1))) {
-                problems.add(from - 1, "a '\\' in quotes must stand before '\"' or another '\\', found " + shown(text.codePointAt(i + 1)));
+            if (!NameSyntax.isEscapable(text.charAt(i + 1))) {
+                problems.add(from - 1,
+                        "a '\\' in quotes must stand before '\"' or another '\\', found " + describe(text.codePointAt(i + 1)));
                 return;
             }
         }
     }
 
-    private void word(char first) {
-        int start = at;
-        boolean number = first >= '0' && first <= '9' || first == '-' || first == '+' || first == '.';
-        while (at < text.length()) {
-            int c = text.codePointAt(at);
-            if (!NameText.isWordPart(c) && !(number && (c == '.' || c == '+'))) {
+    private void readWord(char first) {
+        int start = position;
+        boolean isNumber = first >= '0' && first <= '9' || first == '-' || first == '+' || first == '.';
+        while (position < text.length()) {
+            int c = text.codePointAt(position);
+            if (!NameSyntax.isWordPart(c) && !(isNumber && (c == '.' || c == '+'))) {
                 break;
             }
-            at += Character.charCount(c);
+            position += Character.charCount(c);
         }
-        if (number) {
-            end(Decimal.is(text, start, at) ? Tokens.Kind.NUMBER : Tokens.Kind.BAD_NUMBER, start);
-        } else if (at > start && NameText.isWordStart(text.codePointAt(start))) {
-            end(Tokens.Kind.WORD, start);
+        if (isNumber) {
+            endToken(DecimalNumber.isNumber(text, start, position) ? TokenList.Kind.NUMBER : TokenList.Kind.BAD_NUMBER, start);
+        } else if (position > start && NameSyntax.isWordStart(text.codePointAt(start))) {
+            endToken(TokenList.Kind.WORD, start);
         } else {
             int c = text.codePointAt(start);
-            at = Math.max(at, start + Character.charCount(c));
-            problems.add(start, "expected a word, a number or a brace, found " + shown(c));
+            position = Math.max(position, start + Character.charCount(c));
+            problems.add(start, "expected a word, a number or a brace, found " + describe(c));
         }
     }
 
     /** Adds a token, which must be followed by something that ends it. */
-    private void end(Tokens.Kind kind, int start) {
-        if (at - start > JenLimits.TOKEN_LENGTH && text.codePointCount(start, at) > JenLimits.TOKEN_LENGTH) {
+    private void endToken(TokenList.Kind kind, int start) {
+        if (position - start > JenLimits.TOKEN_LENGTH && text.codePointCount(start, position) > JenLimits.TOKEN_LENGTH) {
             problems.add(start, "a word, number or string may have at most " + JenLimits.TOKEN_LENGTH
-                    + " characters, found " + text.codePointCount(start, at));
+                    + " characters, found " + text.codePointCount(start, position));
             return;
         }
-        if (at < text.length() && "\t\n\r #{}".indexOf(text.charAt(at)) < 0) {
-            problems.add(at, "expected a space, found " + shown(text.codePointAt(at)));
+        if (position < text.length() && "\t\n\r #{}".indexOf(text.charAt(position)) < 0) {
+            problems.add(position, "expected a space, found " + describe(text.codePointAt(position)));
         }
-        tokens.add(kind, start, at);
+        tokens.add(kind, start, position);
     }
 
-    private static String shown(int c) {
+    private static String describe(int c) {
         boolean visible = c > ' ' && c < 0x7F || Character.isLetterOrDigit(c);
         return visible ? Quote.of(Character.toString(c)) : String.format(Locale.ROOT, "U+%04X", c);
     }

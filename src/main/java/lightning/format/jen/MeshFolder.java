@@ -13,19 +13,19 @@ import lightning.format.mesh.NamedMesh;
 import lightning.scene.Mesh;
 
 /**
- * Finds the meshes of one scene: beside its file or in {@code meshes/} ({@link FileFolders}). Each file is read once, and what
+ * Finds the meshes of one scene: beside its file or in {@code meshes/} ({@link AssetSearchPath}). Each file is read once, and what
  * several shapes show is one mesh.
  */
 final class MeshFolder {
     static final String NAME = "meshes";
 
-    private final FileFolders folders;
-    private final Map<Path, MeshParts> read = new HashMap<>();
+    private final AssetSearchPath searchPath;
+    private final Map<Path, MeshParts> cache = new HashMap<>();
     private long triangles;
 
     /** @param scene the folder that holds the scene file */
     MeshFolder(Path scene) {
-        folders = new FileFolders(scene, "mesh file", NAME);
+        searchPath = new AssetSearchPath(scene, "mesh file", NAME);
     }
 
     /**
@@ -36,20 +36,20 @@ final class MeshFolder {
      *                               be read, beyond {@link JenLimits} or has no such part
      */
     Mesh load(String file, String part) throws UnusableFileException {
-        return folders.read(file, path -> load(file, part, path));
+        return searchPath.read(file, path -> load(file, part, path));
     }
 
     private Mesh load(String file, String part, Path path) throws UnusableFileException, IOException, MeshException {
-        MeshParts parts = read.get(path);
+        MeshParts parts = cache.get(path);
         if (parts == null) {
             parts = new MeshParts(read(file, path));
-            read.put(path, parts);
+            cache.put(path, parts);
         }
-        return part.isEmpty() ? parts.whole() : parts.named(part, file);
+        return part.isEmpty() ? parts.merged() : parts.part(part, file);
     }
 
     private List<NamedMesh> read(String file, Path path) throws UnusableFileException, IOException, MeshException {
-        if (read.size() == JenLimits.MESHES) {
+        if (cache.size() == JenLimits.MESHES) {
             throw new UnusableFileException("a scene may have at most " + JenLimits.MESHES + " mesh files, found another, "
                     + Quote.of(file));
         }

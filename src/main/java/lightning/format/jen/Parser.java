@@ -2,8 +2,8 @@ package lightning.format.jen;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.format.jen.Tokens.Kind;
-import lightning.scene.Limits;
+import lightning.format.jen.TokenList.Kind;
+import lightning.scene.SceneLimits;
 
 /**
  * Reads the blocks of a scene file by recursive descent. After a problem it goes on at the next
@@ -12,64 +12,64 @@ import lightning.scene.Limits;
 final class Parser {
     private static final String VERSION = "1";
 
-    private final Tokens tokens;
-    private final Problems problems;
+    private final TokenList tokens;
+    private final ProblemList problems;
     private final PropertyParser properties;
-    private final List<Block> top = new ArrayList<>();
-    private int at;
+    private final List<Block> blocks = new ArrayList<>();
+    private int position;
 
-    private Parser(Tokens tokens, Problems problems) {
+    private Parser(TokenList tokens, ProblemList problems) {
         this.tokens = tokens;
         this.problems = problems;
         this.properties = new PropertyParser(tokens, problems);
     }
 
     /** All blocks of a file that begins with the version line, which is tokens 0 and 1. */
-    static List<Block> file(Tokens tokens, Problems problems) {
+    static List<Block> parseFile(TokenList tokens, ProblemList problems) {
         var parser = new Parser(tokens, problems);
-        if (parser.version()) {
-            parser.blocks();
+        if (parser.parseVersion()) {
+            parser.parseBlocks();
         }
-        return parser.top;
+        return parser.blocks;
     }
 
     /** All blocks of a text without a version line. */
-    static List<Block> fragment(Tokens tokens, Problems problems) {
+    static List<Block> parseFragment(TokenList tokens, ProblemList problems) {
         var parser = new Parser(tokens, problems);
-        parser.blocks();
-        return parser.top;
+        parser.parseBlocks();
+        return parser.blocks;
     }
 
-    private boolean version() {
-        if (kind() != Kind.WORD || !tokens.text(at).equals("jen")) {
-            problem("a scene file must begin with 'jen 1', found " + tokens.found(at));
+    private boolean parseVersion() {
+        if (kind() != Kind.WORD || !tokens.text(position).equals("jen")) {
+            problem("a scene file must begin with 'jen 1', found " + tokens.describe(position));
             return true;
         }
-        at++;
-        if (kind() == Kind.NUMBER && tokens.text(at).equals(VERSION)) {
-            at++;
+        position++;
+        if (kind() == Kind.NUMBER && tokens.text(position).equals(VERSION)) {
+            position++;
             return true;
         }
-        problem("expected version 1 of the format, found " + tokens.found(at));
+        problem("expected version 1 of the format, found " + tokens.describe(position));
         return kind() != Kind.NUMBER; // another version has another grammar
     }
 
-    private void blocks() {
+    private void parseBlocks() {
         while (kind() != Kind.END) {
             switch (kind()) {
-                case WORD -> topBlock();
+                case WORD -> parseTopBlock();
                 case CLOSE -> {
                     problem("found a '}' without a '{' before it");
-                    at++;
+                    position++;
                 }
                 case OPEN -> {
                     problem("expected a block, found '{'");
                     skipBraces();
                 }
                 case NUMBER, BAD_NUMBER, STRING -> {
-                    problem("expected a block, found " + tokens.found(at));
+                    problem("expected a block, found " + tokens.describe(position));
                     while (isLiteral(kind())) {
-                        at++;
+                        position++;
                     }
                 }
                 case END -> throw new AssertionError();
@@ -77,78 +77,78 @@ final class Parser {
         }
     }
 
-    private void topBlock() {
-        String word = tokens.text(at);
-        BlockType<?> type = Blocks.of(word).orElse(null);
+    private void parseTopBlock() {
+        String word = tokens.text(position);
+        BlockType<?> type = BlockTypes.of(word).orElse(null);
         if (type == null) {
-            problem("expected a block (" + String.join(", ", Blocks.KEYWORDS) + "), found " + tokens.found(at)
-                    + Nearest.hint(word, Blocks.KEYWORDS));
-            type = Nearest.to(word, Blocks.KEYWORDS).flatMap(Blocks::of).orElse(null);
+            problem("expected a block (" + String.join(", ", BlockTypes.KEYWORDS) + "), found " + tokens.describe(position)
+                    + NameSuggestion.hint(word, BlockTypes.KEYWORDS));
+            type = NameSuggestion.closest(word, BlockTypes.KEYWORDS).flatMap(BlockTypes::of).orElse(null);
         }
         if (type == null) {
-            at++;
+            position++;
             skipToBlock();
         } else {
-            top.add(block(type, 0));
+            blocks.add(parseBlock(type, 0));
         }
     }
 
-    private Block block(BlockType<?> type, int nesting) {
-        var block = new Block(type, at++);
-        if (type.named()) {
-            name(block);
+    private Block parseBlock(BlockType<?> type, int nesting) {
+        var block = new Block(type, position++);
+        if (type.isNamed()) {
+            parseName(block);
         }
-        type.header().ifPresent(p -> at = properties.header(block, p, at));
-        if (nesting >= Limits.MAX_NESTING && type == Blocks.GROUP) {
-            problems.add(tokens.start(block.keyword), "groups may be nested " + Limits.MAX_NESTING + " deep at most");
+        type.header().ifPresent(p -> position = properties.parseHeader(block, p, position));
+        if (nesting >= SceneLimits.MAX_NESTING && type == BlockTypes.GROUP) {
+            problems.add(tokens.start(block.keywordToken), "groups may be nested " + SceneLimits.MAX_NESTING + " deep at most");
             skipToBlock();
             return block;
         }
-        if (type == Blocks.GROUP) {
-            while (kind() == Kind.WORD && type.property(tokens.text(at)).isPresent()) {
-                at = properties.property(block, at);
+        if (type == BlockTypes.GROUP) {
+            while (kind() == Kind.WORD && type.property(tokens.text(position)).isPresent()) {
+                position = properties.parseProperty(block, position);
             }
         }
         if (kind() != Kind.OPEN) {
-            problem(block.title() + ": expected '{', found " + tokens.found(at));
+            problem(block.title() + ": expected '{', found " + tokens.describe(position));
             while (kind() != Kind.OPEN && kind() != Kind.CLOSE && kind() != Kind.END && !startsBlock()) {
-                at++;
+                position++;
             }
         }
         if (kind() == Kind.OPEN) {
-            block.open = at++;
-            body(block, nesting);
+            block.openToken = position++;
+            parseBody(block, nesting);
         }
         return block;
     }
 
-    private void name(Block block) {
+    private void parseName(Block block) {
         if (kind() != Kind.WORD && kind() != Kind.STRING) {
-            problem(block.type.keyword() + ": expected a name, found " + tokens.found(at));
+            problem(block.type.keyword() + ": expected a name, found " + tokens.describe(position));
             if (isLiteral(kind())) {
-                at++;
+                position++;
             }
             return;
         }
-        block.nameToken = at;
-        block.name = tokens.text(at);
+        block.nameToken = position;
+        block.name = tokens.text(position);
         try {
-            Limits.name(block.name);
+            SceneLimits.checkName(block.name);
         } catch (IllegalArgumentException e) {
             problem(e.getMessage());
         }
-        at++;
+        position++;
     }
 
-    private void body(Block block, int nesting) {
+    private void parseBody(Block block, int nesting) {
         while (true) {
             switch (kind()) {
                 case CLOSE -> {
-                    block.close = at++;
+                    block.closeToken = position++;
                     return;
                 }
                 case END -> {
-                    problem(block.title() + ": expected '}', found " + tokens.found(at));
+                    problem(block.title() + ": expected '}', found " + tokens.describe(position));
                     return;
                 }
                 case OPEN -> {
@@ -156,21 +156,21 @@ final class Parser {
                     skipBraces();
                 }
                 case NUMBER, BAD_NUMBER, STRING -> {
-                    problem(block.title() + ": expected a property, found " + tokens.found(at));
+                    problem(block.title() + ": expected a property, found " + tokens.describe(position));
                     while (isLiteral(kind())) {
-                        at++;
+                        position++;
                     }
                 }
                 case WORD -> {
-                    boolean property = block.type.property(tokens.text(at)).isPresent();
-                    if (!startsBlock() || property && !isNamedBlock()) {
-                        at = properties.property(block, at);
-                    } else if (block.type == Blocks.SHOT) {
-                        target(block);
-                    } else if (block.type == Blocks.GROUP) {
-                        child(block, nesting);
+                    boolean isProperty = block.type.property(tokens.text(position)).isPresent();
+                    if (!startsBlock() || isProperty && !isNamedBlock()) {
+                        position = properties.parseProperty(block, position);
+                    } else if (block.type == BlockTypes.SHOT) {
+                        parseTarget(block);
+                    } else if (block.type == BlockTypes.GROUP) {
+                        parseChild(block, nesting);
                     } else {
-                        problem(block.title() + ": expected '}' before the next block, found " + tokens.found(at));
+                        problem(block.title() + ": expected '}' before the next block, found " + tokens.describe(position));
                         return;
                     }
                 }
@@ -178,47 +178,47 @@ final class Parser {
         }
     }
 
-    private void child(Block group, int nesting) {
-        BlockType<?> type = Blocks.of(tokens.text(at)).orElseThrow();
-        if (Blocks.NODES.contains(type.keyword())) {
-            group.children.add(block(type, nesting + 1));
+    private void parseChild(Block group, int nesting) {
+        BlockType<?> type = BlockTypes.of(tokens.text(position)).orElseThrow();
+        if (BlockTypes.NODE_KEYWORDS.contains(type.keyword())) {
+            group.children.add(parseBlock(type, nesting + 1));
         } else {
             problem(group.title() + ": a " + type.keyword() + " cannot stand in a group, expected '}' or one of "
-                    + String.join(", ", Blocks.NODES));
-            top.add(block(type, 0));
+                    + String.join(", ", BlockTypes.NODE_KEYWORDS));
+            blocks.add(parseBlock(type, 0));
         }
     }
 
     /** Reads what has keys in a shot. */
-    private void target(Block shot) {
-        BlockType<?> type = Blocks.of(tokens.text(at)).orElseThrow();
-        if (!Blocks.KEYED.contains(type.keyword())) {
-            problem("shot: a " + type.keyword() + " has no keys, expected '}' or one of " + String.join(", ", Blocks.KEYED));
-            at++;
+    private void parseTarget(Block shot) {
+        BlockType<?> type = BlockTypes.of(tokens.text(position)).orElseThrow();
+        if (!BlockTypes.KEYED_KEYWORDS.contains(type.keyword())) {
+            problem("shot: a " + type.keyword() + " has no keys, expected '}' or one of " + String.join(", ", BlockTypes.KEYED_KEYWORDS));
+            position++;
             skipToBlock();
             return;
         }
-        var target = new Block(type, at++);
-        if (type.named()) {
-            name(target);
+        var target = new Block(type, position++);
+        if (type.isNamed()) {
+            parseName(target);
         }
         if (kind() == Kind.OPEN) {
-            target.open = at++;
-            at = new KeyParser(tokens, problems, properties, target).body(at);
+            target.openToken = position++;
+            position = new KeyframeParser(tokens, problems, properties, target).parseBody(position);
             shot.children.add(target);
         } else {
-            problem(target.title() + ": expected '{' and keys, found " + tokens.found(at));
+            problem(target.title() + ": expected '{' and keys, found " + tokens.describe(position));
             skipToBlock();
         }
     }
 
     private boolean startsBlock() {
-        return kind() == Kind.WORD && Blocks.of(tokens.text(at)).isPresent();
+        return kind() == Kind.WORD && BlockTypes.of(tokens.text(position)).isPresent();
     }
 
     /** Whether {@code material name \{} stands here and not the property {@code material name}. */
     private boolean isNamedBlock() {
-        return tokens.isName(at + 1) && tokens.kind(at + 2) == Kind.OPEN;
+        return tokens.isName(position + 1) && tokens.kind(position + 2) == Kind.OPEN;
     }
 
     /** Goes behind the next closed pair of braces, or to the next block, or to the end. */
@@ -228,7 +228,7 @@ final class Parser {
                 skipBraces();
                 return;
             }
-            at++;
+            position++;
         }
     }
 
@@ -243,7 +243,7 @@ final class Parser {
                 }
                 case WORD, NUMBER, BAD_NUMBER, STRING -> {}
             }
-            at++;
+            position++;
         } while (depth > 0);
     }
 
@@ -253,10 +253,10 @@ final class Parser {
 
     /** The kind of the next token; the end as soon as there are too many problems. */
     private Kind kind() {
-        return problems.isFull() ? Kind.END : tokens.kind(at);
+        return problems.isFull() ? Kind.END : tokens.kind(position);
     }
 
     private void problem(String message) {
-        problems.add(tokens.start(at), message);
+        problems.add(tokens.start(position), message);
     }
 }

@@ -9,14 +9,14 @@ import lightning.format.ies.IesReader;
 import lightning.format.mesh.MeshException;
 import lightning.scene.Photometry;
 
-/** Finds the profiles of one scene where its textures are ({@link FileFolders}). Each file is read once. */
+/** Finds the profiles of one scene where its textures are ({@link AssetSearchPath}). Each file is read once. */
 final class ProfileFolder {
-    private final FileFolders folders;
-    private final Map<Path, Photometry> read = new HashMap<>();
+    private final AssetSearchPath searchPath;
+    private final Map<Path, Photometry> cache = new HashMap<>();
 
     /** @param scene the folder that holds the scene file */
     ProfileFolder(Path scene) {
-        folders = FileKind.PROFILE.folders(scene);
+        searchPath = FileKind.PROFILE.searchPath(scene);
     }
 
     /**
@@ -26,19 +26,19 @@ final class ProfileFolder {
      *                               one more than {@link JenLimits#PROFILES}
      */
     Photometry load(String file) throws UnusableFileException {
-        return folders.read(file, path -> load(file, path));
+        return searchPath.read(file, path -> load(file, path));
     }
 
     private Photometry load(String file, Path path) throws UnusableFileException, IOException, MeshException {
-        Photometry known = read.get(path);
-        if (known == null) {
-            if (read.size() == JenLimits.PROFILES) {
+        Photometry cached = cache.get(path);
+        if (cached == null) {
+            if (cache.size() == JenLimits.PROFILES) {
                 throw new UnusableFileException("a scene may have at most " + JenLimits.PROFILES + " profiles, found another, "
                         + Quote.of(file));
             }
-            known = IesReader.read(path);
-            read.put(path, known);
+            cached = IesReader.read(path);
+            cache.put(path, cached);
         }
-        return known;
+        return cached;
     }
 }

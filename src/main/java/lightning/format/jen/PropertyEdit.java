@@ -10,29 +10,29 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.text.Quote;
-import lightning.scene.Bank;
-import lightning.scene.FromFile;
-import lightning.scene.Group;
+import lightning.scene.FileAsset;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
-import lightning.scene.Limits;
-import lightning.scene.Links;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
-import lightning.scene.Node;
-import lightning.scene.Rig;
+import lightning.scene.NodeGroup;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
+import lightning.scene.ShapeLinks;
 import lightning.scene.TextureMap;
 import lightning.scene.World;
 
 /**
  * Edits of a scene in the words of the file: {@code key.intensity=0.4}, {@code picture.size=640 480}.
  *
- * <p>The part before the point is {@code picture}, {@code camera}, {@code world}, or the name of a light, a
+ * <p>The part before the point is {@code setTexture}, {@code camera}, {@code world}, or the name of a light, a
  * bank, a shape, a group or a material, looked for in this order; {@code material:gold} means a material whatever else has
  * its name. A name in double quotes, {@code "key light".intensity=0.4}, is never one of the three words, and may hold a point and an
- * equals sign; {@link NameText} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights,
+ * equals sign; {@link NameSyntax} says how. The properties are those of the file, and {@code name} of everything but materials, {@code type} of lights,
  * {@code texture=none} to take a texture away, and {@code bank=none} to take a light out of its bank. The material {@code default} may be edited before it is written. A picture or a mesh that
  * the scene has not read yet can be named where a folder is given, and is looked for as if the scene file were in it. Every method throws an
  * {@link IllegalArgumentException} whose message says in one sentence what is wrong.
@@ -45,7 +45,7 @@ public final class PropertyEdit {
     private static final String CAMERA = "camera";
     private static final String WORLD = "world";
     /** What stands for parts of the scene that have no names. */
-    private static final List<String> OF_SCENE = List.of(PICTURE, CAMERA, WORLD);
+    private static final List<String> SCENE_TARGETS = List.of(PICTURE, CAMERA, WORLD);
 
     private PropertyEdit() {}
 
@@ -57,7 +57,7 @@ public final class PropertyEdit {
      *     property, or if the file could not say that value there
      */
     public static Scene apply(Scene scene, String assignment) {
-        return apply(scene, assignment, new HeldFiles(scene, Optional.empty()));
+        return apply(scene, assignment, new SceneAssets(scene, Optional.empty()));
     }
 
     /**
@@ -66,10 +66,10 @@ public final class PropertyEdit {
      * @param folder where pictures are looked for, as if the scene file were in it
      */
     public static Scene apply(Scene scene, String assignment, Path folder) {
-        return apply(scene, assignment, new HeldFiles(scene, Optional.of(folder)));
+        return apply(scene, assignment, new SceneAssets(scene, Optional.of(folder)));
     }
 
-    private static Scene apply(Scene scene, String assignment, SceneFiles files) {
+    private static Scene apply(Scene scene, String assignment, AssetSource files) {
         Assignment parts = Assignment.of(assignment);
         return set(scene, parts.target, parts.property, parts.value, files);
     }
@@ -81,11 +81,11 @@ public final class PropertyEdit {
      * @param scene      the scene after the edit
      * @param assignment as {@link #apply(Scene, String)} took it
      */
-    public static Optional<String> unused(Scene scene, String assignment) {
+    public static Optional<String> ineffectiveReason(Scene scene, String assignment) {
         Assignment parts = Assignment.of(assignment);
         return LightAttribute.ALL.stream().filter(a -> a.name().equals(parts.property)).findFirst()
-                .flatMap(a -> scene.light(parts.light()).flatMap(light -> a.obstacle(light.type())))
-                .map(why -> parts.target + "." + parts.property + " has no effect: " + why);
+                .flatMap(a -> scene.light(parts.lightName()).flatMap(light -> a.inactiveReason(light.type())))
+                .map(reason -> parts.target + "." + parts.property + " has no effect: " + reason);
     }
 
     /** The parts of {@code target.property=value}. */
@@ -94,24 +94,24 @@ public final class PropertyEdit {
         static Assignment of(String text) {
             int name = nameEnd(text);
             int equals = text.indexOf('=', name);
-            int point = name > 0 ? name : text.lastIndexOf('.', Math.max(equals, 0));
-            if (point < 1 || equals < point || text.charAt(point) != '.') {
+            int dot = name > 0 ? name : text.lastIndexOf('.', Math.max(equals, 0));
+            if (dot < 1 || equals < dot || text.charAt(dot) != '.') {
                 throw new IllegalArgumentException("an edit must be written as NAME.PROPERTY=VALUE, was " + Quote.of(text));
             }
-            return new Assignment(text.substring(0, point).strip(), text.substring(point + 1, equals).strip(),
+            return new Assignment(text.substring(0, dot).strip(), text.substring(dot + 1, equals).strip(),
                     text.substring(equals + 1).strip());
         }
 
         /** The name of the light that it would be of; empty where it is of something else by its form. */
-        String light() {
-            return OF_SCENE.contains(target) || target.startsWith(MATERIAL) ? "" : NameText.read(target);
+        String lightName() {
+            return SCENE_TARGETS.contains(target) || target.startsWith(MATERIAL) ? "" : NameSyntax.parse(target);
         }
     }
 
     /** The place behind a name in quotes that an assignment begins with; 0 where its name has none. */
     private static int nameEnd(String assignment) {
         int start = assignment.startsWith(MATERIAL) ? MATERIAL.length() : 0;
-        return assignment.startsWith("\"", start) ? NameText.closing(assignment, start) + 1 : 0;
+        return assignment.startsWith("\"", start) ? NameSyntax.closingQuote(assignment, start) + 1 : 0;
     }
 
     /**
@@ -121,7 +121,7 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException as {@link #apply(Scene, String)}
      */
     public static Scene set(Scene scene, String target, String property, String value) {
-        return set(scene, target, property, value, new HeldFiles(scene, Optional.empty()));
+        return set(scene, target, property, value, new SceneAssets(scene, Optional.empty()));
     }
 
     /**
@@ -130,10 +130,11 @@ public final class PropertyEdit {
      * @param folder where the picture is looked for, as if the scene file were in it
      * @throws IllegalArgumentException if there is no such material, or no such picture
      */
-    public static Scene picture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file, Path folder) {
+    public static Scene setTexture(Scene scene, String material, MaterialAttribute<Optional<TextureMap>> attribute, String file,
+            Path folder) {
         FileName.check(attribute.name(), file, TextureFolder.NAME);
-        return set(scene, MATERIAL + NameText.of(material), attribute.name(), new Value.Quoted(file).text(),
-                new HeldFiles(scene, Optional.of(folder)));
+        return set(scene, MATERIAL + NameSyntax.format(material), attribute.name(), new Value.Quoted(file).text(),
+                new SceneAssets(scene, Optional.of(folder)));
     }
 
     /**
@@ -143,57 +144,57 @@ public final class PropertyEdit {
      * @param folder where it is looked for, as if the scene file were in it
      * @throws IllegalArgumentException if there is no such light, or no such file
      */
-    public static <F extends FromFile> Scene file(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
+    public static <F extends FileAsset> Scene setFile(Scene scene, String light, LightAttribute<Optional<F>> attribute, String file,
             Path folder) {
-        return file(scene, NameText.of(light), attribute.name(), file, folder);
+        return setFile(scene, NameSyntax.format(light), attribute.name(), file, folder);
     }
 
     /** The same of the environment around the scene. */
-    public static Scene environment(Scene scene, String file, Path folder) {
-        return file(scene, WORLD, World.ENVIRONMENT.name(), file, folder);
+    public static Scene setEnvironment(Scene scene, String file, Path folder) {
+        return setFile(scene, WORLD, World.ENVIRONMENT.name(), file, folder);
     }
 
-    private static Scene file(Scene scene, String target, String property, String file, Path folder) {
+    private static Scene setFile(Scene scene, String target, String property, String file, Path folder) {
         if (file.isEmpty()) {
             return set(scene, target, property, NONE);
         }
         FileName.check(property, file, TextureFolder.NAME);
-        return set(scene, target, property, new Value.Quoted(file).text(), new HeldFiles(scene, Optional.of(folder)));
+        return set(scene, target, property, new Value.Quoted(file).text(), new SceneAssets(scene, Optional.of(folder)));
     }
 
     /** What stands for a material where a property is set. */
     public static String target(Material material) {
-        return MATERIAL + NameText.of(material.name());
+        return MATERIAL + NameSyntax.format(material.name());
     }
 
     /** The value of a light's attribute as the file writes it, and as {@link #set(Scene, String, String, String)} reads it. */
     public static String text(Light light, LightAttribute<?> attribute) {
-        return text(Element.of(light), attribute.name());
+        return text(BlockContent.of(light), attribute.name());
     }
 
     /** The same of a material's property. */
     public static String text(Material material, String property) {
-        return text(Element.of(material), property);
+        return text(BlockContent.of(material), property);
     }
 
     /** The same of a shape's or a group's. */
-    public static String text(Node node, String property) {
-        return text(Element.of(node), property);
+    public static String text(SceneNode node, String property) {
+        return text(BlockContent.of(node), property);
     }
 
-    private static String text(Element element, String property) {
+    private static String text(BlockContent element, String property) {
         Value value = element.values().get(property);
         return value == null || value instanceof Value.Absent ? NONE : value.text();
     }
 
-    private static Scene set(Scene scene, String target, String property, String value, SceneFiles files) {
+    private static Scene set(Scene scene, String target, String property, String value, AssetSource files) {
         return switch (target) {
-            case PICTURE -> scene.withPicture(edited(files, Blocks.PICTURE, "", scene.picture(), property, value));
-            case CAMERA -> scene.withCamera(edited(files, Blocks.CAMERA, "", scene.camera(), property, value));
-            case WORLD -> scene.withWorld(edited(files, Blocks.WORLD, "", scene.world(), property, value));
+            case PICTURE -> scene.withPicture(editProperty(files, BlockTypes.PICTURE, "", scene.picture(), property, value));
+            case CAMERA -> scene.withCamera(editProperty(files, BlockTypes.CAMERA, "", scene.camera(), property, value));
+            case WORLD -> scene.withWorld(editProperty(files, BlockTypes.WORLD, "", scene.world(), property, value));
             default -> target.startsWith(MATERIAL)
-                    ? setMaterial(scene, NameText.read(target.substring(MATERIAL.length())), property, value, files)
-                    : setNamed(scene, NameText.read(target), property, value, files);
+                    ? setMaterial(scene, NameSyntax.parse(target.substring(MATERIAL.length())), property, value, files)
+                    : setNamed(scene, NameSyntax.parse(target), property, value, files);
         };
     }
 
@@ -205,20 +206,20 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException if the text is not one right light or bank, or its name is taken
      */
     public static Scene add(Scene scene, String text) {
-        String block = hasBrace(text) ? text : block(text);
-        var problems = new Problems();
-        Tokens tokens = Lexer.tokens(block, problems);
-        List<Block> blocks = Parser.fragment(tokens, problems);
+        String block = hasBrace(text) ? text : lightBlock(text);
+        var problems = new ProblemList();
+        TokenList tokens = Lexer.tokens(block, problems);
+        List<Block> blocks = Parser.parseFragment(tokens, problems);
         throwIfAny(problems);
-        if (blocks.size() != 1 || blocks.getFirst().type != Blocks.LIGHT && blocks.getFirst().type != Blocks.BANK) {
+        if (blocks.size() != 1 || blocks.getFirst().type != BlockTypes.LIGHT && blocks.getFirst().type != BlockTypes.LIGHT_GROUP) {
             throw new IllegalArgumentException("expected one light, as in 'fill point intensity=0.5', found " + Quote.of(text));
         }
         Optional<Scene> added =
-                new SceneBuilder(tokens, problems, LoadedFiles.of(Path.of("")), scene.rig().banks(), scene.stage()).build(blocks);
+                new SceneBuilder(tokens, problems, AssetFolders.of(Path.of("")), scene.rig().lightGroups(), scene.stage()).build(blocks);
         throwIfAny(problems);
-        Rig more = added.orElseThrow().rig();
-        return blocks.getFirst().type == Blocks.BANK ? scene.withRig(scene.rig().plus(more.banks().getLast()))
-                : scene.withLights(Stream.concat(scene.lights().stream(), more.lights().stream()).toList());
+        LightRig addedRig = added.orElseThrow().rig();
+        return blocks.getFirst().type == BlockTypes.LIGHT_GROUP ? scene.withRig(scene.rig().addLightGroup(addedRig.lightGroups().getLast()))
+                : scene.withLights(Stream.concat(scene.lights().stream(), addedRig.lights().stream()).toList());
     }
 
     /**
@@ -228,26 +229,27 @@ public final class PropertyEdit {
      * @throws IllegalArgumentException if there is no such light or bank
      */
     public static Scene delete(Scene scene, String light) {
-        String name = NameText.read(light);
-        if (scene.rig().bank(name).isPresent()) {
-            return scene.withRig(scene.rig().without(name));
+        String name = NameSyntax.parse(light);
+        if (scene.rig().lightGroup(name).isPresent()) {
+            return scene.withRig(scene.rig().removeLightGroup(name));
         }
-        List<String> names = Stream.concat(scene.lights().stream().map(Light::name), scene.rig().banks().stream().map(Bank::name))
-                .toList();
+        List<String> names =
+                Stream.concat(scene.lights().stream().map(Light::name), scene.rig().lightGroups().stream().map(LightGroup::name))
+                        .toList();
         if (!names.contains(name)) {
-            throw new IllegalArgumentException("there is no light " + Quote.of(name) + Nearest.hint(name, names));
+            throw new IllegalArgumentException("there is no light " + Quote.of(name) + NameSuggestion.hint(name, names));
         }
         return scene.withLights(scene.lights().stream().filter(l -> !l.name().equals(name)).toList());
     }
 
     private static boolean hasBrace(String text) {
-        Tokens tokens = Lexer.tokens(text, new Problems());
-        return IntStream.range(0, tokens.size()).anyMatch(i -> tokens.kind(i) == Tokens.Kind.OPEN);
+        TokenList tokens = Lexer.tokens(text, new ProblemList());
+        return IntStream.range(0, tokens.size()).anyMatch(i -> tokens.kind(i) == TokenList.Kind.OPEN);
     }
 
-    private static String block(String text) {
+    private static String lightBlock(String text) {
         String light = text.strip();
-        int name = NameText.isQuoted(light) ? NameText.closing(light, 0) + 1 : 0;
+        int name = NameSyntax.isQuoted(light) ? NameSyntax.closingQuote(light, 0) + 1 : 0;
         String[] words = light.substring(name).strip().split("\\s+", name > 0 ? 2 : 3);
         int type = name > 0 ? 0 : 1;
         if (words.length <= type || words[type].isEmpty()) {
@@ -257,94 +259,96 @@ public final class PropertyEdit {
                 + (words.length <= type + 1 ? "" : words[type + 1].replace('=', ' ')) + "\n}";
     }
 
-    private static Scene setNamed(Scene scene, String target, String property, String value, SceneFiles files) {
+    private static Scene setNamed(Scene scene, String target, String property, String value, AssetSource files) {
         Optional<Light> light = scene.light(target);
         if (light.isPresent()) {
-            Light edited = edited(files, Blocks.LIGHT, target, light.get(), property, value);
+            Light edited = editProperty(files, BlockTypes.LIGHT, target, light.get(), property, value);
             checkLinks(scene, edited.illuminates());
             checkLinks(scene, edited.shadowedBy());
-            return scene.withLights(replaced(scene.lights(), l -> l == light.get() ? edited : l));
+            return scene.withLights(mapAll(scene.lights(), l -> l == light.get() ? edited : l));
         }
-        Optional<Bank> bank = scene.rig().bank(target);
-        if (bank.isPresent()) {
-            Bank edited = edited(files, Blocks.BANK, target, bank.get(), property, value);
-            return scene.withRig(edited.name().equals(target) ? scene.rig().with(edited) : scene.rig().renamed(target, edited.name()));
+        Optional<LightGroup> group = scene.rig().lightGroup(target);
+        if (group.isPresent()) {
+            LightGroup edited = editProperty(files, BlockTypes.LIGHT_GROUP, target, group.get(), property, value);
+            return scene
+                    .withRig(edited.name().equals(target) ? scene.rig().with(edited) : scene.rig().renameLightGroup(target, edited.name()));
         }
-        Optional<Node> node = scene.stage().node(target);
+        Optional<SceneNode> node = scene.stage().node(target);
         if (node.isPresent()) {
-            return scene.withNode(target, node(files, node.get(), target, property, value));
+            return scene.withNode(target, editNode(files, node.get(), target, property, value));
         }
         if (scene.material(target).isPresent()) {
             return setMaterial(scene, target, property, value, files);
         }
-        List<String> known = Stream.of(OF_SCENE.stream(), scene.lights().stream().map(Light::name),
-                scene.rig().banks().stream().map(Bank::name), names(scene.nodes()), scene.materials().stream().map(Material::name))
+        List<String> knownNames = Stream.of(SCENE_TARGETS.stream(), scene.lights().stream().map(Light::name),
+                scene.rig().lightGroups().stream().map(LightGroup::name), nodeNames(scene.nodes()),
+                scene.materials().stream().map(Material::name))
                 .flatMap(s -> s).filter(k -> !k.equals(target))
                 .toList();
-        throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + Nearest.hint(target, known));
+        throw new IllegalArgumentException("the scene has nothing named " + Quote.of(target) + NameSuggestion.hint(target, knownNames));
     }
 
-    private static void checkLinks(Scene scene, Links links) {
+    private static void checkLinks(Scene scene, ShapeLinks links) {
         for (String name : links.names()) {
             if (!scene.stage().hasNode(name)) {
                 throw new IllegalArgumentException("there is no shape or group " + Quote.of(name)
-                        + Nearest.hint(name, names(scene.nodes()).toList()));
+                        + NameSuggestion.hint(name, nodeNames(scene.nodes()).toList()));
             }
         }
     }
 
-    private static Scene setMaterial(Scene scene, String name, String property, String value, SceneFiles files) {
+    private static Scene setMaterial(Scene scene, String name, String property, String value, AssetSource files) {
         Material material = scene.materialsByName().get(name);
         if (material == null) {
-            List<String> known = scene.materials().stream().map(Material::name).toList();
-            throw new IllegalArgumentException("there is no material " + Quote.of(name) + Nearest.hint(name, known));
+            List<String> knownNames = scene.materials().stream().map(Material::name).toList();
+            throw new IllegalArgumentException("there is no material " + Quote.of(name) + NameSuggestion.hint(name, knownNames));
         }
-        MaterialAttribute.ALL.stream().filter(a -> a.name().equals(property)).findFirst().flatMap(a -> a.obstacle(material.model()))
-                .ifPresent(why -> {
-                    throw new IllegalArgumentException("material " + Quote.of(name) + ": " + why);
+        MaterialAttribute.ALL.stream().filter(a -> a.name().equals(property)).findFirst().flatMap(a -> a.inactiveReason(material.model()))
+                .ifPresent(reason -> {
+                    throw new IllegalArgumentException("material " + Quote.of(name) + ": " + reason);
                 });
-        Material edited = edited(files, Blocks.MATERIAL, name, material, property, value);
+        Material edited = editProperty(files, BlockTypes.MATERIAL, name, material, property, value);
         // Another model keeps the colour.
         return scene.withMaterial(edited.model() == material.model() ? edited : material.withModel(edited.model()));
     }
 
-    private static Node node(SceneFiles files, Node node, String target, String property, String value) {
+    private static SceneNode editNode(AssetSource files, SceneNode node, String target, String property, String value) {
         return switch (node) {
-            case Group g -> edited(files, Blocks.GROUP, target, g, property, value);
-            case Shape s -> edited(files, Blocks.of(s.solid()), target, s, property, value);
+            case NodeGroup g -> editProperty(files, BlockTypes.GROUP, target, g, property, value);
+            case Shape s -> editProperty(files, BlockTypes.of(s.solid()), target, s, property, value);
         };
     }
 
-    private static <T> List<T> replaced(List<T> all, UnaryOperator<T> edit) {
-        return all.stream().map(edit).toList();
+    private static <T> List<T> mapAll(List<T> items, UnaryOperator<T> edit) {
+        return items.stream().map(edit).toList();
     }
 
-    private static Stream<String> names(List<Node> nodes) {
+    private static Stream<String> nodeNames(List<SceneNode> nodes) {
         return nodes.stream().flatMap(n -> Stream.concat(Stream.of(n.name()),
-                n instanceof Group g ? names(g.children()) : Stream.empty()));
+                n instanceof NodeGroup g ? nodeNames(g.children()) : Stream.empty()));
     }
 
     /** The record with one property set. */
-    private static <T> T edited(SceneFiles files, BlockType<T> type, String name, T record, String property,
+    private static <T> T editProperty(AssetSource files, BlockType<T> type, String name, T record, String property,
             String value) {
         Map<String, Value> values = new HashMap<>(type.values(record));
         String newName = name;
-        if (property.equals(NAME) && type.named() && type != Blocks.MATERIAL) {
-            newName = Limits.name(NameText.read(value));
+        if (property.equals(NAME) && type.isNamed() && type != BlockTypes.MATERIAL) {
+            newName = SceneLimits.checkName(NameSyntax.parse(value));
         } else if (canBeNone(type, property) && value.equals(NONE)) {
             values.put(property, new Value.Absent());
         } else {
-            values.put(property, value(type, name, property, value));
+            values.put(property, parseValue(type, name, property, value));
         }
-        for (PictureProperty picture : PictureProperty.ALL) {
-            if (picture.repeat().filter(property::equals).isPresent() && values.get(picture.name()) instanceof Value.Absent) {
-                throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missing());
+        for (TextureProperty picture : TextureProperty.ALL) {
+            if (picture.repeatProperty().filter(property::equals).isPresent() && values.get(picture.name()) instanceof Value.Absent) {
+                throw new IllegalArgumentException("material " + Quote.of(name) + ": " + picture.missingMessage());
             }
         }
         type.properties().forEach(p -> values.computeIfPresent(p.name(), (n, v) -> v instanceof Value.Absent ? p.initial() : v));
-        List<Node> children = record instanceof Group g ? g.children() : List.of();
+        List<SceneNode> children = record instanceof NodeGroup g ? g.children() : List.of();
         try {
-            return type.builder().build(newName, new Values(values::get, files), children);
+            return type.builder().build(newName, new PropertyValues(values::get, files), children);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException((name.isEmpty() ? type.keyword() : type.keyword() + " " + Quote.of(name)) + ": "
                     + e.getMessage(), e);
@@ -353,38 +357,39 @@ public final class PropertyEdit {
 
     /** Whether {@code none} takes the property away; in quotes it is a name as any other. */
     private static boolean canBeNone(BlockType<?> type, String property) {
-        return type == Blocks.WORLD && property.equals(World.ENVIRONMENT.name())
-                || type == Blocks.LIGHT && (property.equals(LightAttribute.BANK.name()) || property.equals(LightAttribute.PROFILE.name()))
-                || (type == Blocks.LIGHT || type == Blocks.MATERIAL)
-                        && PictureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
+        return type == BlockTypes.WORLD && property.equals(World.ENVIRONMENT.name())
+                || type == BlockTypes.LIGHT
+                        && (property.equals(LightAttribute.LIGHT_GROUP.name()) || property.equals(LightAttribute.PROFILE.name()))
+                || (type == BlockTypes.LIGHT || type == BlockTypes.MATERIAL)
+                        && TextureProperty.ALL.stream().anyMatch(p -> p.name().equals(property));
     }
 
-    private static Value value(BlockType<?> type, String name, String property, String text) {
-        var problems = new Problems();
+    private static Value parseValue(BlockType<?> type, String name, String property, String text) {
+        var problems = new ProblemList();
         var block = new Block(type, 0);
         block.name = name;
-        boolean header = type.header().filter(p -> p.name().equals(property)).isPresent();
-        if (!header && type.property(property).isEmpty()) {
-            List<String> known = new ArrayList<>(type.propertyNames());
-            type.header().ifPresent(p -> known.add(p.name()));
-            if (type.named() && type != Blocks.MATERIAL) {
-                known.add(NAME);
+        boolean isHeader = type.header().filter(p -> p.name().equals(property)).isPresent();
+        if (!isHeader && type.property(property).isEmpty()) {
+            List<String> knownNames = new ArrayList<>(type.propertyNames());
+            type.header().ifPresent(p -> knownNames.add(p.name()));
+            if (type.isNamed() && type != BlockTypes.MATERIAL) {
+                knownNames.add(NAME);
             }
             throw new IllegalArgumentException(block.title() + ": unknown property " + Quote.of(property) + ", expected one of "
-                    + String.join(", ", known) + Nearest.hint(property, known));
+                    + String.join(", ", knownNames) + NameSuggestion.hint(property, knownNames));
         }
-        Tokens tokens = Lexer.tokens(header ? text : property + " " + text, problems);
+        TokenList tokens = Lexer.tokens(isHeader ? text : property + " " + text, problems);
         var parser = new PropertyParser(tokens, problems);
-        int end = header ? parser.header(block, type.header().orElseThrow(), 0) : parser.property(block, 0);
-        if (tokens.kind(end) != Tokens.Kind.END) {
+        int end = isHeader ? parser.parseHeader(block, type.header().orElseThrow(), 0) : parser.parseProperty(block, 0);
+        if (tokens.kind(end) != TokenList.Kind.END) {
             problems.add(tokens.start(end), block.title() + ": expected nothing behind the value of " + property + ", found "
-                    + tokens.found(end));
+                    + tokens.describe(end));
         }
         throwIfAny(problems);
         return block.entry(property).value();
     }
 
-    private static void throwIfAny(Problems problems) {
+    private static void throwIfAny(ProblemList problems) {
         if (!problems.isEmpty()) {
             throw new IllegalArgumentException(String.join("; ", problems.messages()));
         }

@@ -7,104 +7,104 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import lightning.base.text.Quote;
-import lightning.format.jen.Tokens.Kind;
-import lightning.scene.Limits;
-import lightning.scene.Links;
+import lightning.format.jen.TokenList.Kind;
+import lightning.scene.SceneLimits;
+import lightning.scene.ShapeLinks;
 
 /** Reads one property with its value and checks it. Each method returns the token to go on at. */
 final class PropertyParser {
-    private static final Set<String> NO_NUMBERS = Set.of("nan", "inf", "infinity");
+    private static final Set<String> NON_FINITE_WORDS = Set.of("nan", "inf", "infinity");
 
-    private final Tokens tokens;
-    private final Problems problems;
+    private final TokenList tokens;
+    private final ProblemList problems;
     /** The names found so far: a million shapes share those of a few materials. */
     private final Map<String, Value.Name> names = new HashMap<>();
 
-    PropertyParser(Tokens tokens, Problems problems) {
+    PropertyParser(TokenList tokens, ProblemList problems) {
         this.tokens = tokens;
         this.problems = problems;
     }
 
     /** Reads the bare value of {@code property} behind a block's name. */
-    int header(Block block, Property<?> property, int at) {
-        return tokens.kind(at) == Kind.OPEN
-                ? problem(at, at, block.title() + ": expected " + property.expected() + ", found '{'")
-                : value(block, property, -1, at);
+    int parseHeader(Block block, Property<?> property, int token) {
+        return tokens.kind(token) == Kind.OPEN
+                ? problem(token, token, block.title() + ": expected " + property.expected() + ", found '{'")
+                : parseValue(block, property, -1, token);
     }
 
-    /** Reads the property whose name is the word at {@code at}. */
-    int property(Block block, int at) {
-        String name = tokens.text(at);
+    /** Reads the property whose name is the word at {@code token}. */
+    int parseProperty(Block block, int token) {
+        String name = tokens.text(token);
         Property<?> property = block.type.property(name).orElse(null);
         if (property == null) {
-            String hint = Nearest.hint(name, block.type.propertyNames());
-            problem(at, at, block.title() + ": unknown property " + Quote.of(name)
+            String hint = NameSuggestion.hint(name, block.type.propertyNames());
+            problem(token, token, block.title() + ": unknown property " + Quote.of(name)
                     + (hint.isEmpty() ? ", expected one of " + String.join(", ", block.type.propertyNames()) : hint));
-            return skipValue(block, at + 1);
+            return skipValue(block, token + 1);
         }
-        if (!block.write(property)) {
-            problem(at, at, block.title() + ": " + name + " must be written once, found it again");
+        if (!block.markWritten(property)) {
+            problem(token, token, block.title() + ": " + name + " must be written once, found it again");
         }
-        return value(block, property, at, at + 1);
+        return parseValue(block, property, token, token + 1);
     }
 
-    private int value(Block block, Property<?> property, int nameToken, int at) {
+    private int parseValue(Block block, Property<?> property, int nameToken, int token) {
         return switch (property.form()) {
-            case NUMBERS -> numbers(block, property, nameToken, at);
-            case WORD -> single(block, property, tokens.kind(at) == Kind.WORD, nameToken, at);
-            case NAME -> single(block, property, tokens.isName(at), nameToken, at);
-            case QUOTED -> single(block, property, tokens.kind(at) == Kind.STRING, nameToken, at);
-            case LINKS -> links(block, property, nameToken, at);
+            case NUMBERS -> parseNumbers(block, property, nameToken, token);
+            case WORD -> parseSingle(block, property, tokens.kind(token) == Kind.WORD, nameToken, token);
+            case NAME -> parseSingle(block, property, tokens.isName(token), nameToken, token);
+            case QUOTED -> parseSingle(block, property, tokens.kind(token) == Kind.STRING, nameToken, token);
+            case LINKS -> parseLinks(block, property, nameToken, token);
         };
     }
 
     /** A word, and behind two of the words names in quotes, as many as there are. */
-    private int links(Block block, Property<?> property, int nameToken, int from) {
-        if (tokens.kind(from) != Kind.WORD || !property.choices().contains(tokens.text(from))) {
-            return single(block, property, false, nameToken, from);
+    private int parseLinks(Block block, Property<?> property, int nameToken, int start) {
+        if (tokens.kind(start) != Kind.WORD || !property.choices().contains(tokens.text(start))) {
+            return parseSingle(block, property, false, nameToken, start);
         }
-        String word = tokens.text(from);
-        boolean named = word.equals(Value.ONLY) || word.equals(Value.EXCEPT);
-        List<String> all = new ArrayList<>();
-        int at = from + 1;
-        for (; named && tokens.kind(at) == Kind.STRING; at++) {
-            if (all.contains(tokens.text(at)) || all.size() == Limits.MAX_LINKS) {
-                problem(at, at, block.title() + ": " + property.name() + (all.size() == Limits.MAX_LINKS
-                        ? " may name at most " + Limits.MAX_LINKS + " shapes and groups, found more"
-                        : " must name each shape once, found " + tokens.found(at) + " again"));
-                return skipValue(block, at);
+        String word = tokens.text(start);
+        boolean hasNames = word.equals(Value.ONLY) || word.equals(Value.EXCEPT);
+        List<String> linkNames = new ArrayList<>();
+        int token = start + 1;
+        for (; hasNames && tokens.kind(token) == Kind.STRING; token++) {
+            if (linkNames.contains(tokens.text(token)) || linkNames.size() == SceneLimits.MAX_LINKS) {
+                problem(token, token, block.title() + ": " + property.name() + (linkNames.size() == SceneLimits.MAX_LINKS
+                        ? " may name at most " + SceneLimits.MAX_LINKS + " shapes and groups, found more"
+                        : " must name each shape once, found " + tokens.describe(token) + " again"));
+                return skipValue(block, token);
             }
-            all.add(tokens.text(at));
+            linkNames.add(tokens.text(token));
         }
-        if (named && all.isEmpty()) {
-            problem(at, at,
+        if (hasNames && linkNames.isEmpty()) {
+            problem(token, token,
                     block.title() + ": " + property.name() + ": expected names of shapes or groups in quotes behind " + word + ", found "
-                            + tokens.found(at));
-            return at;
+                            + tokens.describe(token));
+            return token;
         }
         try {
-            boolean only = word.equals(Value.ONLY) || word.equals(Value.NONE);
-            block.add(new Block.Entry(property, nameToken, from, at, new Value.Linked(new Links(only, all))));
+            boolean isOnly = word.equals(Value.ONLY) || word.equals(Value.NONE);
+            block.add(new Block.Entry(property, nameToken, start, token, new Value.LinkSet(new ShapeLinks(isOnly, linkNames))));
         } catch (IllegalArgumentException e) {
-            problem(from, from, block.title() + ": " + e.getMessage());
+            problem(start, start, block.title() + ": " + e.getMessage());
         }
-        return at;
+        return token;
     }
 
-    private int single(Block block, Property<?> property, boolean right, int nameToken, int at) {
-        if (!right) {
-            String where = nameToken < 0 ? "" : property.name() + ": ";
-            problem(at, at, block.title() + ": " + where + "expected " + property.expected() + ", found " + tokens.found(at));
-            return isValue(tokens.kind(at)) ? at + 1 : at;
+    private int parseSingle(Block block, Property<?> property, boolean isExpectedKind, int nameToken, int token) {
+        if (!isExpectedKind) {
+            String prefix = nameToken < 0 ? "" : property.name() + ": ";
+            problem(token, token, block.title() + ": " + prefix + "expected " + property.expected() + ", found " + tokens.describe(token));
+            return isValue(tokens.kind(token)) ? token + 1 : token;
         }
         try {
-            Value value = value(property, tokens.text(at));
-            property.checkTogether(value);
-            block.add(new Block.Entry(property, nameToken, at, at + 1, value));
+            Value value = value(property, tokens.text(token));
+            property.checkValue(value);
+            block.add(new Block.Entry(property, nameToken, token, token + 1, value));
         } catch (IllegalArgumentException e) {
-            problem(at, at, block.title() + ": " + e.getMessage());
+            problem(token, token, block.title() + ": " + e.getMessage());
         }
-        return at + 1;
+        return token + 1;
     }
 
     private Value value(Property<?> property, String text) {
@@ -119,31 +119,31 @@ final class PropertyParser {
         };
     }
 
-    private int numbers(Block block, Property<?> property, int nameToken, int from) {
+    private int parseNumbers(Block block, Property<?> property, int nameToken, int start) {
         List<Double> numbers = new ArrayList<>(property.count());
-        int at = from;
-        while (isNumber(block, at, at - from < property.count())) {
-            if (at - from < property.count()) {
+        int token = start;
+        while (isNumber(block, token, token - start < property.count())) {
+            if (token - start < property.count()) {
                 try {
-                    numbers.add(number(property, at - from, at));
+                    numbers.add(parseNumber(property, token - start, token));
                 } catch (IllegalArgumentException e) {
-                    problem(at, at, block.title() + ": " + e.getMessage());
+                    problem(token, token, block.title() + ": " + e.getMessage());
                 }
             }
-            at++;
+            token++;
         }
-        if (at - from != property.count()) {
+        if (token - start != property.count()) {
             problem(nameToken, nameToken, block.title() + ": " + property.name() + " must have " + property.expected()
-                    + ", found " + (at - from));
+                    + ", found " + (token - start));
         } else if (numbers.size() == property.count()) {
-            together(block, new Block.Entry(property, nameToken, from, at, new Value.Numbers(numbers)));
+            addChecked(block, new Block.Entry(property, nameToken, start, token, new Value.Numbers(numbers)));
         }
-        return at;
+        return token;
     }
 
-    private void together(Block block, Block.Entry entry) {
+    private void addChecked(Block block, Block.Entry entry) {
         try {
-            entry.property().checkTogether(entry.value());
+            entry.property().checkValue(entry.value());
             block.add(entry);
         } catch (IllegalArgumentException e) {
             problem(entry.from(), entry.from(), block.title() + ": " + e.getMessage());
@@ -151,15 +151,15 @@ final class PropertyParser {
     }
 
     /** @throws IllegalArgumentException if the token is no number that the property may have at {@code index} */
-    double number(Property<?> property, int index, int token) {
+    double parseNumber(Property<?> property, int index, int token) {
         if (tokens.kind(token) != Kind.NUMBER) {
             throw new IllegalArgumentException(property.name() + " must be " + property.expected() + ", found "
-                    + tokens.found(token));
+                    + tokens.describe(token));
         }
         double number = tokens.number(token);
         if (Double.isInfinite(number)) {
             throw new IllegalArgumentException(property.name() + " must be a number within ±1.8e308, found "
-                    + tokens.found(token));
+                    + tokens.describe(token));
         }
         property.checkNumber(index, number);
         return number;
@@ -169,33 +169,33 @@ final class PropertyParser {
      * Whether a number stands here, or a string or word where a number should be, rather than the
      * next property or block.
      */
-    private boolean isNumber(Block block, int at, boolean missing) {
-        if (tokens.kind(at) != Kind.WORD) {
-            return isValue(tokens.kind(at));
+    private boolean isNumber(Block block, int token, boolean isMissing) {
+        if (tokens.kind(token) != Kind.WORD) {
+            return isValue(tokens.kind(token));
         }
-        String word = tokens.text(at);
-        return NO_NUMBERS.contains(word.toLowerCase(Locale.ROOT))
-                || missing && isNoKeyword(block, word) && Nearest.to(word, block.type.propertyNames()).isEmpty();
+        String word = tokens.text(token);
+        return NON_FINITE_WORDS.contains(word.toLowerCase(Locale.ROOT))
+                || isMissing && isUnknownWord(block, word) && NameSuggestion.closest(word, block.type.propertyNames()).isEmpty();
     }
 
-    private static boolean isNoKeyword(Block block, String word) {
-        return block.type.property(word).isEmpty() && Blocks.of(word).isEmpty();
+    private static boolean isUnknownWord(Block block, String word) {
+        return block.type.property(word).isEmpty() && BlockTypes.of(word).isEmpty();
     }
 
-    private int skipValue(Block block, int from) {
-        int at = from;
-        while (isValue(tokens.kind(at)) || tokens.kind(at) == Kind.WORD && isNoKeyword(block, tokens.text(at))) {
-            at++;
+    private int skipValue(Block block, int start) {
+        int token = start;
+        while (isValue(tokens.kind(token)) || tokens.kind(token) == Kind.WORD && isUnknownWord(block, tokens.text(token))) {
+            token++;
         }
-        return at;
+        return token;
     }
 
     private static boolean isValue(Kind kind) {
         return kind == Kind.NUMBER || kind == Kind.BAD_NUMBER || kind == Kind.STRING;
     }
 
-    private int problem(int token, int goOn, String message) {
+    private int problem(int token, int nextToken, String message) {
         problems.add(tokens.start(token), message);
-        return goOn;
+        return nextToken;
     }
 }

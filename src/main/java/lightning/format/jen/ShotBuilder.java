@@ -7,16 +7,16 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
-import lightning.scene.shot.Target;
 import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 
 /** Makes the shot of a scene from the block of a file and finds what is wrong between that and the scene. */
 final class ShotBuilder {
-    private final Tokens tokens;
-    private final Problems problems;
+    private final TokenList tokens;
+    private final ProblemList problems;
     private final Scene scene;
 
-    ShotBuilder(Tokens tokens, Problems problems, Scene scene) {
+    ShotBuilder(TokenList tokens, ProblemList problems, Scene scene) {
         this.tokens = tokens;
         this.problems = problems;
         this.scene = scene;
@@ -24,25 +24,25 @@ final class ShotBuilder {
 
     /** The shot, or nothing where there is none or a problem. */
     Optional<Shot> build(List<Block> blocks) {
-        Block block = blocks.stream().filter(b -> b.type == Blocks.SHOT).findFirst().orElse(null);
+        Block block = blocks.stream().filter(b -> b.type == BlockTypes.SHOT).findFirst().orElse(null);
         if (block == null) {
             return Optional.empty();
         }
         List<Track> tracks = new ArrayList<>();
-        Map<Target, Block> seen = new HashMap<>();
+        Map<TrackTarget, Block> blocksByTarget = new HashMap<>();
         for (Block child : block.children) {
-            Target target = target(child);
-            if (!isThere(child)) {
-                problem(child, "there is no " + child.title() + " in the scene" + Nearest.hint(child.name, scene.lights().stream()
-                        .map(l -> l.name()).filter(_ -> child.type == Blocks.LIGHT).toList()));
-            } else if (seen.put(target, child) != null) {
+            TrackTarget target = target(child);
+            if (!exists(child)) {
+                problem(child, "there is no " + child.title() + " in the scene" + NameSuggestion.hint(child.name, scene.lights().stream()
+                        .map(l -> l.name()).filter(_ -> child.type == BlockTypes.LIGHT).toList()));
+            } else if (blocksByTarget.put(target, child) != null) {
                 problem(child, child.title() + " must have its keys in one block, found another");
             } else {
-                child.keys.stream().filter(k -> !k.keys().isEmpty()).forEach(k -> track(child, target, k).ifPresent(tracks::add));
+                child.keys.stream().filter(k -> !k.keys().isEmpty()).forEach(k -> buildTrack(child, target, k).ifPresent(tracks::add));
             }
         }
         try {
-            Shot shot = Blocks.SHOT.builder().build("", new Values(block::value, null), List.of()).withTracks(tracks);
+            Shot shot = BlockTypes.SHOT.builder().build("", new PropertyValues(block::value, null), List.of()).withTracks(tracks);
             return problems.isEmpty() ? Optional.of(shot) : Optional.empty();
         } catch (IllegalArgumentException e) {
             problem(block, "shot: " + e.getMessage());
@@ -50,7 +50,7 @@ final class ShotBuilder {
         }
     }
 
-    private Optional<Track> track(Block child, Target target, Block.Keys keys) {
+    private Optional<Track> buildTrack(Block child, TrackTarget target, Block.PropertyKeys keys) {
         try {
             Track track = new Track(target, keys.property().name(), keys.keys());
             track.check(scene);
@@ -61,17 +61,17 @@ final class ShotBuilder {
         }
     }
 
-    static Target target(Block child) {
-        return child.type == Blocks.CAMERA ? Target.CAMERA : child.type == Blocks.LIGHT ? Target.light(child.name)
-                : child.type == Blocks.BANK ? Target.bank(child.name) : Target.node(child.name);
+    static TrackTarget target(Block child) {
+        return child.type == BlockTypes.CAMERA ? TrackTarget.CAMERA : child.type == BlockTypes.LIGHT ? TrackTarget.light(child.name)
+                : child.type == BlockTypes.LIGHT_GROUP ? TrackTarget.bank(child.name) : TrackTarget.node(child.name);
     }
 
-    private boolean isThere(Block child) {
-        Target target = target(child);
-        return target.isIn(scene) && ShotText.type(scene, target) == child.type;
+    private boolean exists(Block child) {
+        TrackTarget target = target(child);
+        return target.existsIn(scene) && ShotWriter.type(scene, target) == child.type;
     }
 
     private void problem(Block block, String message) {
-        problems.add(tokens.start(block.place()), message);
+        problems.add(tokens.start(block.problemToken()), message);
     }
 }

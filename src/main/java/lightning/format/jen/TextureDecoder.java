@@ -15,11 +15,11 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
-import lightning.base.file.OrdinaryFile;
+import lightning.base.file.RegularFile;
 import lightning.base.math.SrgbCurve;
 import lightning.base.text.Quote;
-import lightning.scene.SampleMeaning;
 import lightning.scene.Texture;
+import lightning.scene.TextureUsage;
 
 /**
  * Decodes PNG and JPEG files to linear light.
@@ -42,12 +42,12 @@ public final class TextureDecoder {
      * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      * @throws IOException if it cannot be read
      */
-    static Texture decode(String name, Path path, SampleMeaning samples, long pixelsLeft) throws IOException, UnusableFileException {
+    static Texture decode(String name, Path path, TextureUsage samples, long pixelsLeft) throws IOException, UnusableFileException {
         long bytes = Files.size(path);
         if (bytes > JenLimits.TEXTURE_BYTES) {
             throw unusable(name, "must have at most " + JenLimits.TEXTURE_BYTES + " bytes, has " + bytes);
         }
-        return decode(name, OrdinaryFile.bytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES), samples, pixelsLeft);
+        return decode(name, RegularFile.readBytes(path, "a PNG or JPEG file", JenLimits.TEXTURE_BYTES), samples, pixelsLeft);
     }
 
     /**
@@ -56,8 +56,8 @@ public final class TextureDecoder {
      * @param name what messages call it
      * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      */
-    public static Texture numbers(String name, byte[] file) throws UnusableFileException {
-        return decode(name, file, SampleMeaning.NUMBER, JenLimits.TEXTURE_PIXELS);
+    public static Texture decodeNumbers(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, TextureUsage.DATA, JenLimits.TEXTURE_PIXELS);
     }
 
     /**
@@ -66,11 +66,11 @@ public final class TextureDecoder {
      * @param name what messages call it
      * @throws UnusableFileException if it is no PNG or JPEG, too large or damaged
      */
-    public static Texture colors(String name, byte[] file) throws UnusableFileException {
-        return decode(name, file, SampleMeaning.COLOR, JenLimits.TEXTURE_PIXELS);
+    public static Texture decodeColors(String name, byte[] file) throws UnusableFileException {
+        return decode(name, file, TextureUsage.COLOR, JenLimits.TEXTURE_PIXELS);
     }
 
-    private static Texture decode(String name, byte[] file, SampleMeaning samples, long pixelsLeft) throws UnusableFileException {
+    private static Texture decode(String name, byte[] file, TextureUsage samples, long pixelsLeft) throws UnusableFileException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
             ImageReader reader = reader(name, in);
             try {
@@ -113,18 +113,18 @@ public final class TextureDecoder {
         }
         if (pixels > pixelsLeft) {
             throw unusable(name, "is one too many: all textures together must have at most "
-                    + JenLimits.ALL_TEXTURE_PIXELS + " pixels");
+                    + JenLimits.TOTAL_TEXTURE_PIXELS + " pixels");
         }
     }
 
-    private static UnusableFileException unusable(String name, String why) {
-        return new UnusableFileException("texture " + Quote.of(name) + " " + why);
+    private static UnusableFileException unusable(String name, String reason) {
+        return new UnusableFileException("texture " + Quote.of(name) + " " + reason);
     }
 
-    private static Texture texture(BufferedImage image, SampleMeaning samples) {
+    private static Texture texture(BufferedImage image, TextureUsage samples) {
         return switch (samples) {
             case COLOR -> texture(image, true);
-            case NUMBER -> texture(image, false);
+            case DATA -> texture(image, false);
             case OPACITY -> opacity(image);
         };
     }
@@ -141,7 +141,7 @@ public final class TextureDecoder {
             int y = i / 3 / width;
             codes[i] = (byte) (alpha != null ? alpha[i / 3] : Math.round(255 * numbers.luminance(x, y, x, y, 0, 0)));
         }
-        return new Texture(width, height, codes, linear(CODE_BITS, false));
+        return new Texture(width, height, codes, linearTable(CODE_BITS, false));
     }
 
     /** The alpha of each pixel, 0 … 255. */
@@ -168,11 +168,11 @@ public final class TextureDecoder {
         }
     }
 
-    private static Texture texture(BufferedImage image, boolean color) {
+    private static Texture texture(BufferedImage image, boolean isColor) {
         int width = image.getWidth();
         int height = image.getHeight();
         if (image.getColorModel() instanceof IndexColorModel) {
-            return new Texture(width, height, paletteCodes(image), linear(CODE_BITS, color));
+            return new Texture(width, height, paletteCodes(image), linearTable(CODE_BITS, isColor));
         }
         // Not getRGB: it would take grey samples as linear light and apply colour profiles.
         Raster raster = image.getRaster();
@@ -180,13 +180,13 @@ public final class TextureDecoder {
         boolean oneSize = Arrays.stream(raster.getSampleModel().getSampleSize()).allMatch(size -> size == bits);
         if (oneSize && bits <= CODE_BITS) {
             byte[] codes = new byte[3 * width * height];
-            forSamples(raster, (i, _, sample) -> codes[i] = (byte) sample);
-            return new Texture(width, height, codes, Arrays.copyOf(linear(bits, color), 1 << CODE_BITS));
+            forEachSample(raster, (i, _, sample) -> codes[i] = (byte) sample);
+            return new Texture(width, height, codes, Arrays.copyOf(linearTable(bits, isColor), 1 << CODE_BITS));
         }
         float[][] linear = new float[raster.getNumBands()][];
-        Arrays.setAll(linear, band -> linear(raster.getSampleModel().getSampleSize(band), color));
+        Arrays.setAll(linear, band -> linearTable(raster.getSampleModel().getSampleSize(band), isColor));
         float[] rgb = new float[3 * width * height];
-        forSamples(raster, (i, band, sample) -> rgb[i] = linear[band][sample]);
+        forEachSample(raster, (i, band, sample) -> rgb[i] = linear[band][sample]);
         return new Texture(width, height, rgb);
     }
 
@@ -204,13 +204,13 @@ public final class TextureDecoder {
 
     /** Gets each channel of each pixel. */
     @FunctionalInterface
-    private interface SampleTaker {
+    private interface SampleConsumer {
         /** @param i the place among {@code 3 * width * height} values */
-        void take(int i, int band, int sample);
+        void accept(int i, int band, int sample);
     }
 
     /** Goes through all samples, channel by channel; a grey picture has one band for all three. */
-    private static void forSamples(Raster raster, SampleTaker taker) {
+    private static void forEachSample(Raster raster, SampleConsumer consumer) {
         int width = raster.getWidth();
         int bands = raster.getNumBands() < 3 ? 1 : 3;
         int[] row = new int[width];
@@ -219,19 +219,19 @@ public final class TextureDecoder {
             for (int y = 0; y < raster.getHeight(); y++) {
                 raster.getSamples(0, y, width, 1, band, row);
                 for (int x = 0; x < width; x++) {
-                    taker.take(3 * (y * width + x) + channel, band, row[x]);
+                    consumer.accept(3 * (y * width + x) + channel, band, row[x]);
                 }
             }
         }
     }
 
     /** The linear value of each sample of the given number of bits, {@code float[2^bits]}. */
-    private static float[] linear(int bits, boolean color) {
-        int largest = (1 << bits) - 1;
-        float[] linear = new float[largest + 1];
-        for (int i = 0; i <= largest; i++) {
-            double s = (double) i / largest;
-            linear[i] = (float) (color ? SrgbCurve.linear(s) : s);
+    private static float[] linearTable(int bits, boolean color) {
+        int max = (1 << bits) - 1;
+        float[] linear = new float[max + 1];
+        for (int i = 0; i <= max; i++) {
+            double s = (double) i / max;
+            linear[i] = (float) (color ? SrgbCurve.toLinear(s) : s);
         }
         return linear;
     }

@@ -5,23 +5,23 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import lightning.base.text.Quote;
-import lightning.scene.SampleMeaning;
 import lightning.scene.Texture;
+import lightning.scene.TextureUsage;
 
-/** Finds the textures of one scene: beside its file or in {@code textures/} ({@link FileFolders}). Each file is decoded once. */
+/** Finds the textures of one scene: beside its file or in {@code textures/} ({@link AssetSearchPath}). Each file is decoded once. */
 final class TextureFolder {
     static final String NAME = "textures";
 
-    private final FileFolders folders;
-    private final Map<Decoded, Texture> decoded = new HashMap<>();
+    private final AssetSearchPath searchPath;
+    private final Map<CacheKey, Texture> cache = new HashMap<>();
     private long pixels;
 
     /** A file, and what its samples were taken for. */
-    private record Decoded(Path path, SampleMeaning samples) {}
+    private record CacheKey(Path path, TextureUsage samples) {}
 
     /** @param scene the folder that holds the scene file */
     TextureFolder(Path scene) {
-        folders = FileKind.TEXTURE.folders(scene);
+        searchPath = FileKind.TEXTURE.searchPath(scene);
     }
 
     /**
@@ -31,23 +31,23 @@ final class TextureFolder {
      * @throws UnusableFileException if there is no such file inside the folders, if a link leads out of
      *     them, or if it is no PNG or JPEG within {@link JenLimits}
      */
-    Texture load(String file, SampleMeaning samples) throws UnusableFileException {
-        return folders.read(file, path -> load(file, samples, path));
+    Texture load(String file, TextureUsage samples) throws UnusableFileException {
+        return searchPath.read(file, path -> load(file, samples, path));
     }
 
-    private Texture load(String file, SampleMeaning samples, Path path) throws UnusableFileException, IOException {
-        var wanted = new Decoded(path, samples);
-        Texture known = decoded.get(wanted);
-        if (known != null) {
-            return known;
+    private Texture load(String file, TextureUsage samples, Path path) throws UnusableFileException, IOException {
+        var key = new CacheKey(path, samples);
+        Texture cached = cache.get(key);
+        if (cached != null) {
+            return cached;
         }
-        if (decoded.size() == JenLimits.TEXTURES) {
+        if (cache.size() == JenLimits.TEXTURES) {
             throw new UnusableFileException("a scene may have at most " + JenLimits.TEXTURES + " textures, found another, "
                     + Quote.of(file));
         }
-        Texture texture = TextureDecoder.decode(file, path, samples, JenLimits.ALL_TEXTURE_PIXELS - pixels);
+        Texture texture = TextureDecoder.decode(file, path, samples, JenLimits.TOTAL_TEXTURE_PIXELS - pixels);
         pixels += (long) texture.width() * texture.height();
-        decoded.put(wanted, texture);
+        cache.put(key, texture);
         return texture;
     }
 }

@@ -4,22 +4,22 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import lightning.base.math.Vec3;
-import lightning.base.text.Decimal;
-import lightning.scene.Links;
+import lightning.base.text.DecimalNumber;
+import lightning.scene.ShapeLinks;
 
 /** What follows a property's name in the file. Two values are equal when every bit is. */
 sealed interface Value {
     /** The text that reads back as this value. */
     String text();
 
-    record Numbers(List<Double> all) implements Value {
+    record Numbers(List<Double> values) implements Value {
         public Numbers {
-            all = List.copyOf(all);
+            values = List.copyOf(values);
         }
 
         @Override
         public String text() {
-            return all.stream().map(Decimal::text).collect(Collectors.joining(" "));
+            return values.stream().map(DecimalNumber::format).collect(Collectors.joining(" "));
         }
     }
 
@@ -30,7 +30,7 @@ sealed interface Value {
     record Name(String name) implements Value {
         @Override
         public String text() {
-            return NameText.of(name);
+            return NameSyntax.format(name);
         }
     }
 
@@ -43,12 +43,12 @@ sealed interface Value {
     }
 
     /** Some shapes and groups, their names always in quotes: how many there are, the file does not say. */
-    record Linked(Links links) implements Value {
+    record LinkSet(ShapeLinks links) implements Value {
         @Override
         public String text() {
-            return links.isAll() ? ALL : links.equals(Links.NONE) ? NONE
-                    : links.names().stream().map(NameText::quoted)
-                            .collect(Collectors.joining(" ", (links.only() ? ONLY : EXCEPT) + ' ', ""));
+            return links.isAll() ? ALL : links.equals(ShapeLinks.NONE) ? NONE
+                    : links.names().stream().map(NameSyntax::quote)
+                            .collect(Collectors.joining(" ", (links.exclusive() ? ONLY : EXCEPT) + ' ', ""));
         }
     }
 

@@ -8,8 +8,8 @@
  * document.with(dimmer).save(Path.of("scenes/bird.jen"));
  * }</pre>
  *
- * <p>The way of a file: {@code Source} (bytes to characters) → {@code Lexer} → {@code Parser}
+ * <p>The way of a file: {@code SourceText} (bytes to characters) → {@code Lexer} → {@code Parser}
  * (blocks with places) → {@code SceneBuilder}. What a block may hold stands in one table,
- * {@code Blocks}, which the parser, the writer, the patch and {@link lightning.format.jen.PropertyEdit} share.
+ * {@code BlockTypes}, which the parser, the writer, the patch and {@link lightning.format.jen.PropertyEdit} share.
  */
 package lightning.format.jen;

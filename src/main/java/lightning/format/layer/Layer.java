@@ -2,8 +2,8 @@ package lightning.format.layer;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.render.shading.LightPart;
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.LightComponent;
+import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -22,7 +22,7 @@ sealed interface Layer {
      * @param first their first among the lights that act
      * @param end   the one behind their last
      */
-    record Lights(String name, int first, int end, LightPart part) implements Layer {}
+    record Lights(String name, int first, int end, LightComponent part) implements Layer {}
 
     /** All that is seen in mirrors and through clear surfaces. */
     record Reflections() implements Layer {}
@@ -32,22 +32,22 @@ sealed interface Layer {
     /** The layers of a picture, in the order in which they are added. Lights that do not shine have none. */
     static List<Layer> of(Scene scene) {
         List<Layer> layers = new ArrayList<>(List.of(new Background(), new Ambient()));
-        Luminaire[] lights = Luminaire.all(scene);
-        List<Light> own = scene.lights();
-        for (int i = 0; i < own.size(); i++) {
+        WeightedLight[] lights = WeightedLight.ofScene(scene);
+        List<Light> sceneLights = scene.lights();
+        for (int i = 0; i < sceneLights.size(); i++) {
             if (!lights[i].isDark()) {
-                add(own.get(i).name(), i, i + 1, layers);
+                add(sceneLights.get(i).name(), i, i + 1, layers);
             }
         }
-        if (lights.length > own.size()) {
-            add(ENVIRONMENT, own.size(), lights.length, layers);
+        if (lights.length > sceneLights.size()) {
+            add(ENVIRONMENT, sceneLights.size(), lights.length, layers);
         }
         layers.add(new Reflections());
         return layers;
     }
 
     private static void add(String name, int first, int end, List<Layer> layers) {
-        layers.add(new Lights(name, first, end, LightPart.DIFFUSE));
-        layers.add(new Lights(name, first, end, LightPart.SPECULAR));
+        layers.add(new Lights(name, first, end, LightComponent.DIFFUSE));
+        layers.add(new Lights(name, first, end, LightComponent.SPECULAR));
     }
 }

@@ -8,7 +8,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
-import lightning.base.file.OrdinaryFile;
+import lightning.base.file.RegularFile;
 import lightning.base.work.Progress;
 
 /**
@@ -16,18 +16,18 @@ import lightning.base.work.Progress;
  * to hold can be held against them before memory is taken for it.
  */
 public final class ByteSource implements AutoCloseable {
-    private static final int BLOCK = 1 << 16;
+    private static final int BLOCK_BYTES = 1 << 16;
 
     private final Path file;
     private final InputStream in;
     private final Progress progress;
     private final long size;
-    private final byte[] block = new byte[BLOCK];
-    private final ByteBuffer numbers = ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN);
+    private final byte[] block = new byte[BLOCK_BYTES];
+    private final ByteBuffer buffer = ByteBuffer.wrap(block).order(ByteOrder.LITTLE_ENDIAN);
     /** How many bytes of the file stand before those in the block. */
-    private long before;
-    private int at;
-    private int end;
+    private long blockOffset;
+    private int position;
+    private int limit;
 
     private ByteSource(Path file, InputStream in, long size, Progress progress) {
         this.file = file;
@@ -44,7 +44,7 @@ public final class ByteSource implements AutoCloseable {
      * @throws MeshException if it is larger
      */
     public static ByteSource open(Path file, Progress progress) throws IOException, MeshException {
-        InputStream in = OrdinaryFile.open(file, "a file of meshes");
+        InputStream in = RegularFile.open(file, "a file of meshes");
         long size = Files.size(file);
         if (size > MeshLimits.FILE_BYTES) {
             in.close();
@@ -58,28 +58,28 @@ public final class ByteSource implements AutoCloseable {
     }
 
     /** A problem with this file. */
-    public MeshException problem(String place, String message) {
-        return new MeshException(file, place, message);
+    public MeshException problem(String location, String message) {
+        return new MeshException(file, location, message);
     }
 
     /** How many bytes were read. */
     public long offset() {
-        return before + at;
+        return blockOffset + position;
     }
 
     /** How many bytes there are still, by the size that the file had when it was opened. */
-    public long left() {
-        return size - before - at;
+    public long remaining() {
+        return size - blockOffset - position;
     }
 
     /** The next byte, 0 to 255, which stays the next; −1 at the end. */
     public int peek() throws IOException {
-        return at < end || fill(1) ? block[at] & 0xFF : -1;
+        return position < limit || fill(1) ? block[position] & 0xFF : -1;
     }
 
     /** The next byte, 0 to 255; −1 at the end. */
     public int next() throws IOException {
-        return at < end || fill(1) ? block[at++] & 0xFF : -1;
+        return position < limit || fill(1) ? block[position++] & 0xFF : -1;
     }
 
     /** Whether the next bytes are these; they stay the next. */
@@ -88,7 +88,7 @@ public final class ByteSource implements AutoCloseable {
             return false;
         }
         for (int i = 0; i < bytes.length; i++) {
-            if (block[at + i] != bytes[i]) {
+            if (block[position + i] != bytes[i]) {
                 return false;
             }
         }
@@ -96,69 +96,69 @@ public final class ByteSource implements AutoCloseable {
     }
 
     /** In which order the bytes of numbers stand; the smallest first, unless this says otherwise. */
-    public void order(ByteOrder order) {
-        numbers.order(order);
+    public void setByteOrder(ByteOrder order) {
+        buffer.order(order);
     }
 
     /** @throws EOFException if the file ends before it, as from all that read numbers */
     public byte int8() throws IOException {
-        return block[take(1)];
+        return block[consume(1)];
     }
 
     public short int16() throws IOException {
-        return numbers.getShort(take(2));
+        return buffer.getShort(consume(2));
     }
 
     public int int32() throws IOException {
-        return numbers.getInt(take(4));
+        return buffer.getInt(consume(4));
     }
 
     public float float32() throws IOException {
-        return numbers.getFloat(take(4));
+        return buffer.getFloat(consume(4));
     }
 
     public double float64() throws IOException {
-        return numbers.getDouble(take(8));
+        return buffer.getDouble(consume(8));
     }
 
     /** So many bytes; taken only where the file has them. */
     public byte[] bytes(int count) throws IOException {
-        if (count > left()) {
+        if (count > remaining()) {
             throw new EOFException();
         }
-        byte[] all = new byte[count];
-        for (int done = 0; done < count;) {
-            int part = Math.min(count - done, BLOCK);
-            System.arraycopy(block, take(part), all, done, part);
-            done += part;
+        byte[] result = new byte[count];
+        for (int copied = 0; copied < count;) {
+            int part = Math.min(count - copied, BLOCK_BYTES);
+            System.arraycopy(block, consume(part), result, copied, part);
+            copied += part;
         }
-        return all;
+        return result;
     }
 
-    private int take(int bytes) throws IOException {
-        if (end - at < bytes && !fill(bytes)) {
+    private int consume(int bytes) throws IOException {
+        if (limit - position < bytes && !fill(bytes)) {
             throw new EOFException();
         }
-        at += bytes;
-        return at - bytes;
+        position += bytes;
+        return position - bytes;
     }
 
     /** Whether so many bytes, at most a block, stand in the block now. What the file got since it was opened is not read. */
     private boolean fill(int bytes) throws IOException {
-        if (end - at >= bytes) {
+        if (limit - position >= bytes) {
             return true;
         }
-        if (progress.isCancelled()) {
+        if (progress.isCanceled()) {
             throw new CancellationException("cancelled after " + offset() + " of " + size + " bytes");
         }
-        System.arraycopy(block, at, block, 0, end - at);
-        before += at;
-        end -= at;
-        at = 0;
-        int more = in.readNBytes(block, end, (int) Math.min(BLOCK - end, size - before - end));
-        end += more;
-        progress.tiles((int) ((before + end) >> 10), (int) (size >> 10));
-        return end >= bytes;
+        System.arraycopy(block, position, block, 0, limit - position);
+        blockOffset += position;
+        limit -= position;
+        position = 0;
+        int count = in.readNBytes(block, limit, (int) Math.min(BLOCK_BYTES - limit, size - blockOffset - limit));
+        limit += count;
+        progress.report((int) ((blockOffset + limit) >> 10), (int) (size >> 10));
+        return limit >= bytes;
     }
 
     @Override

@@ -4,18 +4,18 @@ import java.util.Arrays;
 
 /** Numbers of which it is not known how many will come. */
 public final class FloatList {
-    private float[] numbers = new float[16];
+    private float[] values = new float[16];
     private int size;
 
     public void add(float v) {
-        if (size == numbers.length) {
-            numbers = Arrays.copyOf(numbers, IntList.larger(size));
+        if (size == values.length) {
+            values = Arrays.copyOf(values, IntList.grownCapacity(size));
         }
-        numbers[size++] = v;
+        values[size++] = v;
     }
 
     public float get(int index) {
-        return numbers[index];
+        return values[index];
     }
 
     public int size() {
@@ -24,10 +24,10 @@ public final class FloatList {
 
     /** The array behind it, with room for more at its end; replaced when it is full. */
     public float[] array() {
-        return numbers;
+        return values;
     }
 
     public float[] toArray() {
-        return Arrays.copyOf(numbers, size);
+        return Arrays.copyOf(values, size);
     }
 }

@@ -10,15 +10,15 @@ public final class Tangents {
      *
      * @param tangents {@code float[4 * vertices]}; written
      */
-    public static void makeUnit(float[] tangents, Notes notes) {
-        int none = 0;
-        int hands = 0;
+    public static void normalizeAll(float[] tangents, ConversionNotes notes) {
+        int withoutDirection = 0;
+        int invalidHandedness = 0;
         for (int i = 0; i < tangents.length; i += 4) {
-            none += Normals.normalize(tangents, i, tangents[i], tangents[i + 1], tangents[i + 2]) ? 0 : 1;
-            hands += Math.abs(tangents[i + 3]) == 1 ? 0 : 1;
+            withoutDirection += VertexNormals.normalize(tangents, i, tangents[i], tangents[i + 1], tangents[i + 2]) ? 0 : 1;
+            invalidHandedness += Math.abs(tangents[i + 3]) == 1 ? 0 : 1;
             tangents[i + 3] = tangents[i + 3] < 0 ? -1 : 1;
         }
-        notes.add("tangents without a direction", none);
-        notes.add("tangents whose fourth number is neither 1 nor -1", hands);
+        notes.add("tangents without a direction", withoutDirection);
+        notes.add("tangents whose fourth number is neither 1 nor -1", invalidHandedness);
     }
 }

@@ -12,25 +12,25 @@ public final class VertexColors {
      * @param colors   {@code float[≥ 3 * vertices]}; written
      * @param vertices how many are read, from the first
      */
-    public static void cut(float[] colors, int vertices, Notes notes) {
-        int changed = 0;
-        int none = 0;
+    public static void clamp(float[] colors, int vertices, ConversionNotes notes) {
+        int clamped = 0;
+        int invalid = 0;
         for (int i = 0; i < 3 * vertices; i += 3) {
-            boolean beyond = false;
-            boolean noNumber = false;
+            boolean isOutOfRange = false;
+            boolean hasNaN = false;
             for (int c = i; c < i + 3; c++) {
-                noNumber |= Float.isNaN(colors[c]);
-                beyond |= colors[c] < 0 || colors[c] > 1;
+                hasNaN |= Float.isNaN(colors[c]);
+                isOutOfRange |= colors[c] < 0 || colors[c] > 1;
                 colors[c] = colors[c] < 0 ? 0 : colors[c] > 1 ? 1 : colors[c];
             }
-            if (noNumber) {
-                none++;
+            if (hasNaN) {
+                invalid++;
                 Arrays.fill(colors, i, i + 3, 1);
-            } else if (beyond) {
-                changed++;
+            } else if (isOutOfRange) {
+                clamped++;
             }
         }
-        notes.add("colours of vertices beyond 0 to 1", changed);
-        notes.add("colors of vertices that are no numbers, white here", none);
+        notes.add("colours of vertices beyond 0 to 1", clamped);
+        notes.add("colors of vertices that are no numbers, white here", invalid);
     }
 }

@@ -26,18 +26,18 @@ public record NffFile(Optional<View> view, Rgb background, List<Light> lights, L
     public record View(Vec3 from, Vec3 at, Vec3 up, double angle, int width, int height) {}
 
     /** A light in all directions, which does not fall off; it need not say its colour. */
-    public record Light(Vec3 at, Optional<Rgb> color) {}
+    public record Light(Vec3 position, Optional<Rgb> color) {}
 
     /**
      * What a surface looks like.
      *
      * @param diffuse       Kd, a factor on the colour
      * @param specular      Ks, of highlights and of what is mirrored
-     * @param shine         the exponent of Phong's highlight
+     * @param shininess         the exponent of Phong's highlight
      * @param transmittance T, how much light goes through
-     * @param index         the index of refraction
+     * @param ior         the index of refraction
      */
-    public record Fill(Rgb color, double diffuse, double specular, double shine, double transmittance, double index) {}
+    public record Fill(Rgb color, double diffuse, double specular, double shininess, double transmittance, double ior) {}
 
     /**
      * Polygons, which are flat, or patches, which are smooth.

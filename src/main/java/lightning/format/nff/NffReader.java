@@ -8,15 +8,15 @@ import java.util.Map;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
-import lightning.format.mesh.Notes;
-import lightning.format.mesh.PartNames;
-import lightning.format.mesh.Polygon;
-import lightning.format.mesh.TextSource;
+import lightning.format.mesh.PolygonTriangulator;
+import lightning.format.mesh.TextTokenizer;
+import lightning.format.mesh.UniqueNames;
 import lightning.scene.Mesh;
 
 /**
@@ -25,20 +25,20 @@ import lightning.scene.Mesh;
  */
 public final class NffReader {
     /** Spheres, cones and cylinders: as many as a scene may have shapes. */
-    private static final int MOST_SOLIDS = 1_000_000;
-    private static final int MOST_FILLS = 30_000;
-    private static final int MOST_LIGHTS = 1000;
+    private static final int MAX_SOLIDS = 1_000_000;
+    private static final int MAX_FILLS = 30_000;
+    private static final int MAX_LIGHTS = 1000;
 
     private final ByteSource source;
-    private final TextSource text;
-    private final Notes notes;
-    private final NffView view = new NffView();
+    private final TextTokenizer text;
+    private final ConversionNotes notes;
+    private final NffViewBuilder view = new NffViewBuilder();
     private final List<NffFile.Light> lights = new ArrayList<>();
     private final Map<NffFile.Fill, Integer> fills = new LinkedHashMap<>();
     private final List<NffSolid> solids = new ArrayList<>();
     /** By fill: polygons at twice its number, patches behind. */
-    private final Map<Integer, SurfaceMaker> surfaces = new LinkedHashMap<>();
-    private final Polygon polygon = new Polygon();
+    private final Map<Integer, MeshBuilder> surfaces = new LinkedHashMap<>();
+    private final PolygonTriangulator polygon = new PolygonTriangulator();
     private Rgb background = Rgb.BLACK;
     private int fill = -1;
     /** What stands next, in messages. */
@@ -46,10 +46,10 @@ public final class NffReader {
     private long vertices;
     private long triangles;
 
-    private NffReader(ByteSource source, Notes notes) {
+    private NffReader(ByteSource source, ConversionNotes notes) {
         this.source = source;
         this.notes = notes;
-        text = new TextSource(source);
+        text = new TextTokenizer(source);
     }
 
     /**
@@ -59,156 +59,158 @@ public final class NffReader {
      * @throws MeshException if it is damaged, or holds no shape
      * @throws IOException   if it cannot be read
      */
-    public static NffFile read(ByteSource source, Notes notes) throws IOException, MeshException {
+    public static NffFile read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new NffReader(source, notes).read();
     }
 
     private NffFile read() throws IOException, MeshException {
         do {
-            while (text.word() && text.at(0) != '#') {
-                entity();
+            while (text.readToken() && text.byteAt(0) != '#') {
+                readEntity();
             }
         } while (text.nextLine());
         if (solids.isEmpty() && triangles == 0) {
             throw source.problem("", "must have shapes (c, s, p or pp): without them there is nothing to light");
         }
-        return new NffFile(view.made(), background, List.copyOf(lights), List.copyOf(fills.keySet()), List.copyOf(solids), surfaces());
+        return new NffFile(view.build(), background, List.copyOf(lights), List.copyOf(fills.keySet()), List.copyOf(solids), surfaces());
     }
 
-    private void entity() throws IOException, MeshException {
+    private void readEntity() throws IOException, MeshException {
         String keyword = text.length() <= 16 ? text.text() : Quote.of(text.text());
         expected = "a number of " + keyword;
         switch (keyword) {
             // All that follows it has a word of its own.
             case "v" -> {}
-            case "from" -> view.from = point();
-            case "at" -> view.at = point();
-            case "up" -> view.up = point();
-            case "angle" -> view.angle = number();
-            case "hither", "yon" -> number();
+            case "from" -> view.from = readPoint();
+            case "at" -> view.at = readPoint();
+            case "up" -> view.up = readPoint();
+            case "angle" -> view.angle = readNumber();
+            case "hither", "yon" -> readNumber();
             case "resolution" -> {
-                view.width = whole();
-                view.height = whole();
+                view.width = readInteger();
+                view.height = readInteger();
             }
-            case "b" -> background = color();
-            case "l" -> light();
-            case "f" -> fill();
-            case "s" -> ball();
-            case "c" -> tube();
-            case "p" -> polygon(false);
-            case "pp" -> polygon(true);
+            case "b" -> background = readColor();
+            case "l" -> readLight();
+            case "f" -> readFill();
+            case "s" -> readSphere();
+            case "c" -> readCone();
+            case "p" -> readPolygon(false);
+            case "pp" -> readPolygon(true);
             default -> {
                 notes.add("entities " + keyword);
-                text.rest();
+                text.restOfLine();
             }
         }
     }
 
-    private void light() throws IOException, MeshException {
-        if (lights.size() == MOST_LIGHTS) {
-            throw text.problem("a file must have at most " + MOST_LIGHTS + " lights");
+    private void readLight() throws IOException, MeshException {
+        if (lights.size() == MAX_LIGHTS) {
+            throw text.problem("a file must have at most " + MAX_LIGHTS + " lights");
         }
-        Vec3 at = point();
+        Vec3 position = readPoint();
         Optional<Rgb> color = Optional.empty();
-        if (isNumberLeft()) {
-            color = Optional.of(color(text.number(expected)));
-            text.word();
+        if (hasNumber()) {
+            color = Optional.of(readColor(text.number(expected)));
+            text.readToken();
         }
-        lights.add(new NffFile.Light(at, color));
-        passLine("words behind lights, of another dialect");
+        lights.add(new NffFile.Light(position, color));
+        skipLine("words behind lights, of another dialect");
     }
 
     /** The colour must be there; what else is missing on the line is taken as a dull surface has it. */
-    private void fill() throws IOException, MeshException {
-        Rgb color = color();
+    private void readFill() throws IOException, MeshException {
+        Rgb color = readColor();
         double[] rest = {1, 0, 1, 0, 1};
         int count = 0;
-        while (count < rest.length && isNumberLeft()) {
+        while (count < rest.length && hasNumber()) {
             rest[count++] = text.number(expected);
         }
         if (count == rest.length) {
-            text.word();
+            text.readToken();
         } else {
             notes.add("fills with fewer than eight numbers");
         }
-        passLine("words behind fills, of another dialect");
+        skipLine("words behind fills, of another dialect");
         fill = fills.computeIfAbsent(new NffFile.Fill(color, rest[0], rest[1], rest[2], rest[3], rest[4]), _ -> fills.size());
-        if (fills.size() > MOST_FILLS) {
-            throw text.problem("a file must have at most " + MOST_FILLS + " different fills");
+        if (fills.size() > MAX_FILLS) {
+            throw text.problem("a file must have at most " + MAX_FILLS + " different fills");
         }
     }
 
-    private void ball() throws IOException, MeshException {
-        Vec3 center = point();
-        add(new NffSolid.Ball(fill, center, Math.abs(outside(number()))));
+    private void readSphere() throws IOException, MeshException {
+        Vec3 center = readPoint();
+        addSolid(new NffSolid.Sphere(fill, center, Math.abs(noteInsideOut(readNumber()))));
     }
 
-    private void tube() throws IOException, MeshException {
-        Vec3 base = point();
-        double baseRadius = number();
-        Vec3 apex = point();
-        double apexRadius = number();
-        outside(Math.min(baseRadius, apexRadius));
-        add(new NffSolid.Tube(fill, base, Math.abs(baseRadius), apex, Math.abs(apexRadius)));
+    private void readCone() throws IOException, MeshException {
+        Vec3 base = readPoint();
+        double baseRadius = readNumber();
+        Vec3 apex = readPoint();
+        double apexRadius = readNumber();
+        noteInsideOut(Math.min(baseRadius, apexRadius));
+        addSolid(new NffSolid.Cone(fill, base, Math.abs(baseRadius), apex, Math.abs(apexRadius)));
     }
 
     /** Of what has a negative radius, only the inside is seen; here all is seen from both sides. */
-    private double outside(double radius) {
+    private double noteInsideOut(double radius) {
         notes.add("shapes of which only the inside is to be seen", radius < 0 ? 1 : 0);
         return radius;
     }
 
-    private void add(NffSolid solid) throws MeshException {
-        if (solids.size() == MOST_SOLIDS) {
-            throw text.problem("a file must have at most " + MOST_SOLIDS + " spheres, cones and cylinders");
+    private void addSolid(NffSolid solid) throws MeshException {
+        if (solids.size() == MAX_SOLIDS) {
+            throw text.problem("a file must have at most " + MAX_SOLIDS + " spheres, cones and cylinders");
         }
         solids.add(solid);
     }
 
-    private void polygon(boolean smooth) throws IOException, MeshException {
-        int count = whole();
-        SurfaceMaker to = surfaces.computeIfAbsent(2 * fill + (smooth ? 1 : 0), _ -> new SurfaceMaker(fill, smooth));
-        int before = to.vertexCount();
-        to.begin();
+    private void readPolygon(boolean smooth) throws IOException, MeshException {
+        int count = readInteger();
+        MeshBuilder builder = surfaces.computeIfAbsent(2 * fill + (smooth ? 1 : 0), _ -> new MeshBuilder(fill, smooth));
+        int oldCount = builder.vertexCount();
+        builder.beginPolygon();
         for (int i = 0; i < count; i++) {
-            Vec3 p = point();
-            Vec3 n = smooth ? direction() : Vec3.ZERO;
-            to.corner((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
+            Vec3 p = readPoint();
+            Vec3 n = smooth ? readDirection() : Vec3.ZERO;
+            builder.addCorner((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
         }
-        vertices += to.vertexCount() - before;
+        vertices += builder.vertexCount() - oldCount;
         if (count < 3) {
             notes.add("polygons of fewer than three corners");
             return;
         }
-        notes.add("outlines of polygons with more than " + Polygon.MOST_CORNERS + " corners, which are cut as if they were convex",
-                count > Polygon.MOST_CORNERS ? 1 : 0);
+        notes.add(
+                "outlines of polygons with more than " + PolygonTriangulator.MAX_CORNERS + " corners, which are cut as if they were convex",
+                count > PolygonTriangulator.MAX_CORNERS ? 1 : 0);
         triangles += count - 2;
         if (vertices > MeshLimits.VERTICES || triangles > MeshLimits.TRIANGLES) {
             throw text.problem("a file must have at most " + MeshLimits.TRIANGLES + " triangles and " + MeshLimits.VERTICES + " vertices");
         }
-        to.end(polygon);
+        builder.endPolygon(polygon);
     }
 
     private List<NffFile.Surface> surfaces() throws MeshException {
-        var names = new PartNames();
+        var names = new UniqueNames();
         List<NffFile.Surface> meshes = new ArrayList<>();
-        for (SurfaceMaker made : surfaces.values()) {
-            if (made.triangleCount() > 0) {
-                meshes.add(new NffFile.Surface(made.fill, names.unique(made.isSmooth() ? "patches" : "polygons", "mesh"), made.mesh()));
+        for (MeshBuilder builder : surfaces.values()) {
+            if (builder.triangleCount() > 0) {
+                meshes.add(new NffFile.Surface(builder.fill, names.unique(builder.isSmooth() ? "patches" : "polygons", "mesh"),
+                        builder.mesh()));
             }
         }
         return List.copyOf(meshes);
     }
 
     /** Passes over the rest of a line from the word that was read last on, and tells it unless it is a comment. */
-    private void passLine(String kind) throws IOException, MeshException {
-        notes.add(kind, text.length() > 0 && text.at(0) != '#' ? 1 : 0);
-        text.rest();
+    private void skipLine(String kind) throws IOException, MeshException {
+        notes.add(kind, text.length() > 0 && text.byteAt(0) != '#' ? 1 : 0);
+        text.restOfLine();
     }
 
     /** The next word, on this line or one that follows. */
-    private void word() throws IOException, MeshException {
-        while (!text.word() || text.at(0) == '#') {
+    private void nextToken() throws IOException, MeshException {
+        while (!text.readToken() || text.byteAt(0) == '#') {
             if (!text.nextLine()) {
                 throw text.problem("expected " + expected + ", found the end of the file");
             }
@@ -216,38 +218,39 @@ public final class NffReader {
     }
 
     /** Reads the next word of this line; whether it looks like a number. */
-    private boolean isNumberLeft() throws IOException, MeshException {
-        return text.word() && (text.at(0) >= '0' && text.at(0) <= '9' || text.at(0) == '-' || text.at(0) == '+' || text.at(0) == '.');
+    private boolean hasNumber() throws IOException, MeshException {
+        return text.readToken() && (text.byteAt(0) >= '0' && text.byteAt(0) <= '9' || text.byteAt(0) == '-' || text.byteAt(0) == '+'
+                || text.byteAt(0) == '.');
     }
 
-    private double number() throws IOException, MeshException {
-        word();
+    private double readNumber() throws IOException, MeshException {
+        nextToken();
         return text.number(expected);
     }
 
-    private int whole() throws IOException, MeshException {
-        word();
-        return (int) text.whole(expected, 0, Integer.MAX_VALUE);
+    private int readInteger() throws IOException, MeshException {
+        nextToken();
+        return (int) text.integer(expected, 0, Integer.MAX_VALUE);
     }
 
-    private Vec3 direction() throws IOException, MeshException {
-        return new Vec3(number(), number(), number());
+    private Vec3 readDirection() throws IOException, MeshException {
+        return new Vec3(readNumber(), readNumber(), readNumber());
     }
 
-    private Vec3 point() throws IOException, MeshException {
-        Vec3 p = direction();
+    private Vec3 readPoint() throws IOException, MeshException {
+        Vec3 p = readDirection();
         if (p.maxAbs() > Mesh.MAX_COORDINATE) {
-            throw text.problem("a coordinate must be at most " + Decimal.text(Mesh.MAX_COORDINATE) + " in absolute value, was "
-                    + Decimal.text(p.maxAbs()));
+            throw text.problem("a coordinate must be at most " + DecimalNumber.format(Mesh.MAX_COORDINATE) + " in absolute value, was "
+                    + DecimalNumber.format(p.maxAbs()));
         }
         return p;
     }
 
-    private Rgb color() throws IOException, MeshException {
-        return color(number());
+    private Rgb readColor() throws IOException, MeshException {
+        return readColor(readNumber());
     }
 
-    private Rgb color(double red) throws IOException, MeshException {
-        return new Rgb(red, number(), number());
+    private Rgb readColor(double red) throws IOException, MeshException {
+        return new Rgb(red, readNumber(), readNumber());
     }
 }

@@ -8,12 +8,12 @@ public sealed interface NffSolid {
     int fill();
 
     /** @param radius at least 0 */
-    record Ball(int fill, Vec3 center, double radius) implements NffSolid {}
+    record Sphere(int fill, Vec3 center, double radius) implements NffSolid {}
 
     /**
      * A cone that is cut at both ends, or a cylinder where both radii are the same; open at both ends.
      *
      * @param baseRadius at least 0, as the other one
      */
-    record Tube(int fill, Vec3 base, double baseRadius, Vec3 apex, double apexRadius) implements NffSolid {}
+    record Cone(int fill, Vec3 base, double baseRadius, Vec3 apex, double apexRadius) implements NffSolid {}
 }

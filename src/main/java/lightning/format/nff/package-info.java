@@ -4,7 +4,7 @@
  *
  * <pre>{@code
  * try (ByteSource source = ByteSource.open(Path.of("balls.nff"), Progress.NONE)) {
- *     NffFile file = NffReader.read(source, new Notes());
+ *     NffFile file = NffReader.read(source, new ConversionNotes());
  * }
  * }</pre>
  */

@@ -8,11 +8,11 @@ import lightning.scene.Attenuation;
  * @param gain     what the light's colour must be multiplied by, so that the product is ours
  * @param distance scene units; 0 for a light that does not fade
  * @param power    POV-Ray's fade_power
- * @param exact    whether the two agree at every distance
+ * @param isExact    whether the two agree at every distance
  */
-record PovFade(double gain, double distance, double power, boolean exact) {
+record PovFade(double gain, double distance, double power, boolean isExact) {
     /** Stands for a constant term of 0, which POV-Ray's form cannot have: relative to the other term at the far end. */
-    private static final double LEAST_CONSTANT = 1e-6;
+    private static final double MIN_CONSTANT = 1e-6;
     private static final int POWER_STEPS = 100;
 
     /**
@@ -36,18 +36,18 @@ record PovFade(double gain, double distance, double power, boolean exact) {
         return fit(a, near, far);
     }
 
-    private static PovFade of(double constant, double factor, double power, double far, boolean exact) {
-        double c = Math.max(constant, LEAST_CONSTANT * factor * Math.pow(far, power));
+    private static PovFade of(double constant, double factor, double power, double far, boolean isExact) {
+        double c = Math.max(constant, MIN_CONSTANT * factor * Math.pow(far, power));
         double distance = Math.pow(c / factor, 1 / power);
         // Where the limit acts everywhere, and where a term is lost beside the other, nothing fades.
-        return Double.isInfinite(distance) ? new PovFade(1 / c, 0, 0, exact) : new PovFade(1 / (2 * c), distance, power, exact);
+        return Double.isInfinite(distance) ? new PovFade(1 / c, 0, 0, isExact) : new PovFade(1 / (2 * c), distance, power, isExact);
     }
 
     /** The power between 1 and 2 for which the two agree nearly at all distances, and exactly at both ends. */
     private static PovFade fit(Attenuation a, double near, double far) {
         double atNear = reciprocal(a, near);
         double atFar = reciprocal(a, far);
-        double least = Double.POSITIVE_INFINITY;
+        double minError = Double.POSITIVE_INFINITY;
         PovFade best = null;
         for (int i = 0; i <= POWER_STEPS; i++) {
             double power = 1 + (double) i / POWER_STEPS;
@@ -55,16 +55,16 @@ record PovFade(double gain, double distance, double power, boolean exact) {
             double f = Math.pow(far, power);
             double factor = f > n ? (atFar - atNear) / (f - n) : atNear / n;
             PovFade fade = of(Math.max(atNear - factor * n, 0), factor, power, far, false);
-            double error = fade.error(a, near, far);
-            if (error < least) {
-                least = error;
+            double error = fade.maxError(a, near, far);
+            if (error < minError) {
+                minError = error;
                 best = fade;
             }
         }
         return best;
     }
 
-    private double error(Attenuation a, double near, double far) {
+    private double maxError(Attenuation a, double near, double far) {
         double worst = 0;
         for (int i = 0; i <= 16; i++) {
             double d = near + (far - near) * i / 16;

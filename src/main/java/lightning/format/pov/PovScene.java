@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -24,18 +24,18 @@ import lightning.scene.TextureMap;
 /** A scene in POV-Ray's language. */
 public final class PovScene {
     /** How many holes one ray may pass: POV-Ray counts them as it counts mirrors. */
-    private static final int HOLES = 20;
+    private static final int CUTOUT_LEVELS = 20;
 
     private final String text;
-    private final List<String> losses;
+    private final List<String> warnings;
     private final Map<String, Texture> images;
-    private final Map<String, Texture> heights;
+    private final Map<String, Texture> bumpMaps;
 
-    private PovScene(String text, List<String> losses, Map<String, Texture> images, Map<String, Texture> heights) {
+    private PovScene(String text, List<String> warnings, Map<String, Texture> images, Map<String, Texture> bumpMaps) {
         this.text = text;
-        this.losses = List.copyOf(losses);
+        this.warnings = List.copyOf(warnings);
         this.images = images;
-        this.heights = heights;
+        this.bumpMaps = bumpMaps;
     }
 
     /**
@@ -44,16 +44,16 @@ public final class PovScene {
      * @param name the beginning of the names of its texture files
      */
     public static PovScene of(Scene scene, String name) {
-        List<String> losses = new ArrayList<>();
+        List<String> warnings = new ArrayList<>();
         Map<String, Texture> images = new LinkedHashMap<>();
-        Map<String, Texture> heights = new LinkedHashMap<>();
+        Map<String, Texture> bumpMaps = new LinkedHashMap<>();
         var body = new StringBuilder();
         body.append("global_settings {\n  assumed_gamma 1.0\n  max_trace_level ")
-                .append(scene.picture().depth() + 1 + (cuts(scene) ? HOLES : 0))
+                .append(scene.picture().depth() + 1 + (hasCutouts(scene) ? CUTOUT_LEVELS : 0))
                 .append("\n  adc_bailout 0\n  ambient_light rgb ").append(scene.world().ambience()).append("\n}\n");
-        body.append("background { ").append(PovText.rgb(scene.world().background())).append(" }\n");
+        body.append("background { ").append(PovFormat.rgb(scene.world().background())).append(" }\n");
         scene.world().environment().ifPresent(p -> {
-            losses.add("the environment is its lamps; the picture of it is looked for as " + p.file());
+            warnings.add("the environment is its lamps; the picture of it is looked for as " + p.file());
             // POV-Ray's picture begins at the x axis and runs towards z; ours, a quarter before that, begins in the middle at −z.
             body.append("sky_sphere {\n  pigment { image_map { hdr \"").append(p.file().replaceAll("[\\\\\"]", "\\\\$0"))
                     .append("\" map_type 1 interpolate 2 } }\n  rotate <0, ")
@@ -61,32 +61,32 @@ public final class PovScene {
                     .append("\n}\n");
         });
         body.append(camera(scene));
-        var meshes = new PovMesh(scene, losses);
+        var meshes = new PovMeshWriter(scene, warnings);
         body.append(meshes.declarations());
-        var materials = new PovMaterial(losses);
+        var materials = new PovMaterialWriter(warnings);
         for (PlacedShape shape : scene.placedShapes()) {
-            String image = shape.material().texture().map(t -> image(images, t, name)).orElse("");
-            String mask = shape.material().cutout().cutout().map(t -> image(images, t, name + "-cutout")).orElse("");
-            String bumps = shape.material().relief().bump().filter(_ -> shape.material().relief().bumps())
-                    .map(t -> image(heights, t, name + "-bump")).orElse("");
+            String image = shape.material().texture().map(t -> addImage(images, t, name)).orElse("");
+            String mask = shape.material().cutout().map().map(t -> addImage(images, t, name + "-cutout")).orElse("");
+            String bumps = shape.material().bumpMapping().bump().filter(_ -> shape.material().bumpMapping().hasBumpMap())
+                    .map(t -> addImage(bumpMaps, t, name + "-bump")).orElse("");
             body.append("// ").append(shape.shape().name()).append('\n').append(solid(shape.shape().solid(), meshes)).append("\n  ")
                     .append(materials.text(shape.material(), shape.shape().solid(), image, mask, bumps)).append("\n  ")
-                    .append(PovText.matrix(shape.toWorld())).append("\n}\n");
+                    .append(PovFormat.matrix(shape.toWorld())).append("\n}\n");
         }
-        var lights = new PovLight(Extent.of(scene), losses);
-        scene.rig().actingLights().forEach(light -> body.append(lights.text(scene, light)));
-        return new PovScene(head(scene, losses) + body, losses, images, heights);
+        var lights = new PovLightWriter(BoundingSphere.of(scene), warnings);
+        scene.rig().effectiveLights().forEach(light -> body.append(lights.text(scene, light)));
+        return new PovScene(header(scene, warnings) + body, warnings, images, bumpMaps);
     }
 
-    private static boolean cuts(Scene scene) {
-        return scene.materials().stream().anyMatch(m -> m.cutout().cuts());
+    private static boolean hasCutouts(Scene scene) {
+        return scene.materials().stream().anyMatch(m -> m.cutout().isActive());
     }
 
-    private static String head(Scene scene, List<String> losses) {
-        var head = new StringBuilder("// For POV-Ray 3.7. Run in this folder: povray +Ithis.pov +W" + scene.picture().width()
+    private static String header(Scene scene, List<String> warnings) {
+        var header = new StringBuilder("// For POV-Ray 3.7. Run in this folder: povray +Ithis.pov +W" + scene.picture().width()
                 + " +H" + scene.picture().height() + " -A -D\n");
-        losses.forEach(loss -> head.append("// Not as in the scene: ").append(loss).append('\n'));
-        return head.append("#version 3.7;\n").toString();
+        warnings.forEach(warning -> header.append("// Not as in the scene: ").append(warning).append('\n'));
+        return header.append("#version 3.7;\n").toString();
     }
 
     private static String camera(Scene scene) {
@@ -97,20 +97,20 @@ public final class PovScene {
         double half = camera.fov() / 2;
         double distance = 0.5 * Transform.cosDegrees(half) / Transform.sinDegrees(half);
         double aspect = (double) scene.picture().width() / scene.picture().height();
-        return "camera {\n  perspective\n  location " + PovText.vector(camera.from()) + "\n  direction "
-                + PovText.vector(forward.times(distance)) + "\n  right " + PovText.vector(right.times(aspect)) + "\n  up "
-                + PovText.vector(up) + "\n}\n";
+        return "camera {\n  perspective\n  location " + PovFormat.vector(camera.from()) + "\n  direction "
+                + PovFormat.vector(forward.times(distance)) + "\n  right " + PovFormat.vector(right.times(aspect)) + "\n  up "
+                + PovFormat.vector(up) + "\n}\n";
     }
 
     /** A solid, left open for texture and placing. */
-    private static String solid(Solid solid, PovMesh meshes) {
+    private static String solid(Solid solid, PovMeshWriter meshes) {
         return switch (solid) {
-            case Solid.Canonical c -> c.povRay();
-            case Solid.Triangles t -> meshes.text(t);
+            case Solid.Canonical c -> c.toPovRay();
+            case Solid.TriangleMesh t -> meshes.text(t);
         };
     }
 
-    private static String image(Map<String, Texture> images, TextureMap map, String name) {
+    private static String addImage(Map<String, Texture> images, TextureMap map, String name) {
         String file = name.replaceAll("[\"\\\\\\p{C}]", "_") + "-" + map.file().replaceAll("[^\\p{Alnum}_-]", "_") + ".png";
         images.put(file, map.image());
         return file;
@@ -123,7 +123,7 @@ public final class PovScene {
 
     /** What POV-Ray cannot say, or not exactly: one sentence each, the scene's names in it. */
     public List<String> losses() {
-        return losses;
+        return warnings;
     }
 
     /**
@@ -133,13 +133,13 @@ public final class PovScene {
      */
     public void write(Path file) throws IOException {
         for (var image : images.entrySet()) {
-            PictureFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
+            ImageFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
         }
-        for (var image : heights.entrySet()) {
+        for (var image : bumpMaps.entrySet()) {
             // Slopes are differences of neighbours: 8 bits would make steps of them.
-            PictureFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
+            ImageFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
         }
-        SafeFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+        AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** Of the luminance, which POV-Ray weighs otherwise. */

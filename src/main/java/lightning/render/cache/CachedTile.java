@@ -1,8 +1,8 @@
 package lightning.render.cache;
 
 import lightning.render.image.Film;
+import lightning.render.shading.BounceImages;
 import lightning.render.shading.EdgeCodes;
-import lightning.render.shading.Images;
 import lightning.render.trace.HitRows;
 
 /**
@@ -21,7 +21,7 @@ public final class CachedTile {
      */
     public final int[][] hitShapes;
     /** What the rays bring that go on from level 0's rows; null where none does. */
-    public final Images images;
+    public final BounceImages images;
     /**
      * The colours of the pixels' centres or of the samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy
      * exact: of those the pixels that they make are kept.
@@ -30,7 +30,7 @@ public final class CachedTile {
     /** What anti-aliasing sees of the pixels' centres; null where it does not look for edges. */
     public final EdgeCodes codes;
 
-    public CachedTile(TileLevel[] levels, int[][] hitShapes, Images images, float[][] film, EdgeCodes codes) {
+    public CachedTile(TileLevel[] levels, int[][] hitShapes, BounceImages images, float[][] film, EdgeCodes codes) {
         this.levels = levels;
         this.hitShapes = hitShapes;
         this.images = images;
@@ -39,18 +39,18 @@ public final class CachedTile {
     }
 
     /** The largest value of the colours that are kept, linear. */
-    float brightest() {
-        float brightest = 0;
+    float maxValue() {
+        float max = 0;
         for (float[] channel : film == null ? new float[0][] : film) {
             for (float value : channel) {
-                brightest = Math.max(brightest, value);
+                max = Math.max(max, value);
             }
         }
-        return brightest;
+        return max;
     }
 
     /** Whether levels but the first are kept as rows, and not as hit shapes. */
-    public boolean keepsRows() {
+    public boolean storesRows() {
         return hitShapes.length == 0;
     }
 

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.render.shading.SampleMean;
-import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.SamplePositions;
 
 /**
  * The samples of some pixels of a tile.
@@ -17,20 +17,20 @@ public record FineSamples(short[] pixels, CachedTile[] blocks) {
 
     /** Makes the pixels of their samples, whose colours {@code colors} tells for each block. */
     void write(Function<CachedTile, float[][]> colors, int perPixel, float[][] film) {
-        int together = SampleMean.pixelsTogether(perPixel);
+        int blockPixels = SampleMean.pixelsPerBatch(perPixel);
         for (int b = 0; b < blocks.length; b++) {
-            int to = Math.min(pixels.length, (b + 1) * together);
-            SampleMean.write(pixels, b * together, to, perPixel, colors.apply(blocks[b]), film);
+            int to = Math.min(pixels.length, (b + 1) * blockPixels);
+            SampleMean.write(pixels, b * blockPixels, to, perPixel, colors.apply(blocks[b]), film);
         }
     }
 
     /** The same samples with other blocks, each made of where its rays go and what it was; {@code centers} are those of the tile. */
-    FineSamples map(SamplePlaces centers, int grid, BiFunction<SamplePlaces, CachedTile, CachedTile> change) {
-        int together = SampleMean.pixelsTogether(grid * grid);
+    FineSamples map(SamplePositions centers, int grid, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
+        int blockPixels = SampleMean.pixelsPerBatch(grid * grid);
         CachedTile[] changed = new CachedTile[blocks.length];
         for (int b = 0; b < blocks.length; b++) {
-            int to = Math.min(pixels.length, (b + 1) * together);
-            changed[b] = change.apply(new SamplePlaces(centers.x0(), centers.y0(), pixels, b * together, to, grid), blocks[b]);
+            int to = Math.min(pixels.length, (b + 1) * blockPixels);
+            changed[b] = change.apply(new SamplePositions(centers.x0(), centers.y0(), pixels, b * blockPixels, to, grid), blocks[b]);
         }
         return new FineSamples(pixels, changed);
     }

@@ -3,7 +3,7 @@ package lightning.render.cache;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import lightning.render.image.Film;
-import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.SamplePositions;
 
 /**
  * The finer samples of one tile of the picture (anti-aliasing), and the pixels that they make together with the centres.
@@ -45,7 +45,7 @@ public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
     }
 
     /** The same tile with its rows changed, which have colours then; {@code center} is changed already. */
-    public FineTile map(CachedTile center, SamplePlaces centers, BiFunction<SamplePlaces, CachedTile, CachedTile> change, int grid) {
+    public FineTile map(CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change, int grid) {
         return of(center, shapes.map(centers, grid, change), lights.map(centers, grid, change), grid * grid);
     }
 }

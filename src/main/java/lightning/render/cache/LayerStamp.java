@@ -8,10 +8,10 @@ public interface LayerStamp {
     Light light();
 
     /** A layer that was computed and not scaled. */
-    record Fresh(Light light) implements LayerStamp {}
+    record ComputedStamp(Light light) implements LayerStamp {}
 
     /** A layer that was just computed. */
-    static LayerStamp fresh(Light light) {
-        return new Fresh(light);
+    static LayerStamp ofComputed(Light light) {
+        return new ComputedStamp(light);
     }
 }

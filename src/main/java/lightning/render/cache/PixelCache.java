@@ -3,7 +3,7 @@ package lightning.render.cache;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.render.image.Film;
-import lightning.render.shading.SeenScenes;
+import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
@@ -17,23 +17,23 @@ import lightning.scene.Scene;
 public final class PixelCache {
     private final Geometry geometry;
     private final CachedTile[] tiles;
-    private final FineTile[] fine;
-    private final SeenScenes scenes;
-    private final List<KnownLight> lights;
-    private final List<KnownLight> mirroredLights;
+    private final FineTile[] fineTiles;
+    private final RenderedScenes scenes;
+    private final List<CachedLight> lights;
+    private final List<CachedLight> mirroredLights;
 
     /**
      * @param tiles          the pixels' centres; none where all pixels have several samples
-     * @param fine           finer samples of each tile; none without anti-aliasing
+     * @param fineTiles           finer samples of each tile; none without anti-aliasing
      * @param scenes          what the film and the first level show, and what the mirror levels and Cr show
      * @param lights         all lights of the scene, in its order
      * @param mirroredLights the same of the mirrored scene
      */
-    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fine, SeenScenes scenes, List<KnownLight> lights,
-            List<KnownLight> mirroredLights) {
+    public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, RenderedScenes scenes, List<CachedLight> lights,
+            List<CachedLight> mirroredLights) {
         this.geometry = geometry;
         this.tiles = tiles;
-        this.fine = fine;
+        this.fineTiles = fineTiles;
         this.scenes = scenes;
         this.lights = List.copyOf(lights);
         this.mirroredLights = List.copyOf(mirroredLights);
@@ -46,7 +46,7 @@ public final class PixelCache {
 
     /** The same shapes with the materials that mirrors show. */
     public Geometry mirroredGeometry() {
-        return geometry.of(scenes.mirrored());
+        return geometry.withMaterialsOf(scenes.mirrored());
     }
 
     /** How many tiles of pixels' centres there are: none where all pixels have several samples. */
@@ -66,22 +66,22 @@ public final class PixelCache {
 
     /** How many tiles of finer samples there are: none without anti-aliasing. */
     public int fineCount() {
-        return fine.length;
+        return fineTiles.length;
     }
 
     /** The finer samples of a tile. */
-    public FineTile fine(int index) {
-        return fine[index];
+    public FineTile fineTile(int index) {
+        return fineTiles[index];
     }
 
     /** All rows there are: the pixels' centres and all finer samples. */
-    public List<CachedTile> all() {
-        List<CachedTile> all = new ArrayList<>(List.of(tiles));
-        for (FineTile tile : fine) {
-            all.addAll(List.of(tile.shapes().blocks()));
-            all.addAll(List.of(tile.lights().blocks()));
+    public List<CachedTile> allTiles() {
+        List<CachedTile> result = new ArrayList<>(List.of(tiles));
+        for (FineTile tile : fineTiles) {
+            result.addAll(List.of(tile.shapes().blocks()));
+            result.addAll(List.of(tile.lights().blocks()));
         }
-        return all;
+        return result;
     }
 
     /** What the film shows. */
@@ -95,28 +95,28 @@ public final class PixelCache {
     }
 
     /** What the film and the mirrors show. */
-    public SeenScenes scenes() {
+    public RenderedScenes scenes() {
         return scenes;
     }
 
     /** The lights of the scene, in its order, and what their layers of the first level were computed for. */
-    public List<KnownLight> lights() {
+    public List<CachedLight> lights() {
         return lights;
     }
 
     /** The lights of the mirrored scene, in its order, and what their layers of the mirror levels were computed for. */
-    public List<KnownLight> mirroredLights() {
+    public List<CachedLight> mirroredLights() {
         return mirroredLights;
     }
 
     /** The picture, over the tiles' own arrays. */
     public Film film() {
-        int count = Math.max(tiles.length, fine.length);
+        int count = Math.max(tiles.length, fineTiles.length);
         float[][] red = new float[count][];
         float[][] green = new float[count][];
         float[][] blue = new float[count][];
         for (int i = 0; i < count; i++) {
-            float[][] film = fine.length > 0 ? fine[i].film() : tiles[i].film;
+            float[][] film = fineTiles.length > 0 ? fineTiles[i].film() : tiles[i].film;
             red[i] = film[0];
             green[i] = film[1];
             blue[i] = film[2];
@@ -125,26 +125,26 @@ public final class PixelCache {
     }
 
     /** The largest value of all centres and samples whose colours are kept, linear. */
-    public float brightest() {
-        float brightest = 0;
-        for (CachedTile tile : all()) {
-            brightest = Math.max(brightest, tile.brightest());
+    public float maxValue() {
+        float max = 0;
+        for (CachedTile tile : allTiles()) {
+            max = Math.max(max, tile.maxValue());
         }
-        return brightest;
+        return max;
     }
 
     /** The bytes of the colours of all centres and samples, as far as they are kept; those of the film are left out. */
     public long colorBytes() {
-        return all().stream().mapToLong(CachedTile::colorBytes).sum();
+        return allTiles().stream().mapToLong(CachedTile::colorBytes).sum();
     }
 
     /** The bytes of all rows; colours are left out. */
     public long bytes() {
-        return all().stream().mapToLong(CachedTile::bytes).sum();
+        return allTiles().stream().mapToLong(CachedTile::bytes).sum();
     }
 
     /** The hit rows of all samples and levels. */
     public long rowCount() {
-        return all().stream().mapToLong(CachedTile::rowCount).sum();
+        return allTiles().stream().mapToLong(CachedTile::rowCount).sum();
     }
 }

@@ -22,7 +22,7 @@ public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) 
     }
 
     /** This level with other sums. */
-    public TileLevel with(BranchSums sums) {
+    public TileLevel withBranchSums(BranchSums sums) {
         return new TileLevel(rows, layers, sums);
     }
 

@@ -14,12 +14,12 @@ public final class ColumnReader {
     private static final ValueLayout.OfFloat FLOAT = ValueLayout.JAVA_FLOAT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfLong LONG = ValueLayout.JAVA_LONG_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     /** The checksum is made of so many bytes at a time. */
-    private static final long PART = 1 << 26;
+    private static final long CHECKSUM_CHUNK = 1 << 26;
 
     private final MemorySegment in;
     /** Where the checksum begins. */
     private final long end;
-    private long at;
+    private long position;
 
     /**
      * @param in all that was written, and nothing else
@@ -28,46 +28,46 @@ public final class ColumnReader {
     public ColumnReader(MemorySegment in) throws IOException {
         this.in = in;
         end = in.byteSize() - Long.BYTES;
-        if (end < 0 || sum() != in.get(LONG, end)) {
+        if (end < 0 || checksum() != in.get(LONG, end)) {
             throw new IOException("the checksum is another");
         }
     }
 
-    private long sum() {
+    private long checksum() {
         CRC32C sum = new CRC32C();
-        for (long from = 0; from < end; from += PART) {
-            sum.update(in.asSlice(from, Math.min(PART, end - from)).asByteBuffer());
+        for (long from = 0; from < end; from += CHECKSUM_CHUNK) {
+            sum.update(in.asSlice(from, Math.min(CHECKSUM_CHUNK, end - from)).asByteBuffer());
         }
         return sum.getValue();
     }
 
-    public int number() throws IOException {
-        return in.get(INT, skip(Integer.BYTES));
+    public int readInt() throws IOException {
+        return in.get(INT, advance(Integer.BYTES));
     }
 
-    public long longNumber() throws IOException {
-        return in.get(LONG, skip(Long.BYTES));
+    public long readLong() throws IOException {
+        return in.get(LONG, advance(Long.BYTES));
     }
 
     /** A count of something of which each has a byte at least. */
-    public int count() throws IOException {
-        int count = number();
-        if (count < 0 || count > end - at) {
-            throw new IOException("a count is " + count + " where " + (end - at) + " bytes are left");
+    public int readCount() throws IOException {
+        int count = readInt();
+        if (count < 0 || count > end - position) {
+            throw new IOException("a count is " + count + " where " + (end - position) + " bytes are left");
         }
         return count;
     }
 
     /** An array of elements of a type, or null. */
-    public Object array(ElementType element) throws IOException {
-        int length = number();
+    public Object readArray(ElementType element) throws IOException {
+        int length = readInt();
         if (length == ColumnWriter.ABSENT) {
             return null;
         }
         if (length < 0) {
             throw new IOException("a length is " + length);
         }
-        long from = skip((long) length * element.bytes());
+        long from = advance((long) length * element.bytes());
         return switch (element) {
             case BYTE -> {
                 byte[] a = new byte[length];
@@ -92,53 +92,53 @@ public final class ColumnReader {
         };
     }
 
-    public int[] ints() throws IOException {
-        return (int[]) array(ElementType.INT);
+    public int[] readInts() throws IOException {
+        return (int[]) readArray(ElementType.INT);
     }
 
-    public short[] shorts() throws IOException {
-        return (short[]) array(ElementType.SHORT);
+    public short[] readShorts() throws IOException {
+        return (short[]) readArray(ElementType.SHORT);
     }
 
     /** Several columns of floats, or null. */
-    public float[][] arrays() throws IOException {
-        int count = number();
+    public float[][] readFloatArrays() throws IOException {
+        int count = readInt();
         if (count == ColumnWriter.ABSENT) {
             return null;
         }
-        if (count < 0 || count > end - at) {
+        if (count < 0 || count > end - position) {
             throw new IOException("there are " + count + " columns");
         }
         float[][] columns = new float[count][];
         for (int i = 0; i < count; i++) {
-            columns[i] = (float[]) array(ElementType.FLOAT);
+            columns[i] = (float[]) readArray(ElementType.FLOAT);
         }
         return columns;
     }
 
     /** All columns of some kinds. */
-    public <C extends Enum<C> & ColumnKind> ColumnSet<C> columns(Class<C> kinds) throws IOException {
-        C[] all = kinds.getEnumConstants();
-        Object[] columns = new Object[all.length];
-        for (C kind : all) {
-            columns[kind.ordinal()] = array(kind.element());
+    public <C extends Enum<C> & ColumnKind> ColumnSet<C> readColumns(Class<C> kinds) throws IOException {
+        C[] kindValues = kinds.getEnumConstants();
+        Object[] columns = new Object[kindValues.length];
+        for (C kind : kindValues) {
+            columns[kind.ordinal()] = readArray(kind.element());
         }
         return ColumnSet.of(kinds, columns);
     }
 
     /** Refuses to go on where anything is left. */
-    public void end() throws IOException {
-        if (at != end) {
-            throw new IOException(end - at + " bytes are left");
+    public void expectEnd() throws IOException {
+        if (position != end) {
+            throw new IOException(end - position + " bytes are left");
         }
     }
 
-    private long skip(long bytes) throws IOException {
-        if (bytes > end - at) {
-            throw new EOFException("it ends " + (bytes - (end - at)) + " bytes too soon");
+    private long advance(long bytes) throws IOException {
+        if (bytes > end - position) {
+            throw new EOFException("it ends " + (bytes - (end - position)) + " bytes too soon");
         }
-        long from = at;
-        at += bytes;
+        long from = position;
+        position += bytes;
         return from;
     }
 }

@@ -10,7 +10,7 @@ import java.util.Set;
  */
 public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     /** Of each type all its constants, by ordinal: millions of sets share them. */
-    private static final ClassValue<Enum<?>[]> ALL = new ClassValue<>() {
+    private static final ClassValue<Enum<?>[]> KIND_CACHE = new ClassValue<>() {
         @Override
         protected Enum<?>[] computeValue(Class<?> type) {
             return (Enum<?>[]) type.getEnumConstants();
@@ -29,8 +29,8 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
 
     /** The constants of a type are of that type. */
     @SuppressWarnings("unchecked")
-    private static <C extends Enum<C>> C[] all(Class<C> kinds) {
-        return (C[]) ALL.get(kinds);
+    private static <C extends Enum<C>> C[] kindsOf(Class<C> kinds) {
+        return (C[]) KIND_CACHE.get(kinds);
     }
 
     /**
@@ -39,29 +39,29 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
      * @param columns an array for each kind, in the order of the kinds; null where there is none
      */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, Object... columns) {
-        C[] all = all(kinds);
-        if (columns.length != all.length) {
-            throw new IllegalArgumentException("there are " + all.length + " kinds of columns, and not " + columns.length);
+        C[] allKinds = kindsOf(kinds);
+        if (columns.length != allKinds.length) {
+            throw new IllegalArgumentException("there are " + allKinds.length + " kinds of columns, and not " + columns.length);
         }
-        return new ColumnSet<>(all, columns);
+        return new ColumnSet<>(allKinds, columns);
     }
 
     /** New columns of some kinds for {@code rows} rows, all 0. */
-    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> room(Class<C> kinds, Set<C> which, int rows) {
-        C[] all = all(kinds);
-        ColumnSet<C> set = new ColumnSet<>(all, new Object[all.length]);
-        for (C kind : which) {
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> allocate(Class<C> kinds, Set<C> selected, int rows) {
+        C[] allKinds = kindsOf(kinds);
+        ColumnSet<C> set = new ColumnSet<>(allKinds, new Object[allKinds.length]);
+        for (C kind : selected) {
             set.columns[kind.ordinal()] = kind.element().column(rows);
         }
         return set;
     }
 
     /** These, and all that others have in place of their own. */
-    public ColumnSet<C> with(ColumnSet<C> others) {
+    public ColumnSet<C> with(ColumnSet<C> source) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         for (C kind : kinds) {
-            if (others.has(kind)) {
-                set.columns[kind.ordinal()] = others.get(kind);
+            if (source.has(kind)) {
+                set.columns[kind.ordinal()] = source.get(kind);
             }
         }
         return set;
@@ -75,9 +75,9 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /** These without some kinds. */
-    public ColumnSet<C> without(Set<C> which) {
+    public ColumnSet<C> without(Set<C> removed) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
-        for (C kind : which) {
+        for (C kind : removed) {
             set.columns[kind.ordinal()] = null;
         }
         return set;
@@ -98,18 +98,18 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /** These, with columns of some kinds of floats shared as far as {@code count} rows have one value there. */
-    public ColumnSet<C> withUniform(Set<C> which, int count) {
+    public ColumnSet<C> withUniform(Set<C> candidates, int count) {
         ColumnSet<C> set = this;
-        for (C kind : which) {
-            float[] own = (float[]) get(kind);
-            float[] shared = UniformColumns.shared(own, count);
-            set = shared == own ? set : set.with(kind, shared);
+        for (C kind : candidates) {
+            float[] column = (float[]) get(kind);
+            float[] shared = UniformColumns.share(column, count);
+            set = shared == column ? set : set.with(kind, shared);
         }
         return set;
     }
 
     /** These over {@code count} rows in arrays of their own, but for those that are shared. */
-    public ColumnSet<C> copied(int count) {
+    public ColumnSet<C> deepCopy(int count) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         for (C kind : kinds) {
             if (has(kind)) {
@@ -133,20 +133,20 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return bytes;
     }
 
-    /** The bytes of all arrays that do not stand under the same kind in {@code before} too. */
-    public long newBytes(ColumnSet<C> before) {
+    /** The bytes of all arrays that do not stand under the same kind in {@code previous} too. */
+    public long newBytes(ColumnSet<C> previous) {
         long bytes = 0;
         for (C kind : kinds) {
-            bytes += get(kind) == before.get(kind) ? 0 : bytes(kind);
+            bytes += get(kind) == previous.get(kind) ? 0 : bytes(kind);
         }
         return bytes;
     }
 
     /** Copies {@code count} rows, from row {@code from} of other columns of these kinds, to row {@code at}, as far as both have them. */
-    public void copy(ColumnSet<C> others, int from, int at, int count) {
+    public void copy(ColumnSet<C> source, int from, int at, int count) {
         for (C kind : kinds) {
-            if (has(kind) && others.has(kind)) {
-                System.arraycopy(others.get(kind), from, get(kind), at, count);
+            if (has(kind) && source.has(kind)) {
+                System.arraycopy(source.get(kind), from, get(kind), at, count);
             }
         }
     }

@@ -13,60 +13,60 @@ import java.util.zip.CRC32C;
 public final class ColumnWriter {
     /** The length of an array that is not there. */
     static final int ABSENT = -1;
-    private static final int ROOM = 1 << 18;
+    private static final int BUFFER_SIZE = 1 << 18;
 
     private final WritableByteChannel out;
-    private final ByteBuffer room = ByteBuffer.allocateDirect(ROOM).order(ByteOrder.LITTLE_ENDIAN);
-    private final CRC32C sum = new CRC32C();
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_SIZE).order(ByteOrder.LITTLE_ENDIAN);
+    private final CRC32C checksum = new CRC32C();
 
     /** @param out takes all bytes it is given, or throws */
     public ColumnWriter(WritableByteChannel out) {
         this.out = out;
     }
 
-    public void number(int v) throws IOException {
-        free(Integer.BYTES);
-        room.putInt(v);
+    public void writeInt(int v) throws IOException {
+        ensureSpace(Integer.BYTES);
+        buffer.putInt(v);
     }
 
-    public void longNumber(long v) throws IOException {
-        free(Long.BYTES);
-        room.putLong(v);
+    public void writeLong(long v) throws IOException {
+        ensureSpace(Long.BYTES);
+        buffer.putLong(v);
     }
 
     /** An array of a type that {@link ElementType} has, or null. */
-    public void array(Object column) throws IOException {
+    public void writeArray(Object column) throws IOException {
         switch (column) {
-            case null -> number(ABSENT);
+            case null -> writeInt(ABSENT);
             case byte[] a -> {
-                number(a.length);
+                writeInt(a.length);
                 for (int at = 0, n; at < a.length; at += n) {
-                    n = free(Byte.BYTES, a.length - at);
-                    room.put(a, at, n);
+                    n = ensureSpace(Byte.BYTES, a.length - at);
+                    buffer.put(a, at, n);
                 }
             }
             case short[] a -> {
-                number(a.length);
+                writeInt(a.length);
                 for (int at = 0, n; at < a.length; at += n) {
-                    n = free(Short.BYTES, a.length - at);
-                    room.asShortBuffer().put(a, at, n);
-                    room.position(room.position() + n * Short.BYTES);
+                    n = ensureSpace(Short.BYTES, a.length - at);
+                    buffer.asShortBuffer().put(a, at, n);
+                    buffer.position(buffer.position() + n * Short.BYTES);
                 }
             }
             case int[] a -> {
-                number(a.length);
+                writeInt(a.length);
                 for (int at = 0, n; at < a.length; at += n) {
-                    n = free(Integer.BYTES, a.length - at);
-                    room.asIntBuffer().put(a, at, n);
-                    room.position(room.position() + n * Integer.BYTES);
+                    n = ensureSpace(Integer.BYTES, a.length - at);
+                    buffer.asIntBuffer().put(a, at, n);
+                    buffer.position(buffer.position() + n * Integer.BYTES);
                 }
             }
             case float[] a -> {
-                number(a.length);
+                writeInt(a.length);
                 for (int at = 0, n; at < a.length; at += n) {
-                    n = free(Float.BYTES, a.length - at);
-                    room.asFloatBuffer().put(a, at, n);
-                    room.position(room.position() + n * Float.BYTES);
+                    n = ensureSpace(Float.BYTES, a.length - at);
+                    buffer.asFloatBuffer().put(a, at, n);
+                    buffer.position(buffer.position() + n * Float.BYTES);
                 }
             }
             default -> throw new IllegalArgumentException("no column holds " + column.getClass());
@@ -74,50 +74,50 @@ public final class ColumnWriter {
     }
 
     /** Several columns of floats, or null. */
-    public void arrays(float[][] columns) throws IOException {
-        number(columns == null ? ABSENT : columns.length);
+    public void writeFloatArrays(float[][] columns) throws IOException {
+        writeInt(columns == null ? ABSENT : columns.length);
         for (float[] column : columns == null ? new float[0][] : columns) {
-            array(column);
+            writeArray(column);
         }
     }
 
     /** All columns of a set, and which it lacks. */
-    public <C extends Enum<C> & ColumnKind> void columns(ColumnSet<C> columns) throws IOException {
+    public <C extends Enum<C> & ColumnKind> void writeColumns(ColumnSet<C> columns) throws IOException {
         for (C kind : columns.kinds()) {
-            array(columns.get(kind));
+            writeArray(columns.get(kind));
         }
     }
 
     /** Writes the checksum; nothing may follow. */
-    public void end() throws IOException {
-        empty();
-        room.putLong(sum.getValue());
-        room.flip();
-        put();
+    public void writeChecksum() throws IOException {
+        flush();
+        buffer.putLong(checksum.getValue());
+        buffer.flip();
+        writeBuffer();
     }
 
-    private void free(int bytes) throws IOException {
-        if (room.remaining() < bytes) {
-            empty();
+    private void ensureSpace(int bytes) throws IOException {
+        if (buffer.remaining() < bytes) {
+            flush();
         }
     }
 
     /** Makes room for one element at least; returns for how many of those left there is. */
-    private int free(int each, int left) throws IOException {
-        free(each);
-        return Math.min(left, room.remaining() / each);
+    private int ensureSpace(int elementBytes, int remaining) throws IOException {
+        ensureSpace(elementBytes);
+        return Math.min(remaining, buffer.remaining() / elementBytes);
     }
 
-    private void empty() throws IOException {
-        room.flip();
-        sum.update(room.duplicate());
-        put();
+    private void flush() throws IOException {
+        buffer.flip();
+        checksum.update(buffer.duplicate());
+        writeBuffer();
     }
 
-    private void put() throws IOException {
-        while (room.hasRemaining()) {
-            out.write(room);
+    private void writeBuffer() throws IOException {
+        while (buffer.hasRemaining()) {
+            out.write(buffer);
         }
-        room.clear();
+        buffer.clear();
     }
 }

@@ -7,20 +7,20 @@ public enum ElementType {
     /** Read one by one: as many as there are rows. */
     BYTE(Byte.BYTES, 1),
     /** Of this and what follows a multiple of 16, so that lanes may run over the end. */
-    SHORT(Short.BYTES, ElementType.GRAIN),
-    INT(Integer.BYTES, ElementType.GRAIN),
-    FLOAT(Float.BYTES, ElementType.GRAIN);
+    SHORT(Short.BYTES, ElementType.LENGTH_MULTIPLE),
+    INT(Integer.BYTES, ElementType.LENGTH_MULTIPLE),
+    FLOAT(Float.BYTES, ElementType.LENGTH_MULTIPLE);
 
     /** The most rows that have columns together. */
-    static final int MOST_ROWS = 1024;
-    static final int GRAIN = 16;
+    static final int MAX_ROWS = 1024;
+    static final int LENGTH_MULTIPLE = 16;
 
     private final int bytes;
-    private final int grain;
+    private final int lengthMultiple;
 
-    ElementType(int bytes, int grain) {
+    ElementType(int bytes, int lengthMultiple) {
         this.bytes = bytes;
-        this.grain = grain;
+        this.lengthMultiple = lengthMultiple;
     }
 
     /** The bytes of one. */
@@ -30,7 +30,7 @@ public enum ElementType {
 
     /** How many a column for {@code rows} rows holds: as many bytes, and of all else the next multiple of 16. */
     public int length(int rows) {
-        return (rows + grain - 1) / grain * grain;
+        return (rows + lengthMultiple - 1) / lengthMultiple * lengthMultiple;
     }
 
     /** A new column of them for {@code rows} rows, all 0. */

@@ -11,32 +11,32 @@ import java.util.concurrent.atomic.AtomicReferenceArray;
  */
 public final class UniformColumns {
     /** Longer than any other column, by which they are known; lanes may run over the end of rows, and find the value. */
-    static final int LENGTH = ElementType.MOST_ROWS + ElementType.GRAIN;
-    private static final int FEW = LENGTH / 2;
-    private static final int ALL_PLACES = 512;
+    static final int LENGTH = ElementType.MAX_ROWS + ElementType.LENGTH_MULTIPLE;
+    private static final int MIN_ROWS = LENGTH / 2;
+    private static final int SLOT_COUNT = 512;
     /** At how many of them a value may be, side by side. */
-    private static final int PLACES = 4;
-    private static final AtomicReferenceArray<float[]> SHARED = new AtomicReferenceArray<>(ALL_PLACES + PLACES);
+    private static final int PROBE_COUNT = 4;
+    private static final AtomicReferenceArray<float[]> SLOTS = new AtomicReferenceArray<>(SLOT_COUNT + PROBE_COUNT);
 
     private UniformColumns() {}
 
     /** The column of which all have what stands in {@code count} rows of another; that other itself where its rows differ, or there is none. */
-    public static float[] shared(float[] column, int count) {
-        if (column == null || count < FEW || Arrays.mismatch(column, 0, count - 1, column, 1, count) >= 0) {
+    public static float[] share(float[] column, int count) {
+        if (column == null || count < MIN_ROWS || Arrays.mismatch(column, 0, count - 1, column, 1, count) >= 0) {
             return column;
         }
         int bits = Float.floatToRawIntBits(column[0]);
-        int first = (bits * 0x9E3779B9 >>> 16) % ALL_PLACES;
+        int first = (bits * 0x9E3779B9 >>> 16) % SLOT_COUNT;
         int free = first;
-        for (int place = first; place < first + PLACES; place++) {
-            float[] known = SHARED.get(place);
-            if (known != null && Float.floatToRawIntBits(known[0]) == bits) {
-                return known;
+        for (int slot = first; slot < first + PROBE_COUNT; slot++) {
+            float[] cached = SLOTS.get(slot);
+            if (cached != null && Float.floatToRawIntBits(cached[0]) == bits) {
+                return cached;
             }
-            free = known == null ? place : free;
+            free = cached == null ? slot : free;
         }
         float[] shared = of(column[0]);
-        SHARED.set(free, shared);
+        SLOTS.set(free, shared);
         return shared;
     }
 

@@ -1,7 +1,7 @@
 package lightning.render.engine;
 
-import lightning.render.shading.Sums;
-import lightning.render.shading.Terms;
+import lightning.render.shading.SumKernel;
+import lightning.render.shading.TermKernel;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.Tracer;
 
@@ -15,8 +15,8 @@ public interface Engine {
     Tracer tracer(Geometry geometry);
 
     /** What fills a light's rows. */
-    Terms terms();
+    TermKernel terms();
 
     /** What composes rows. */
-    Sums sums();
+    SumKernel sums();
 }

@@ -3,17 +3,17 @@ package lightning.render.fulltrace;
 import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
-import lightning.render.engine.Crew;
+import lightning.base.work.WorkerPool;
 import lightning.render.engine.EngineChoice;
+import lightning.render.engine.EngineWorkers;
 import lightning.render.engine.choice.Engines;
 import lightning.render.image.Film;
 import lightning.render.shading.EdgeCodes;
-import lightning.render.shading.EdgeMap;
-import lightning.render.shading.SeenScenes;
-import lightning.render.shading.TraceCounts;
+import lightning.render.shading.EdgeDetector;
+import lightning.render.shading.RayCounts;
+import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
 /**
@@ -25,7 +25,7 @@ public final class TraditionalTracer {
     private final Geometry mirroredGeometry;
     private final Scene scene;
     private final Scene mirrored;
-    private final Sampling sampling;
+    private final SamplingSettings sampling;
     private final EngineChoice engines;
 
     /** Prepares a trace, the tree of boxes included. */
@@ -49,7 +49,7 @@ public final class TraditionalTracer {
      * @throws IllegalArgumentException if the geometry does not serve both
      */
     public TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry) {
-        this(scene, mirrored, geometry, Engines.OF_PROCESS);
+        this(scene, mirrored, geometry, Engines.CURRENT);
     }
 
     private TraditionalTracer(Scene scene, Scene mirrored, Geometry geometry, EngineChoice engines) {
@@ -57,31 +57,31 @@ public final class TraditionalTracer {
         this.scene = scene;
         this.mirrored = mirrored;
         sampling = scene.picture().sampling();
-        this.geometry = geometry.of(scene);
-        mirroredGeometry = geometry.of(mirrored);
+        this.geometry = geometry.withMaterialsOf(scene);
+        mirroredGeometry = geometry.withMaterialsOf(mirrored);
     }
 
     /** The same trace by engines of one's choice. */
-    public TraditionalTracer by(EngineChoice choice) {
+    public TraditionalTracer withEngines(EngineChoice choice) {
         return new TraditionalTracer(scene, mirrored, geometry, choice);
     }
 
     /** A finished picture and the rays it took. */
-    public record Result(Film film, TraceCounts rays) {}
+    public record Result(Film film, RayCounts rays) {}
 
     /**
      * Traces the whole picture.
      *
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
-    public Result trace(Workers workers, Progress progress) {
+    public Result trace(WorkerPool workers, Progress progress) {
         return trace(workers, allTiles(), progress);
     }
 
     private int[] allTiles() {
-        int across = Film.tilesAlong(scene.picture().width());
-        int down = Film.tilesAlong(scene.picture().height());
-        return IntStream.range(0, across * down).toArray();
+        int tilesPerRow = Film.tilesAlong(scene.picture().width());
+        int tileRows = Film.tilesAlong(scene.picture().height());
+        return IntStream.range(0, tilesPerRow * tileRows).toArray();
     }
 
     /**
@@ -90,21 +90,22 @@ public final class TraditionalTracer {
      * @param tiles the numbers of the film's tiles that are wanted
      * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
      */
-    public Result trace(Workers workers, int[] tiles, Progress progress) {
+    public Result trace(WorkerPool workers, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
-        List<Crew<TileTracer>> threads = threads(workers);
+        List<EngineWorkers<TileTracer>> threads = createTracers(workers);
         switch (sampling.antialias()) {
-            case OFF -> workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).centers(film, tiles[i], progress),
-                    progress);
+            case OFF ->
+                    workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).traceCenters(film, tiles[i], progress),
+                            progress);
             case EVERY -> workers.run(tiles.length,
-                    (worker, i) -> threads.get(worker).forTile(tiles[i]).fine(film, tiles[i],
-                            EdgeMap.all(film.width(), film.height(), tiles[i]), progress),
+                    (worker, i) -> threads.get(worker).forTile(tiles[i]).traceSamples(film, tiles[i],
+                            EdgeDetector.allPixels(film.width(), film.height(), tiles[i]), progress),
                     progress);
-            case EDGES -> edges(film, workers, threads, tiles, progress);
+            case EDGES -> traceEdges(film, workers, threads, tiles, progress);
         }
-        TraceCounts rays = TraceCounts.NONE;
-        for (Crew<TileTracer> thread : threads) {
-            for (TileTracer tracer : thread.all()) {
+        RayCounts rays = RayCounts.NONE;
+        for (EngineWorkers<TileTracer> thread : threads) {
+            for (TileTracer tracer : thread.workers()) {
                 rays = rays.plus(tracer.rays());
             }
         }
@@ -112,26 +113,28 @@ public final class TraditionalTracer {
     }
 
     /** First all centres, the neighbours' too, for the edges between them; then the pixels on an edge again, finer. */
-    private void edges(Film film, Workers workers, List<Crew<TileTracer>> threads, int[] tiles, Progress progress) {
-        int[] seen = EdgeMap.withNeighbours(film, tiles);
-        boolean[] wanted = new boolean[film.tileCount()];
+    private void traceEdges(Film film, WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles, Progress progress) {
+        int[] codedTiles = EdgeDetector.addNeighborTiles(film, tiles);
+        boolean[] target = new boolean[film.tileCount()];
         for (int tile : tiles) {
-            wanted[tile] = true;
+            target[tile] = true;
         }
         EdgeCodes[] codes = new EdgeCodes[film.tileCount()];
         // What is traced for its codes alone goes to a film that nobody sees.
-        Film beside = seen.length == tiles.length ? film : Film.black(film.width(), film.height());
-        workers.run(seen.length, (worker, i) -> {
-            int tile = seen[i];
-            codes[tile] = threads.get(worker).forTile(tile).coded(wanted[tile] ? film : beside, tile, progress);
-        }, progress.part(0, seen.length + tiles.length));
-        EdgeMap map = new EdgeMap(film.width(), film.height(), codes);
-        workers.run(tiles.length, (worker, i) -> threads.get(worker).forTile(tiles[i]).fine(film, tiles[i], map.edges(tiles[i]), progress),
-                progress.part(seen.length, seen.length + tiles.length));
+        Film scratchFilm = codedTiles.length == tiles.length ? film : Film.black(film.width(), film.height());
+        workers.run(codedTiles.length, (worker, i) -> {
+            int tile = codedTiles[i];
+            codes[tile] = threads.get(worker).forTile(tile).traceCentersWithCodes(target[tile] ? film : scratchFilm, tile, progress);
+        }, progress.subProgress(0, codedTiles.length + tiles.length));
+        EdgeDetector map = new EdgeDetector(film.width(), film.height(), codes);
+        workers.run(tiles.length,
+                (worker, i) -> threads.get(worker).forTile(tiles[i]).traceSamples(film, tiles[i], map.edges(tiles[i]), progress),
+                progress.subProgress(codedTiles.length, codedTiles.length + tiles.length));
     }
 
-    private List<Crew<TileTracer>> threads(Workers workers) {
-        SeenScenes scenes = new SeenScenes(scene, mirrored);
-        return Crew.each(workers.count(), engines, engine -> new TileTracer(geometry, mirroredGeometry, scenes, sampling, engine));
+    private List<EngineWorkers<TileTracer>> createTracers(WorkerPool workers) {
+        RenderedScenes scenes = new RenderedScenes(scene, mirrored);
+        return EngineWorkers.perThread(workers.count(), engines,
+                engine -> new TileTracer(geometry, mirroredGeometry, scenes, sampling, engine));
     }
 }

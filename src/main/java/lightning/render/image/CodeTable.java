@@ -17,7 +17,7 @@ record CodeTable(int[] entry, float[] threshold) {
     // Arrays in a record: written once by their maker, never after.
 
     /** The bits of 2⁻¹³, below which every curve must still be at code 0. */
-    private static final int LEAST_BITS = Float.floatToRawIntBits(0x1p-13f);
+    private static final int MIN_BITS = Float.floatToRawIntBits(0x1p-13f);
     private static final int INFINITY_BITS = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
     /** 256 buckets for each factor of two, so that none holds more than one threshold. */
     private static final int BUCKET_SHIFT = 23 - 8;
@@ -72,13 +72,13 @@ record CodeTable(int[] entry, float[] threshold) {
     private static int[] entries(DoubleUnaryOperator curve, float[] thresholds, int whiteBits) {
         for (int code = 1; code < 256; code++) {
             int bits = Float.floatToRawIntBits(thresholds[code]);
-            if (bits < LEAST_BITS || bits >> BUCKET_SHIFT == Float.floatToRawIntBits(thresholds[code + 1]) >> BUCKET_SHIFT) {
+            if (bits < MIN_BITS || bits >> BUCKET_SHIFT == Float.floatToRawIntBits(thresholds[code + 1]) >> BUCKET_SHIFT) {
                 throw new IllegalArgumentException("the codes of the curve are too close together at " + thresholds[code]);
             }
         }
         int[] entries = new int[1 << Integer.SIZE - BUCKET_SHIFT];
         int white = whiteBits >> BUCKET_SHIFT;
-        for (int i = LEAST_BITS >> BUCKET_SHIFT; i < white; i++) {
+        for (int i = MIN_BITS >> BUCKET_SHIFT; i < white; i++) {
             int start = i << BUCKET_SHIFT;
             int code = formula(curve, Float.intBitsToFloat(start));
             int next = Float.floatToRawIntBits(thresholds[code + 1]) - start;

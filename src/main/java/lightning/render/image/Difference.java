@@ -43,7 +43,7 @@ public record Difference(
      */
     public static Difference of(Film a, Film b) {
         requireSameSize(a, b);
-        var sums = new Sums();
+        var sums = new Accumulator();
         for (int y = 0; y < a.height(); y++) {
             for (int x = 0; x < a.width(); x++) {
                 sums.addPixel(a, b, x, y);
@@ -53,7 +53,7 @@ public record Difference(
         double rmse = Math.sqrt(sums.squares / count);
         return new Difference(sums.pixels, sums.values, sums.maxUlp, sums.maxLevels, Math.max(sums.maxAbsolute, 0),
                 sums.absolute / count, rmse, psnr(1, rmse), psnr(255, Math.sqrt(sums.displaySquares / count)),
-                Ssim.ofDisplayedLuma(a, b), sums.x, sums.y);
+                Ssim.displayedLuma(a, b), sums.x, sums.y);
     }
 
     /** Whether every visible value has the same bits. */
@@ -63,7 +63,7 @@ public record Difference(
 
     /** The number of floats from {@code a} to {@code b}, ≥ 0: 1 for neighbours, 0 for 0 and −0. */
     static long ulps(float a, float b) {
-        return Math.abs(ordered(a) - ordered(b));
+        return Math.abs(orderIndex(a) - orderIndex(b));
     }
 
     /** The absolute difference; 0 for the same bits, infinite for a NaN beside anything else. */
@@ -83,7 +83,7 @@ public record Difference(
     }
 
     /** The rank of a float in the order of all floats, both zeros at 0. */
-    private static long ordered(float value) {
+    private static long orderIndex(float value) {
         int bits = Float.floatToRawIntBits(value);
         return bits >= 0 ? bits : -(long) (bits & 0x7FFFFFFF);
     }
@@ -92,7 +92,7 @@ public record Difference(
         return 20 * Math.log10(peak / rmse);
     }
 
-    private static final class Sums {
+    private static final class Accumulator {
         long pixels;
         long values;
         long maxUlp;

@@ -20,17 +20,17 @@ public enum DisplayCurve {
     /** {@link FalseColor}: stops instead of colours. Single values are shown as by sRGB. */
     FALSE("false", "False Colour by Stops", Srgb::encoded, 1);
 
-    private static final double DEEP_WHITE = 0xFFFF;
+    private static final double WHITE_16 = 0xFFFF;
 
-    private final String word;
+    private final String keyword;
     private final String title;
     private final DoubleUnaryOperator curve;
     private final double white;
     private CodeTable table;
-    private ValueTable values;
+    private CurveTable valueTable;
 
     DisplayCurve(String word, String title, DoubleUnaryOperator curve, double white) {
-        this.word = word;
+        this.keyword = word;
         this.title = title;
         this.curve = v -> curve.applyAsDouble(Math.min(v, white));
         this.white = white;
@@ -38,7 +38,7 @@ public enum DisplayCurve {
 
     /** As an artist types it. */
     public String word() {
-        return word;
+        return keyword;
     }
 
     /** As menus have it. */
@@ -72,12 +72,12 @@ public enum DisplayCurve {
         return valueTable().value(linear);
     }
 
-    private ValueTable valueTable() {
+    private CurveTable valueTable() {
         synchronized (this) {
-            if (values == null) {
-                values = ValueTable.of(curve);
+            if (valueTable == null) {
+                valueTable = CurveTable.of(curve);
             }
-            return values;
+            return valueTable;
         }
     }
 
@@ -87,7 +87,7 @@ public enum DisplayCurve {
     }
 
     /** The code of 16 bits, 0 to 65535, of a linear value; below 0 and NaN count as 0. */
-    int encodeDeep(float linear) {
-        return linear > 0 ? (int) StrictMath.floor(DEEP_WHITE * Math.clamp(curve.applyAsDouble(linear), 0, 1) + 0.5) : 0;
+    int encode16(float linear) {
+        return linear > 0 ? (int) StrictMath.floor(WHITE_16 * Math.clamp(curve.applyAsDouble(linear), 0, 1) + 0.5) : 0;
     }
 }

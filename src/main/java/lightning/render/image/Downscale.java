@@ -10,10 +10,10 @@ public record Downscale(int width, int height) {
      * To the largest size of the same shape, to the pixel, that has room; never to a larger one.
      *
      * @param width     of the picture, pixels; likewise {@code height}
-     * @param mostWidth the room, pixels, ≥ 1; likewise {@code mostHeight}
+     * @param maxWidth the room, pixels, ≥ 1; likewise {@code maxHeight}
      */
-    public static Downscale into(int width, int height, int mostWidth, int mostHeight) {
-        double shrink = Math.min(1, Math.min((double) mostHeight / height, (double) mostWidth / width));
+    public static Downscale fit(int width, int height, int maxWidth, int maxHeight) {
+        double shrink = Math.min(1, Math.min((double) maxHeight / height, (double) maxWidth / width));
         return new Downscale(side(width * shrink), side(height * shrink));
     }
 
@@ -22,7 +22,7 @@ public record Downscale(int width, int height) {
     }
 
     /** A film of this size, or a smaller one as it is. */
-    public Film of(Film film) {
+    public Film apply(Film film) {
         if (film.width() <= width && film.height() <= height) {
             return film;
         }
@@ -36,10 +36,10 @@ public record Downscale(int width, int height) {
     }
 
     private void mean(Film film, int x, int y, float[] rgb) {
-        int left = from(x, film.width(), width);
-        int right = Math.max(left + 1, from(x + 1, film.width(), width));
-        int top = from(y, film.height(), height);
-        int bottom = Math.max(top + 1, from(y + 1, film.height(), height));
+        int left = firstPixel(x, film.width(), width);
+        int right = Math.max(left + 1, firstPixel(x + 1, film.width(), width));
+        int top = firstPixel(y, film.height(), height);
+        int bottom = Math.max(top + 1, firstPixel(y + 1, film.height(), height));
         double red = 0;
         double green = 0;
         double blue = 0;
@@ -57,7 +57,7 @@ public record Downscale(int width, int height) {
         rgb[at + 2] = (float) (blue * share);
     }
 
-    private static int from(int pixel, int large, int small) {
+    private static int firstPixel(int pixel, int large, int small) {
         return (int) ((long) pixel * large / small);
     }
 }

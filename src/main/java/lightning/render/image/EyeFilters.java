@@ -47,9 +47,9 @@ final class EyeFilters {
             slope[i + feature] = -i * g;
             bend[i + feature] = (i * i / (deviation * deviation) - 1) * g;
         }
-        gauss = balanced(bell);
-        edge = balanced(slope);
-        point = balanced(bend);
+        gauss = normalized(bell);
+        edge = normalized(slope);
+        point = normalized(bend);
         radius = Math.max(blur, feature);
     }
 
@@ -86,7 +86,7 @@ final class EyeFilters {
     }
 
     /** Weights whose positive ones sum to 1, and the negative ones, if any, to −1. */
-    private static double[] balanced(double[] weights) {
+    private static double[] normalized(double[] weights) {
         double positive = 0;
         double negative = 0;
         for (double weight : weights) {

@@ -9,13 +9,13 @@ import java.util.stream.IntStream;
  */
 public final class FalseColor {
     /** The linear luminance of stop 0. */
-    public static final double MIDDLE = 0.18;
+    public static final double MIDDLE_GRAY = 0.18;
 
-    private static final int LEAST = -6;
-    /** From {@link #LEAST} on, 0xRRGGBB. */
+    private static final int MIN_STOP = -6;
+    /** From {@link #MIN_STOP} on, 0xRRGGBB. */
     private static final int[] COLORS = {0x14051F, 0x3B0F70, 0x2743B8, 0x1F7FC4, 0x16A5A0, 0x2E9E4F, 0x808080, 0xB9C74A, 0xF3DE5E, 0xF08A24,
         0xE0241B};
-    private static final float SCALE = (float) (StrictMath.sqrt(2) / MIDDLE);
+    private static final float SCALE = (float) (StrictMath.sqrt(2) / MIDDLE_GRAY);
 
     /**
      * One stop of the scale.
@@ -29,14 +29,14 @@ public final class FalseColor {
 
     /** All stops, from the darkest. */
     public static List<Band> bands() {
-        return IntStream.range(0, COLORS.length).mapToObj(i -> new Band(LEAST + i, COLORS[i])).toList();
+        return IntStream.range(0, COLORS.length).mapToObj(i -> new Band(MIN_STOP + i, COLORS[i])).toList();
     }
 
     /** The colour, 0xRRGGBB, of a linear pixel. */
-    static int of(float red, float green, float blue) {
+    static int rgb(float red, float green, float blue) {
         float luminance = 0.2126f * red + 0.7152f * green + 0.0722f * blue;
         // The exponent of v·√2 is the nearest stop of v; that of 0 and what is no number lies beyond the ends.
         int stop = luminance > 0 ? Math.getExponent(luminance * SCALE) : Integer.MIN_VALUE / 2;
-        return COLORS[Math.clamp(stop - (long) LEAST, 0, COLORS.length - 1)];
+        return COLORS[Math.clamp(stop - (long) MIN_STOP, 0, COLORS.length - 1)];
     }
 }

@@ -14,10 +14,10 @@ package lightning.render.image;
 public final class Film {
 
     /** The width and the height of a tile, in pixels. */
-    public static final int TILE = 32;
+    public static final int TILE_SIZE = 32;
 
     /** The number of pixels of a tile. */
-    public static final int TILE_PIXELS = TILE * TILE;
+    public static final int TILE_PIXELS = TILE_SIZE * TILE_SIZE;
 
     private final int width;
     private final int height;
@@ -154,17 +154,17 @@ public final class Film {
         if (pixels < 1) {
             throw new IllegalArgumentException("a film is at least 1 × 1 pixel, not " + pixels);
         }
-        return (pixels - 1) / TILE + 1;
+        return (pixels - 1) / TILE_SIZE + 1;
     }
 
     /** The number of the tile that holds pixel (x, y). */
     public int tileOf(int x, int y) {
-        return (y / TILE) * tilesX + x / TILE;
+        return (y / TILE_SIZE) * tilesX + x / TILE_SIZE;
     }
 
     /** The index of pixel (x, y) inside its tile. */
     public static int pixelInTile(int x, int y) {
-        return (y & (TILE - 1)) * TILE + (x & (TILE - 1));
+        return (y & (TILE_SIZE - 1)) * TILE_SIZE + (x & (TILE_SIZE - 1));
     }
 
     /** An equal film with arrays of its own. */
@@ -191,7 +191,7 @@ public final class Film {
      * Whether both films have the same size and, in every visible pixel, the very same bits: 0 differs from −0, and a
      * NaN equals only itself with the same payload.
      */
-    public boolean sameBits(Film other) {
+    public boolean hasSameBits(Film other) {
         if (width != other.width || height != other.height) {
             return false;
         }
@@ -199,9 +199,9 @@ public final class Film {
             for (int x = 0; x < width; x++) {
                 int tile = tileOf(x, y);
                 int pixel = pixelInTile(x, y);
-                if (!sameBits(red[tile][pixel], other.red[tile][pixel])
-                        || !sameBits(green[tile][pixel], other.green[tile][pixel])
-                        || !sameBits(blue[tile][pixel], other.blue[tile][pixel])) {
+                if (!hasSameBits(red[tile][pixel], other.red[tile][pixel])
+                        || !hasSameBits(green[tile][pixel], other.green[tile][pixel])
+                        || !hasSameBits(blue[tile][pixel], other.blue[tile][pixel])) {
                     return false;
                 }
             }
@@ -209,7 +209,7 @@ public final class Film {
         return true;
     }
 
-    private static boolean sameBits(float a, float b) {
+    private static boolean hasSameBits(float a, float b) {
         return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
     }
 

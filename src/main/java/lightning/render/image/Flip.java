@@ -29,10 +29,10 @@ public final class Flip {
 
     private static final double COLOR_EXPONENT = 0.7;
     /** Colour differences up to this share of the largest one… */
-    private static final double COMMON = 0.4;
+    private static final double COMMON_SHARE = 0.4;
     /** … take this share of the scale. */
     private static final double COMMON_SCALE = 0.95;
-    private static final double LARGEST = Math.pow(greenAgainstBlue(), COLOR_EXPONENT);
+    private static final double MAX_DISTANCE = Math.pow(maxColorDistance(), COLOR_EXPONENT);
 
     private Flip() {}
 
@@ -77,7 +77,7 @@ public final class Flip {
         IntStream.range(0, (a.height() + BAND_ROWS - 1) / BAND_ROWS).parallel().forEach(band -> {
             int top = band * BAND_ROWS;
             int rows = Math.min(BAND_ROWS, a.height() - top);
-            if (!looksTheSame(pixelsA, pixelsB, a.width(), top - filters.radius, top + rows + filters.radius)) {
+            if (!haveSamePixels(pixelsA, pixelsB, a.width(), top - filters.radius, top + rows + filters.radius)) {
                 compare(new FlipBand(pixelsA, a.width(), a.height(), top, rows, filters),
                         new FlipBand(pixelsB, a.width(), a.height(), top, rows, filters), errors, top * a.width());
             }
@@ -85,7 +85,7 @@ public final class Flip {
         return errors;
     }
 
-    private static boolean looksTheSame(int[] a, int[] b, int width, int from, int to) {
+    private static boolean haveSamePixels(int[] a, int[] b, int width, int from, int to) {
         int start = Math.max(from, 0) * width;
         int end = Math.min(to * width, a.length);
         return Arrays.equals(a, start, end, b, start, end);
@@ -93,7 +93,7 @@ public final class Flip {
 
     private static void compare(FlipBand a, FlipBand b, float[] errors, int start) {
         for (int i = 0; i < a.edges.length; i++) {
-            double color = compressed(Math.pow(distance(a.lab, b.lab, i, i), COLOR_EXPONENT));
+            double color = compress(Math.pow(distance(a.lab, b.lab, i, i), COLOR_EXPONENT));
             double feature = Math.max(Math.abs(a.edges[i] - b.edges[i]), Math.abs(a.points[i] - b.points[i]));
             errors[start + i] = (float) Math.pow(color, 1 - Math.sqrt(feature / Math.sqrt(2)));
         }
@@ -107,18 +107,18 @@ public final class Flip {
     }
 
     /** A colour difference ≥ 0 on a scale of 0…1, on which the common ones take most of the room. */
-    private static double compressed(double difference) {
-        double common = COMMON * LARGEST;
+    private static double compress(double difference) {
+        double common = COMMON_SHARE * MAX_DISTANCE;
         return difference < common
                 ? COMMON_SCALE / common * difference
-                : COMMON_SCALE + (difference - common) / (LARGEST - common) * (1 - COMMON_SCALE);
+                : COMMON_SCALE + (difference - common) / (MAX_DISTANCE - common) * (1 - COMMON_SCALE);
     }
 
     /** The largest distance of two displayable colours. */
-    private static double greenAgainstBlue() {
+    private static double maxColorDistance() {
         double[][] lab = new double[3][2];
-        OpponentColor.huntLab(0, 1, 0, lab, 0);
-        OpponentColor.huntLab(0, 0, 1, lab, 1);
+        OpponentColor.writeHuntLab(0, 1, 0, lab, 0);
+        OpponentColor.writeHuntLab(0, 0, 1, lab, 1);
         return distance(lab, lab, 0, 1);
     }
 }

@@ -30,10 +30,10 @@ final class FlipBand {
         for (int i = 0; i < light.length; i++) {
             light[i] = (opponent[0][i] + 16) / 116;
         }
-        double[] smooth = across(light, filters.gauss);
-        edges = strength(across(light, filters.edge), smooth, filters.edge);
-        points = strength(across(light, filters.point), smooth, filters.point);
-        lab = seen(opponent);
+        double[] smooth = filterHorizontally(light, filters.gauss);
+        edges = strength(filterHorizontally(light, filters.edge), smooth, filters.edge);
+        points = strength(filterHorizontally(light, filters.point), smooth, filters.point);
+        lab = perceivedLab(opponent);
     }
 
     /** Y, Cx, Cz of the rows and of a margin above and below. */
@@ -51,27 +51,27 @@ final class FlipBand {
         return planes;
     }
 
-    private double[][] seen(double[][] opponent) {
-        double[] blue = blurred(opponent[2], filters.blueYellow[0]);
-        double[] yellow = blurred(opponent[2], filters.blueYellow[1]);
+    private double[][] perceivedLab(double[][] opponent) {
+        double[] blue = blur(opponent[2], filters.blueYellow[0]);
+        double[] yellow = blur(opponent[2], filters.blueYellow[1]);
         for (int i = 0; i < blue.length; i++) {
             blue[i] += yellow[i];
         }
-        double[][] planes = {blurred(opponent[0], filters.light), blurred(opponent[1], filters.redGreen), blue};
+        double[][] planes = {blur(opponent[0], filters.light), blur(opponent[1], filters.redGreen), blue};
         for (int i = 0; i < blue.length; i++) {
             OpponentColor.toHuntLab(planes, i);
         }
         return planes;
     }
 
-    private double[] blurred(double[] plane, double[] weights) {
-        return down(across(plane, weights), weights);
+    private double[] blur(double[] plane, double[] weights) {
+        return filterVertically(filterHorizontally(plane, weights), weights);
     }
 
     /** The length of the vector of a detector's answers across and down. */
     private double[] strength(double[] detectedAcross, double[] smoothAcross, double[] detector) {
-        double[] x = down(detectedAcross, filters.gauss);
-        double[] y = down(smoothAcross, detector);
+        double[] x = filterVertically(detectedAcross, filters.gauss);
+        double[] y = filterVertically(smoothAcross, detector);
         for (int i = 0; i < x.length; i++) {
             x[i] = Math.sqrt(x[i] * x[i] + y[i] * y[i]);
         }
@@ -79,7 +79,7 @@ final class FlipBand {
     }
 
     /** A plane with margins, filtered across. */
-    private double[] across(double[] plane, double[] weights) {
+    private double[] filterHorizontally(double[] plane, double[] weights) {
         int radius = weights.length / 2;
         double[] to = new double[plane.length];
         double[] row = new double[width + 2 * radius];
@@ -98,7 +98,7 @@ final class FlipBand {
     }
 
     /** A plane with margins, filtered down: the rows alone. */
-    private double[] down(double[] plane, double[] weights) {
+    private double[] filterVertically(double[] plane, double[] weights) {
         int radius = weights.length / 2;
         double[] to = new double[rows * width];
         double[] sums = new double[width];

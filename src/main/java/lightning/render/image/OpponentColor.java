@@ -16,7 +16,7 @@ final class OpponentColor {
     /** Row sums of the matrix: XYZ of linear RGB (1, 1, 1). */
     private static final double[] WHITE = {sum(TO_XYZ[0]), sum(TO_XYZ[1]), sum(TO_XYZ[2])};
     /** XYZ relative to white, from linear RGB. */
-    private static final double[][] TO_RELATIVE = relative();
+    private static final double[][] TO_RELATIVE = relativeMatrix();
     private static final double[][] FROM_RELATIVE = inverse(TO_RELATIVE);
     /** CIE: below (6/29)³ the cube root continues as a line. */
     private static final double LINEAR_BELOW = 216.0 / 24389;
@@ -41,11 +41,11 @@ final class OpponentColor {
         double r = clamp(row(FROM_RELATIVE[0], x, y, z));
         double g = clamp(row(FROM_RELATIVE[1], x, y, z));
         double b = clamp(row(FROM_RELATIVE[2], x, y, z));
-        huntLab(r, g, b, planes, at);
+        writeHuntLab(r, g, b, planes, at);
     }
 
     /** Writes Hunt-adjusted L*, a*, b* of linear RGB 0…1 to {@code to[plane][at]}. */
-    static void huntLab(double r, double g, double b, double[][] to, int at) {
+    static void writeHuntLab(double r, double g, double b, double[][] to, int at) {
         double fx = lightness(row(TO_RELATIVE[0], r, g, b));
         double fy = lightness(row(TO_RELATIVE[1], r, g, b));
         double fz = lightness(row(TO_RELATIVE[2], r, g, b));
@@ -71,7 +71,7 @@ final class OpponentColor {
         return values[0] + values[1] + values[2];
     }
 
-    private static double[][] relative() {
+    private static double[][] relativeMatrix() {
         double[][] m = new double[3][3];
         for (int i = 0; i < 3; i++) {
             for (int j = 0; j < 3; j++) {

@@ -15,18 +15,18 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     /** Codes of a channel. */
     public static final int CODES = 256;
 
-    private static final int MOST_COLUMNS = 512;
+    private static final int MAX_COLUMNS = 512;
     /** Of so many codes that occur one may rise above the histogram. */
-    private static final int OUTLIERS = 16;
+    private static final int CODES_PER_OUTLIER = 16;
     private static final int BACKGROUND = 0x16;
     private static final int BRIGHT = 0xE6;
 
     /** Counts a picture: some 10 ms of one thread for 1920×1080. */
     public static Scopes of(Film film, ViewTransform view) {
-        int columns = Math.min(film.width(), MOST_COLUMNS);
+        int columns = Math.min(film.width(), MAX_COLUMNS);
         int[][] histogram = new int[3][CODES];
         int[][] waveform = new int[3][columns * CODES];
-        int[] packed = view.ofPicture().toPixels(film);
+        int[] packed = view.forOutput().toPixels(film);
         for (int i = 0; i < packed.length; i++) {
             int column = (int) ((long) (i % film.width()) * columns / film.width());
             for (int c = 0; c < 3; c++) {
@@ -46,14 +46,14 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
      * @param height pixels
      */
     public int[] histogramPixels(int height) {
-        int most = most();
+        int max = histogramTop();
         int[] to = new int[CODES * height];
         for (int y = 0; y < height; y++) {
             for (int code = 0; code < CODES; code++) {
                 int rgb = 0xFF;
                 for (int[] channel : histogram) {
                     // A code that any pixel has is seen.
-                    long bar = channel[code] == 0 ? 0 : Math.max(1, (long) channel[code] * height / most);
+                    long bar = channel[code] == 0 ? 0 : Math.max(1, (long) channel[code] * height / max);
                     rgb = rgb << 8 | (height - y <= bar ? BRIGHT : BACKGROUND);
                 }
                 to[y * CODES + code] = rgb;
@@ -63,10 +63,10 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     }
 
     /** How many pixels reach the top of the histogram's picture. */
-    private int most() {
+    private int histogramTop() {
         int[] bars = Arrays.stream(histogram).flatMapToInt(channel -> Arrays.stream(channel, 1, CODES - 1)).filter(n -> n > 0).sorted()
                 .toArray();
-        return bars.length == 0 ? 1 : bars[bars.length - 1 - bars.length / OUTLIERS];
+        return bars.length == 0 ? 1 : bars[bars.length - 1 - bars.length / CODES_PER_OUTLIER];
     }
 
     /** The waveform as a picture of {@link #columns} × 256 pixels, white at the top, opaque; brighter where more pixels have the code. */
@@ -88,11 +88,11 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     }
 
     /** The largest share of pixels, 0…1, that have a code in one channel. */
-    public double shareOf(int code) {
-        int most = 0;
+    public double pixelShare(int code) {
+        int max = 0;
         for (int[] channel : histogram) {
-            most = Math.max(most, channel[code]);
+            max = Math.max(max, channel[code]);
         }
-        return (double) most / pixels;
+        return (double) max / pixels;
     }
 }

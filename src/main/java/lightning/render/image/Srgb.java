@@ -16,7 +16,7 @@ final class Srgb {
     /** {@code THRESHOLD[c]} is the smallest float whose code is c; one more that is never reached. */
     static final float[] THRESHOLD = TABLE.threshold();
 
-    private static final float[] LINEAR = linears();
+    private static final float[] LINEAR = linearTable();
 
     private Srgb() {}
 
@@ -40,10 +40,10 @@ final class Srgb {
         return LINEAR[code];
     }
 
-    private static float[] linears() {
+    private static float[] linearTable() {
         float[] linears = new float[256];
         for (int code = 0; code < 256; code++) {
-            linears[code] = (float) SrgbCurve.linear(code / 255.0);
+            linears[code] = (float) SrgbCurve.toLinear(code / 255.0);
         }
         return linears;
     }

@@ -23,7 +23,7 @@ final class Ssim {
     private Ssim() {}
 
     /** The similarity of the luma 0…255 (weights of BT.709 on sRGB codes) that two films of one size show. */
-    static double ofDisplayedLuma(Film a, Film b) {
+    static double displayedLuma(Film a, Film b) {
         int width = a.width();
         double[] across = gaussian(Math.min(WINDOW, width));
         double[] down = gaussian(Math.min(WINDOW, a.height()));
@@ -40,7 +40,7 @@ final class Ssim {
             blurAcross(lumaA, lumaB, across, rows[y % down.length]);
             if (y >= down.length - 1) {
                 blurDown(rows, y - down.length + 1, down, moments);
-                sum += similarities(moments);
+                sum += sumOfSimilarities(moments);
             }
         }
         return sum / ((double) positions * (a.height() - down.length + 1));
@@ -104,7 +104,7 @@ final class Ssim {
         }
     }
 
-    private static double similarities(double[] m) {
+    private static double sumOfSimilarities(double[] m) {
         double sum = 0;
         for (int i = 0; i < m.length; i += MOMENTS) {
             double meanA = m[i];

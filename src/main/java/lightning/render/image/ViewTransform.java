@@ -12,20 +12,20 @@ import lightning.base.text.Quote;
  * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
  *
  * @param exposure stops, −64 to 64; one more doubles the brightness
- * @param cube     what the curve gives passes this table last, if there is one; what {@link DisplayCurve#LINEAR} gives is not cut off
+ * @param lut     what the curve gives passes this table last, if there is one; what {@link DisplayCurve#LINEAR} gives is not cut off
  *                 before. Stops in colours do without it
- * @param marked   whether pixels that are cut off are shown in {@link #OVER_WHITE} and {@link #BLACK}; stops in colours are not
+ * @param marksClipping   whether pixels that are cut off are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; stops in colours are not
  */
 @RecordBuilder
-public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTable> cube, boolean marked)
+public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLut> lut, boolean marksClipping)
         implements ViewTransformBuilder.With {
     /** 0xRRGGBB: the mark of a pixel with a channel that the curve cuts off at white. */
-    public static final int OVER_WHITE = 0xFF00C8;
+    public static final int CLIPPED_MARK = 0xFF00C8;
     /** 0xRRGGBB: the mark of a pixel that is shown as black. */
-    public static final int BLACK = 0x0050FF;
+    public static final int BLACK_MARK = 0x0050FF;
 
     private static final double CODES = 255;
-    private static final double DEEP_CODES = 65535;
+    private static final double CODES_16 = 65535;
 
     /** The largest absolute exposure, in stops. */
     public static final double MAX_EXPOSURE = 64;
@@ -73,33 +73,33 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
      *
      * @param to {@code short[]}: red, green and blue from {@code at} on
      */
-    public void packDeep(float red, float green, float blue, short[] to, int at) {
+    public void pack16(float red, float green, float blue, short[] to, int at) {
         float gain = gain();
-        if (tabled()) {
-            double[] color = looked(red * gain, green * gain, blue * gain);
+        if (hasLut()) {
+            double[] color = applyLut(red * gain, green * gain, blue * gain);
             for (int c = 0; c < 3; c++) {
-                to[at + c] = (short) code(color[c], DEEP_CODES);
+                to[at + c] = (short) code(color[c], CODES_16);
             }
         } else {
-            to[at] = (short) curve.encodeDeep(red * gain);
-            to[at + 1] = (short) curve.encodeDeep(green * gain);
-            to[at + 2] = (short) curve.encodeDeep(blue * gain);
+            to[at] = (short) curve.encode16(red * gain);
+            to[at + 1] = (short) curve.encode16(green * gain);
+            to[at + 2] = (short) curve.encode16(blue * gain);
         }
     }
 
-    private boolean tabled() {
-        return cube.isPresent() && curve != DisplayCurve.FALSE;
+    private boolean hasLut() {
+        return lut.isPresent() && curve != DisplayCurve.FALSE;
     }
 
     /** What the table makes of what the curve gives. */
-    private double[] looked(float red, float green, float blue) {
+    private double[] applyLut(float red, float green, float blue) {
         double[] color = {curve.value(red), curve.value(green), curve.value(blue)};
-        cube.orElseThrow().apply(color);
+        lut.orElseThrow().apply(color);
         return color;
     }
 
-    private static int code(double v, double most) {
-        return (int) Math.floor(most * Math.clamp(v, 0, 1) + 0.5);
+    private static int code(double v, double max) {
+        return (int) Math.floor(max * Math.clamp(v, 0, 1) + 0.5);
     }
 
     /** The linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
@@ -124,7 +124,8 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
      * @param pixels {@code int[width * height]} of the whole film, as {@link #toPixels} gives it
      */
     public void packTile(Film film, int tile, int[] pixels) {
-        packTile(film.red(tile), film.green(tile), film.blue(tile), tile % film.tilesX() * Film.TILE, tile / film.tilesX() * Film.TILE,
+        packTile(film.red(tile), film.green(tile), film.blue(tile), tile % film.tilesX() * Film.TILE_SIZE,
+                tile / film.tilesX() * Film.TILE_SIZE,
                 film.width(), pixels);
     }
 
@@ -137,16 +138,16 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
      * @param pixels {@code int[width * height]}, as {@link #toPixels} gives it
      */
     public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
-        if (curve == DisplayCurve.FALSE || tabled() || marked) {
-            packEach(red, green, blue, left, top, width, pixels);
+        if (curve == DisplayCurve.FALSE || hasLut() || marksClipping) {
+            packPixels(red, green, blue, left, top, width, pixels);
             return;
         }
         float gain = gain();
         CodeTable table = curve.table();
-        int columns = Math.min(Film.TILE, width - left);
-        int rows = Math.min(Film.TILE, pixels.length / width - top);
+        int columns = Math.min(Film.TILE_SIZE, width - left);
+        int rows = Math.min(Film.TILE_SIZE, pixels.length / width - top);
         for (int y = 0; y < rows; y++) {
-            int from = y * Film.TILE;
+            int from = y * Film.TILE_SIZE;
             int to = (top + y) * width + left;
             for (int x = 0; x < columns; x++) {
                 pixels[to + x] = 0xFF000000
@@ -157,14 +158,14 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
         }
     }
 
-    private void packEach(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
-        int columns = Math.min(Film.TILE, width - left);
-        int rows = Math.min(Film.TILE, pixels.length / width - top);
+    private void packPixels(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
+        int columns = Math.min(Film.TILE_SIZE, width - left);
+        int rows = Math.min(Film.TILE_SIZE, pixels.length / width - top);
         float gain = gain();
         for (int y = 0; y < rows; y++) {
             for (int x = 0; x < columns; x++) {
-                int i = y * Film.TILE + x;
-                pixels[(top + y) * width + left + x] = shown(red[i] * gain, green[i] * gain, blue[i] * gain);
+                int i = y * Film.TILE_SIZE + x;
+                pixels[(top + y) * width + left + x] = displayedPixel(red[i] * gain, green[i] * gain, blue[i] * gain);
             }
         }
     }
@@ -172,18 +173,18 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
     /** One pixel of linear values as it is displayed, opaque 0xFFRRGGBB. */
     public int pack(float red, float green, float blue) {
         float gain = gain();
-        return shown(red * gain, green * gain, blue * gain);
+        return displayedPixel(red * gain, green * gain, blue * gain);
     }
 
     /** The pixel of values that have their exposure. */
-    private int shown(float r, float g, float b) {
+    private int displayedPixel(float r, float g, float b) {
         if (curve == DisplayCurve.FALSE) {
-            return 0xFF000000 | FalseColor.of(r, g, b);
+            return 0xFF000000 | FalseColor.rgb(r, g, b);
         }
-        int codes = tabled() ? lookedCodes(r, g, b) : codes(r, g, b);
-        if (marked) {
+        int codes = hasLut() ? lutCodes(r, g, b) : codes(r, g, b);
+        if (marksClipping) {
             boolean over = r > curve.white() || g > curve.white() || b > curve.white();
-            return 0xFF000000 | (over ? OVER_WHITE : codes == 0 ? BLACK : codes);
+            return 0xFF000000 | (over ? CLIPPED_MARK : codes == 0 ? BLACK_MARK : codes);
         }
         return 0xFF000000 | codes;
     }
@@ -193,24 +194,24 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeTa
         return table.encode(red) << 16 | table.encode(green) << 8 | table.encode(blue);
     }
 
-    private int lookedCodes(float red, float green, float blue) {
-        double[] color = looked(red, green, blue);
+    private int lutCodes(float red, float green, float blue) {
+        double[] color = applyLut(red, green, blue);
         return code(color[0], CODES) << 16 | code(color[1], CODES) << 8 | code(color[2], CODES);
     }
 
     /** What a saved picture is shown by where nobody asked for another: stops and marks are for looking alone. */
-    public ViewTransform ofPicture() {
-        return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, cube, false);
+    public ViewTransform forOutput() {
+        return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, lut, false);
     }
 
     /** A curve by which every error shows that shows in this view: how steep a table is nobody knows. */
-    public DisplayCurve steepest() {
-        return tabled() ? DisplayCurve.FILMIC : curve;
+    public DisplayCurve steepestCurve() {
+        return hasLut() ? DisplayCurve.FILMIC : curve;
     }
 
     /** As in {@code Filmic (Hable), look.cube, +0.5 stops}. */
-    public String text() {
-        return curve.title() + cube.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
+    public String description() {
+        return curve.title() + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
                 : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");
     }
 }

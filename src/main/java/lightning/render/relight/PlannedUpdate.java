@@ -10,15 +10,15 @@ import lightning.scene.Scene;
  */
 public final class PlannedUpdate {
     /** The scene wanted, as the view shows it. */
-    final Scene wanted;
+    final Scene target;
     /** Whether mirror images shall show it too. */
-    final boolean mirrors;
+    final boolean updatesMirrors;
     /** What leads from the scene shown to the scene wanted. */
     final UpdatePlan difference;
     private final UpdatePlan update;
     /** What it goes on from: what is known, or an older picture; null for nothing. */
     final PixelCache base;
-    private final PixelCache known;
+    private final PixelCache plannedFor;
     /** What planning took. */
     final long nanoseconds;
 
@@ -27,14 +27,14 @@ public final class PlannedUpdate {
      * @param base   what it goes on from, or null
      * @param known  what it was planned for, or null
      */
-    PlannedUpdate(Scene wanted, boolean mirrors, UpdatePlan difference, UpdatePlan update, PixelCache base, PixelCache known,
+    PlannedUpdate(Scene target, boolean mirrors, UpdatePlan difference, UpdatePlan update, PixelCache base, PixelCache known,
             long nanoseconds) {
-        this.wanted = wanted;
-        this.mirrors = mirrors;
+        this.target = target;
+        this.updatesMirrors = mirrors;
         this.difference = difference;
         this.update = update;
         this.base = base;
-        this.known = known;
+        this.plannedFor = known;
         this.nanoseconds = nanoseconds;
     }
 
@@ -44,7 +44,7 @@ public final class PlannedUpdate {
     }
 
     /** Whether it was planned for what is known now. */
-    boolean startsFrom(PixelCache now) {
-        return known == now;
+    boolean isPlannedFor(PixelCache current) {
+        return plannedFor == current;
     }
 }

@@ -3,20 +3,20 @@ package lightning.render.relight;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.Dispatcher;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.CacheBuilder;
-import lightning.render.relight.tile.Job;
-import lightning.render.relight.tile.Options;
-import lightning.render.relight.tile.RepeatedEdit;
-import lightning.render.relight.tile.Tally;
-import lightning.render.shading.SeenScenes;
+import lightning.render.relight.tile.RenderJob;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.relight.tile.RepeatedEditDetector;
+import lightning.render.relight.tile.WorkCounts;
+import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
@@ -25,24 +25,24 @@ import lightning.scene.Scene;
  * wanted, with the least work. Not for use by two threads at once.
  */
 public final class Renderer implements AutoCloseable {
-    private Options options;
-    private Workers workers;
-    private final RepeatedEdit.Levels repeats = new RepeatedEdit.Levels();
+    private RenderOptions options;
+    private WorkerPool workers;
+    private final RepeatedEditDetector.LevelDetectors repeatedEdits = new RepeatedEditDetector.LevelDetectors();
     private PixelCache cache;
     /** What the cache lacks, where it holds pixels' centres alone; else null. */
-    private Unfinished unfinished;
-    private final GeometryOffer offer = new GeometryOffer();
+    private PendingSamples pendingSamples;
+    private final GeometrySource geometrySource = new GeometrySource();
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
-    private Accuracy known;
+    private Accuracy cacheAccuracy;
     private double exposure;
     private DisplayCurve curve = DisplayCurve.SRGB;
 
-    public Renderer(Options options) {
+    public Renderer(RenderOptions options) {
         this.options = options;
-        workers = new Workers(options.threads());
+        workers = new WorkerPool(options.threads());
     }
 
-    public Options options() {
+    public RenderOptions options() {
         return options;
     }
 
@@ -51,80 +51,81 @@ public final class Renderer implements AutoCloseable {
      *
      * @param stops the exposure, in stops
      */
-    public void setView(double stops, DisplayCurve shown) {
+    public void setView(double stops, DisplayCurve displayCurve) {
         exposure = stops;
-        curve = shown;
+        curve = displayCurve;
     }
 
     /**
      * Goes on in another way of working. What is known is kept, and brought to another accuracy by the next update, without
      * a ray; only another view, or another storage of mirror levels, forgets it.
      */
-    public void change(Options to) {
-        if (unfinished != null && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
+    public void setOptions(RenderOptions to) {
+        if (pendingSamples != null && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
             // Samples could not follow centres that are known in another way.
-            restore(unfinished.whole());
+            restore(pendingSamples.finishedCache());
         }
         if (to.threads() != options.threads()) {
             workers.close();
-            workers = new Workers(to.threads());
+            workers = new WorkerPool(to.threads());
         }
-        boolean serves = to.view().tracesLike(options.view()) && to.storage() == options.storage()
-                && (to.accuracy() == known || cache == null || Conversion.serves(cache));
+        boolean canReuse = to.view().hasSameTrace(options.view()) && to.storage() == options.storage()
+                && (to.accuracy() == cacheAccuracy || cache == null || CacheConversion.canConvert(cache));
         options = to;
-        if (!serves) {
-            forget();
+        if (!canReuse) {
+            clear();
         }
     }
 
     /** What it takes to make the film show the wanted scene. */
-    public PlannedUpdate plan(Scene wanted) {
-        return plan(options.view().of(wanted), options.reflections() == Reflections.CURRENT);
+    public PlannedUpdate plan(Scene target) {
+        return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT);
     }
 
-    private PlannedUpdate plan(Scene wanted, boolean mirrors) {
+    private PlannedUpdate plan(Scene target, boolean mirrors) {
         long start = System.nanoTime();
-        Unfinished.Start way = unfinished == null ? new Unfinished.Start(cache, difference(wanted, mirrors))
-                : unfinished.start(cache, wanted, mirrors);
-        UpdatePlan told = way.plan() instanceof UpdatePlan.Nothing && converts() ? new Conversion(cache, options).plan() : way.plan();
-        return new PlannedUpdate(wanted, mirrors, way.plan(), told, way.from(), cache, System.nanoTime() - start);
+        PendingSamples.Start base = pendingSamples == null ? new PendingSamples.Start(cache, difference(target, mirrors))
+                : pendingSamples.chooseStart(cache, target, mirrors);
+        UpdatePlan reported =
+                base.plan() instanceof UpdatePlan.Nothing && needsConversion() ? new CacheConversion(cache, options).plan() : base.plan();
+        return new PlannedUpdate(target, mirrors, base.plan(), reported, base.from(), cache, System.nanoTime() - start);
     }
 
-    private UpdatePlan difference(Scene wanted, boolean mirrors) {
-        return Dispatcher.plan(cache, wanted, mirrors, options.method());
+    private UpdatePlan difference(Scene target, boolean mirrors) {
+        return Dispatcher.plan(cache, target, mirrors, options.method());
     }
 
-    private boolean converts() {
-        return cache != null && known != options.accuracy();
+    private boolean needsConversion() {
+        return cache != null && cacheAccuracy != options.accuracy();
     }
 
     /**
      * Makes the film show the wanted scene. Whatever is thrown, an {@link OutOfMemoryError} included, everything is then as before the
      * call.
      *
-     * @throws PictureTooLarge if it needs a first pass that does not fit into memory beside what is known of the picture, which a
+     * @throws PictureTooLargeException if it needs a first pass that does not fit into memory beside what is known of the picture, which a
      *                         cancelled pass goes back to
      * @throws CancellationException if {@code progress} asked to stop
      */
-    public Update render(Scene wanted, Progress progress) {
-        return render(plan(wanted), progress);
+    public UpdateResult render(Scene target, Progress progress) {
+        return render(plan(target), progress);
     }
 
     /**
      * The same; where a first pass does not fit beside what is known of the picture, it begins without that.
      *
-     * @throws PictureTooLarge       if it does not fit even so; nothing is known then
+     * @throws PictureTooLargeException       if it does not fit even so; nothing is known then
      * @throws CancellationException likewise
      */
-    public Update renderOrForget(Scene wanted, Progress progress) {
+    public UpdateResult renderOrClear(Scene target, Progress progress) {
         try {
-            return render(wanted, progress);
-        } catch (PictureTooLarge e) {
+            return render(target, progress);
+        } catch (PictureTooLargeException e) {
             if (!hasPicture()) {
                 throw e;
             }
-            forget();
-            return render(wanted, progress);
+            clear();
+            return render(target, progress);
         }
     }
 
@@ -132,11 +133,11 @@ public final class Renderer implements AutoCloseable {
      * Does what was planned; where something else is known of the picture since, it is planned anew.
      *
      * @param planned by {@link #plan}
-     * @throws PictureTooLarge       as {@link #render(Scene, Progress)}
+     * @throws PictureTooLargeException       as {@link #render(Scene, Progress)}
      * @throws CancellationException likewise
      */
-    public Update render(PlannedUpdate planned, Progress progress) {
-        return orAsBefore(() -> update(again(planned), false, progress));
+    public UpdateResult render(PlannedUpdate planned, Progress progress) {
+        return runOrRestore(() -> update(replanIfStale(planned), false, progress));
     }
 
     /**
@@ -144,16 +145,16 @@ public final class Renderer implements AutoCloseable {
      * shows the pixels' centres, as if there were no anti-aliasing. Updates go on from there, whether it was finished or not.
      *
      * @param planned by {@link #plan}
-     * @throws PictureTooLarge       as {@link #render(Scene, Progress)}
+     * @throws PictureTooLargeException       as {@link #render(Scene, Progress)}
      * @throws CancellationException likewise
      */
-    public Update renderCenters(PlannedUpdate planned, Progress progress) {
-        return orAsBefore(() -> update(again(planned), true, progress));
+    public UpdateResult renderCenters(PlannedUpdate planned, Progress progress) {
+        return runOrRestore(() -> update(replanIfStale(planned), true, progress));
     }
 
     /** Whether the film has all samples that its scene asks for. */
     public boolean isFinished() {
-        return unfinished == null;
+        return pendingSamples == null;
     }
 
     /**
@@ -163,36 +164,36 @@ public final class Renderer implements AutoCloseable {
      * @throws IllegalStateException if the picture is finished
      * @throws CancellationException if {@code progress} asked to stop; everything is then as before the call
      */
-    public Update finish(Progress progress) {
-        if (unfinished == null) {
+    public UpdateResult finish(Progress progress) {
+        if (pendingSamples == null) {
             throw new IllegalStateException("the picture is finished");
         }
         long start = System.nanoTime();
-        Unfinished left = unfinished;
-        UpdatePlan plan = left.plan(cache);
-        Tally work = left.work().plus(samples(plan, progress));
-        return new Update(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(),
-                left.nanoseconds() + System.nanoTime() - start, 0, false);
+        PendingSamples pending = pendingSamples;
+        UpdatePlan plan = pending.plan(cache);
+        WorkCounts work = pending.deferredWork().plus(renderSamples(plan, progress));
+        return new UpdateResult(plan, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(),
+                pending.nanoseconds() + System.nanoTime() - start, 0, false);
     }
 
-    private PlannedUpdate again(PlannedUpdate planned) {
-        return planned.startsFrom(cache) ? planned : plan(planned.wanted, planned.mirrors);
+    private PlannedUpdate replanIfStale(PlannedUpdate planned) {
+        return planned.isPlannedFor(cache) ? planned : plan(planned.target, planned.updatesMirrors);
     }
 
     /** Goes back to what is known now if the work does not end, for whatever reason. */
-    private Update orAsBefore(Supplier<Update> work) {
+    private UpdateResult runOrRestore(Supplier<UpdateResult> work) {
         PixelCache before = cache;
-        Unfinished unfinishedBefore = unfinished;
-        Accuracy knownBefore = known;
-        Update update = null;
+        PendingSamples unfinishedBefore = pendingSamples;
+        Accuracy knownBefore = cacheAccuracy;
+        UpdateResult update = null;
         try {
             update = work.get();
             return update;
         } finally {
             if (update == null) {
                 cache = before;
-                unfinished = unfinishedBefore;
-                known = knownBefore;
+                pendingSamples = unfinishedBefore;
+                cacheAccuracy = knownBefore;
             }
         }
     }
@@ -203,25 +204,25 @@ public final class Renderer implements AutoCloseable {
      * @throws IllegalStateException if nothing was rendered yet
      * @throws CancellationException as {@link #render}
      */
-    public Update updateReflections(Progress progress) {
+    public UpdateResult updateReflections(Progress progress) {
         return render(plan(cache().scene(), true), progress);
     }
 
     /** Whether the mirror images show the scene rendered last. */
-    public boolean reflectionsAreCurrent() {
+    public boolean hasCurrentReflections() {
         return cache().mirroredScene().equals(cache().scene());
     }
 
     /**
      * What one light gives to the picture, from what is known: no ray is cast, and nothing changes. Equal to the picture of
-     * {@link LightShare#scene}, mirrors included, over the samples of this picture.
+     * {@link LightImage#scene}, mirrors included, over the samples of this picture.
      *
      * @param light the name; all is black where no light has it
      * @throws IllegalStateException if nothing was rendered yet, or mirror levels are kept as hit shapes
      * @throws CancellationException if {@code progress} asked to stop
      */
-    public Film share(String light, Progress progress) {
-        return LightShare.film(cache(), options, light, workers, progress);
+    public Film lightImage(String light, Progress progress) {
+        return LightImage.film(cache(), options, light, workers, progress);
     }
 
     /** The picture as it is now: later updates make new ones. */
@@ -252,84 +253,87 @@ public final class Renderer implements AutoCloseable {
     }
 
     /** What was kept of the last picture that had all its samples, from which {@link #finish} goes on; null where there is none. */
-    public PixelCache finishedCache() {
-        return unfinished == null ? cache : unfinished.whole();
+    public PixelCache lastFinishedCache() {
+        return pendingSamples == null ? cache : pendingSamples.finishedCache();
     }
 
     /** The bytes of all that is kept. */
     public long bytes() {
-        long newest = cache == null ? 0 : MemoryNeed.of(cache);
-        return unfinished == null || unfinished.whole() == null ? newest : newest + MemoryNeed.of(unfinished.whole());
+        long newest = cache == null ? 0 : MemoryEstimate.usedBytes(cache);
+        return pendingSamples == null || pendingSamples.finishedCache() == null ? newest
+                : newest + MemoryEstimate.usedBytes(pendingSamples.finishedCache());
     }
 
     /** Drops all that is known: the next picture is a first pass. */
-    public void forget() {
+    public void clear() {
         restore(null);
-        offer.set(null);
+        geometrySource.set(null);
     }
 
     /**
      * Goes back to what was kept of an earlier picture, as if nothing had been asked since: so an edit can be made, and
      * measured, again and again.
      *
-     * @param kept what {@link #cache} gave, here or in a renderer that differs in its reflections or threads alone
+     * @param saved what {@link #cache} gave, here or in a renderer that differs in its reflections or threads alone
      */
-    public void restore(PixelCache kept) {
-        cache = kept;
-        unfinished = null;
-        known = options.accuracy();
-        repeats.end();
+    public void restore(PixelCache saved) {
+        cache = saved;
+        pendingSamples = null;
+        cacheAccuracy = options.accuracy();
+        repeatedEdits.reset();
     }
 
     /** Leaves things half done where it does not end. */
-    private Update update(PlannedUpdate planned, boolean centersAlone, Progress progress) {
+    private UpdateResult update(PlannedUpdate planned, boolean centersOnly, Progress progress) {
         long start = System.nanoTime() - planned.nanoseconds;
         UpdatePlan plan = planned.difference;
-        Scene wanted = planned.wanted;
-        Tally work = Tally.NONE;
+        Scene target = planned.target;
+        WorkCounts work = WorkCounts.NONE;
         if (planned.base != cache) {
             cache = planned.base;
-            unfinished = null;
-        } else if (unfinished != null && plan instanceof UpdatePlan.Relight next && !unfinished.mirrorsFollow(cache, next, wanted)) {
-            work = samples(unfinished.plan(cache), progress);
+            pendingSamples = null;
+        } else if (pendingSamples != null && plan instanceof UpdatePlan.Relight next
+                && !pendingSamples.canReuseMirrors(cache, next, target)) {
+            work = renderSamples(pendingSamples.plan(cache), progress);
         }
-        if (converts() && !(plan instanceof UpdatePlan.FirstPass)) {
-            work = work.plus(convert(new Conversion(cache, options), progress));
+        if (needsConversion() && !(plan instanceof UpdatePlan.FirstPass)) {
+            work = work.plus(convert(new CacheConversion(cache, options), progress));
             // The same lights and rows, but layers are known in another way.
-            plan = difference(wanted, planned.mirrors);
+            plan = difference(target, planned.updatesMirrors);
         }
-        UpdatePlan told = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
+        UpdatePlan reported = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
         work = work.plus(switch (plan) {
-            case UpdatePlan.Nothing _ -> Tally.NONE;
-            case UpdatePlan.FirstPass first -> firstPass(first, wanted, centersAlone && samplesMayFollow(wanted), progress);
-            case UpdatePlan.Relight relight -> relight(relight, wanted,
-                    (centersAlone || unfinished != null) && !relight.resampled() && samplesMayFollow(wanted), progress);
+            case UpdatePlan.Nothing _ -> WorkCounts.NONE;
+            case UpdatePlan.FirstPass first -> firstPass(first, target, centersOnly && canDeferSamples(target), progress);
+            case UpdatePlan.Relight relight -> relight(relight, target,
+                    (centersOnly || pendingSamples != null) && !relight.resampled() && canDeferSamples(target), progress);
         });
-        known = options.accuracy();
+        cacheAccuracy = options.accuracy();
         UpdatePlan refresh = options.method().refresh(cache, exposure, curve);
         boolean refreshed = refresh instanceof UpdatePlan.Relight;
         if (refresh instanceof UpdatePlan.Relight relight) {
             work = work.plus(relight(relight, cache.scene(), false, progress));
         }
         double bound = options.method().errorBound(cache);
-        if (unfinished != null) {
-            if (centersAlone) {
-                unfinished = unfinished.plus(work, System.nanoTime() - start);
+        if (pendingSamples != null) {
+            if (centersOnly) {
+                pendingSamples = pendingSamples.plus(work, System.nanoTime() - start);
             } else {
-                work = work.plus(samples(unfinished.plan(cache), progress));
+                work = work.plus(renderSamples(pendingSamples.plan(cache), progress));
             }
         }
-        return new Update(told, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(), System.nanoTime() - start,
+        return new UpdateResult(reported, work.rowsTouched(), work.rowsComposed(), work.bytesMoved(), work.rays(),
+                System.nanoTime() - start,
                 bound, refreshed);
     }
 
     /** Contributions that are scaled are off by what all their scalings lose, and centres and samples must be by the same. */
-    private boolean samplesMayFollow(Scene wanted) {
-        return options.accuracy().isExact() && Job.seeksEdges(wanted);
+    private boolean canDeferSamples(Scene target) {
+        return options.accuracy().isExact() && RenderJob.needsEdges(target);
     }
 
-    private Tally convert(Conversion conversion, Progress progress) {
-        Conversion.Result result = conversion.run(workers, progress);
+    private WorkCounts convert(CacheConversion conversion, Progress progress) {
+        CacheConversion.Result result = conversion.run(workers, progress);
         cache = result.cache();
         return result.work();
     }
@@ -337,58 +341,58 @@ public final class Renderer implements AutoCloseable {
     /**
      * Refuses a scene whose first pass would not fit into memory.
      *
-     * @param kept bytes that lie beside it
-     * @throws PictureTooLarge if it would not
+     * @param reservedBytes bytes that lie beside it
+     * @throws PictureTooLargeException if it would not
      */
-    public void check(Scene wanted, long kept) {
-        checkMemory(options.view().of(wanted), kept);
+    public void requireMemory(Scene target, long reservedBytes) {
+        checkMemory(options.view().apply(target), reservedBytes);
     }
 
-    private void checkMemory(Scene wanted, long kept) {
-        MemoryNeed.check(wanted, options.withMemory(options.memory() - kept));
+    private void checkMemory(Scene target, long reservedBytes) {
+        MemoryEstimate.check(target, options.withMemory(options.memory() - reservedBytes));
     }
 
-    private Tally firstPass(UpdatePlan.FirstPass plan, Scene wanted, boolean centersAlone, Progress progress) {
-        checkMemory(wanted, bytes());
-        Job job = Job.firstPass(offer.take(wanted, cache, options.view()), wanted, options, progress);
-        CacheBuilder.Built built = new CacheBuilder(job, workers, null).build(centersAlone);
-        cache = built.cache();
-        unfinished = centersAlone ? new Unfinished(null, plan) : null;
-        return built.work();
+    private WorkCounts firstPass(UpdatePlan.FirstPass plan, Scene target, boolean centersOnly, Progress progress) {
+        checkMemory(target, bytes());
+        RenderJob job = RenderJob.firstPass(geometrySource.get(target, cache, options.view()), target, options, progress);
+        CacheBuilder.BuildResult result = new CacheBuilder(job, workers, null).build(centersOnly);
+        cache = result.cache();
+        pendingSamples = centersOnly ? new PendingSamples(null, plan) : null;
+        return result.work();
     }
 
     /** What rays of a scene can meet, as a first pass takes it; it is kept for that. */
-    public Geometry prepare(Scene wanted) {
-        Geometry prepared = offer.take(options.view().of(wanted), cache, options.view());
-        offer.set(prepared);
+    public Geometry prepare(Scene target) {
+        Geometry prepared = geometrySource.get(options.view().apply(target), cache, options.view());
+        geometrySource.set(prepared);
         return prepared;
     }
 
     /** Lets first passes take what is known elsewhere of the same shapes; null is nothing. */
-    public void share(Geometry geometry) {
-        offer.set(geometry);
+    public void setSharedGeometry(Geometry geometry) {
+        geometrySource.set(geometry);
     }
 
-    private Tally relight(UpdatePlan.Relight plan, Scene wanted, boolean centersAlone, Progress progress) {
+    private WorkCounts relight(UpdatePlan.Relight plan, Scene target, boolean centersOnly, Progress progress) {
         PixelCache old = cache;
-        var scenes = new SeenScenes(wanted, plan.mirrors() == null ? old.mirroredScene() : wanted);
-        Job job = Job.relight(repeats.next(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
-        CacheBuilder.Built built = new CacheBuilder(job, workers, old).build(centersAlone);
-        cache = built.cache();
-        unfinished = centersAlone ? unfinished == null ? new Unfinished(old, plan) : unfinished.next(plan) : null;
-        return built.work();
+        var scenes = new RenderedScenes(target, plan.mirrors() == null ? old.mirroredScene() : target);
+        RenderJob job = RenderJob.relight(repeatedEdits.withKeys(plan), plan.shapes().after(old.geometry()), scenes, options, progress);
+        CacheBuilder.BuildResult result = new CacheBuilder(job, workers, old).build(centersOnly);
+        cache = result.cache();
+        pendingSamples = centersOnly ? pendingSamples == null ? new PendingSamples(old, plan) : pendingSamples.afterUpdate(plan) : null;
+        return result.work();
     }
 
     /** Makes the finer samples of the centres that are known. */
-    private Tally samples(UpdatePlan plan, Progress progress) {
-        PixelCache whole = unfinished.whole();
-        CacheBuilder builder = whole != null && plan instanceof UpdatePlan.Relight relight
-                ? new CacheBuilder(Job.relight(relight, cache.geometry(), cache.scenes(), options, progress), workers, whole)
-                : new CacheBuilder(Job.samples(cache, options, progress), workers, null);
-        CacheBuilder.Built built = builder.finish(cache);
-        cache = built.cache();
-        unfinished = null;
-        return built.work();
+    private WorkCounts renderSamples(UpdatePlan plan, Progress progress) {
+        PixelCache finished = pendingSamples.finishedCache();
+        CacheBuilder builder = finished != null && plan instanceof UpdatePlan.Relight relight
+                ? new CacheBuilder(RenderJob.relight(relight, cache.geometry(), cache.scenes(), options, progress), workers, finished)
+                : new CacheBuilder(RenderJob.samples(cache, options, progress), workers, null);
+        CacheBuilder.BuildResult result = builder.finish(cache);
+        cache = result.cache();
+        pendingSamples = null;
+        return result.work();
     }
 
     @Override

@@ -6,9 +6,9 @@
  * {@link lightning.render.relight.Renderer} runs it over the tiles of the pixel cache.
  *
  * <pre>{@code
- * try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+ * try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
  *     renderer.render(scene, Progress.NONE);                  // the first pass
- *     Update update = renderer.render(edited, Progress.NONE); // only what changed
+ *     UpdateResult update = renderer.render(edited, Progress.NONE); // only what changed
  *     Film picture = renderer.film();
  * }
  * }</pre>

@@ -27,11 +27,11 @@ public final class BranchSums {
     }
 
     private final Key key;
-    private final SumRows[] fromLeaf;
+    private final SumColumns[] leafToRoot;
 
-    BranchSums(Key key, SumRows[] fromLeaf) {
+    BranchSums(Key key, SumColumns[] fromLeaf) {
         this.key = key;
-        this.fromLeaf = fromLeaf;
+        this.leafToRoot = fromLeaf;
     }
 
     public Key key() {
@@ -39,14 +39,14 @@ public final class BranchSums {
     }
 
     /** The sums, from the leaf to the root; null where a branch adds nothing. */
-    SumRows[] fromLeaf() {
-        return fromLeaf;
+    SumColumns[] fromLeaf() {
+        return leafToRoot;
     }
 
     /** The bytes of all sums, array headers left out: 12 to 36 for each row and branch. */
     public long bytes() {
         long bytes = 0;
-        for (SumRows sum : fromLeaf) {
+        for (SumColumns sum : leafToRoot) {
             bytes += sum == null ? 0 : sum.bytes();
         }
         return bytes;

@@ -17,12 +17,12 @@ public enum ConeChange {
     TURN;
 
     /** Whether a row in the given state, see {@link LightRows}, may change. */
-    boolean looksAt(int state) {
+    boolean canChange(int state) {
         return switch (this) {
             case NONE -> false;
             case ANGLE_REMOVE -> state == LightRows.LIT || state == LightRows.SHADOWED;
-            case ANGLE_ADD -> state == LightRows.OUTSIDE;
-            case LINKS, TURN -> state != LightRows.AWAY;
+            case ANGLE_ADD -> state == LightRows.OUTSIDE_CONE;
+            case LINKS, TURN -> state != LightRows.FACING_AWAY;
         };
     }
 
@@ -32,15 +32,15 @@ public enum ConeChange {
      * @param states see {@link LightRows}
      * @return how many they are
      */
-    int looksAt(byte[] states, int rows, int[] looked) {
+    int findAffectedRows(byte[] states, int rows, int[] candidates) {
         if (this == NONE) {
             return 0;
         }
-        int which = 0;
-        for (int state = 0; state <= LightRows.STATE; state++) {
-            which |= looksAt(state) ? 1 << state : 0;
+        int stateMask = 0;
+        for (int state = 0; state <= LightRows.STATE_MASK; state++) {
+            stateMask |= canChange(state) ? 1 << state : 0;
         }
-        RowBits.inStates(states, rows, which, looked);
-        return RowBits.count(looked, rows);
+        RowBits.selectStates(states, rows, stateMask, candidates);
+        return RowBits.count(candidates, rows);
     }
 }

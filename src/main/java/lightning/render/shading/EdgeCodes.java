@@ -14,10 +14,10 @@ import java.util.Arrays;
 public record EdgeCodes(int[] shapes, int[] lights, int[] mirroredShapes, int[] mirroredLights) {
 
     /** Where the two are alike, {@code known}, which may be null, so that who compares them later need not look inside. */
-    public EdgeCodes or(EdgeCodes known) {
-        boolean alike = known != null && Arrays.equals(shapes, known.shapes) && Arrays.equals(lights, known.lights)
+    public EdgeCodes reuseIfEqual(EdgeCodes known) {
+        boolean isEqual = known != null && Arrays.equals(shapes, known.shapes) && Arrays.equals(lights, known.lights)
                 && Arrays.equals(mirroredShapes, known.mirroredShapes) && Arrays.equals(mirroredLights, known.mirroredLights);
-        return alike ? known : this;
+        return isEqual ? known : this;
     }
 
     /** The bytes of the arrays. */

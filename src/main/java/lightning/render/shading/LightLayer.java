@@ -5,14 +5,14 @@ public sealed interface LightLayer permits LightRows, WeightedLayer {
     /** State and way of each row, see {@link LightRows}. */
     byte[] states();
 
-    /** To which samples of a light each row's ways are free, see {@link LightRows#seen}. */
-    short[][] seen();
+    /** To which samples of a light each row's ways are free, see {@link LightRows#visibleSamples}. */
+    short[][] visibleSamples();
 
     /** What passes of the light on free ways: red, green and blue columns; null where it is 1 on all. */
     float[][] tint();
 
     /** How many rows are lit. */
-    int lit();
+    int litCount();
 
     /** The bytes that the columns hold, array headers left out. */
     long bytes();
@@ -21,7 +21,7 @@ public sealed interface LightLayer permits LightRows, WeightedLayer {
     long newBytes(LightLayer before);
 
     /** The bytes that composing reads. */
-    long composedBytes();
+    long bytesReadByCompositing();
 
     /** The bytes that must be read of each row to get here from {@code before}, which may be null. */
     long rowBytesRead(LightLayer before);

@@ -5,7 +5,7 @@ import java.util.Map;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.Tracer;
-import lightning.scene.Links;
+import lightning.scene.ShapeLinks;
 import lightning.scene.effects.ViewEffects;
 
 /**
@@ -16,42 +16,42 @@ final class LightLinks {
     private final Geometry geometry;
     private final Tracer tracer;
     private final ViewEffects view;
-    private final ShadowCaster all;
-    private final Map<Links, ShadowCaster> some = new HashMap<>();
+    private final ShadowCaster unrestrictedCaster;
+    private final Map<ShapeLinks, ShadowCaster> restrictedCasters = new HashMap<>();
 
     LightLinks(Geometry geometry, Tracer tracer, ViewEffects view) {
         this.geometry = geometry;
         this.tracer = tracer;
         this.view = view;
-        Geometry casting = geometry.casting(Links.ALL);
-        all = new ShadowCaster(casting, casting == geometry ? tracer : tracer.among(casting), view);
+        Geometry casting = geometry.shadowGeometry(ShapeLinks.ALL);
+        unrestrictedCaster = new ShadowCaster(casting, casting == geometry ? tracer : tracer.withGeometry(casting), view);
     }
 
     /** Who asks whether ways to a light are free. */
-    ShadowCaster shadows(Lamp lamp) {
-        Links by = lamp.light().shadowedBy();
-        return by.isAll() ? all : some.computeIfAbsent(by, this::caster);
+    ShadowCaster shadowCaster(LightSource source) {
+        ShapeLinks shadowedBy = source.light().shadowedBy();
+        return shadowedBy.isAll() ? unrestrictedCaster : restrictedCasters.computeIfAbsent(shadowedBy, this::createCaster);
     }
 
-    private ShadowCaster caster(Links by) {
-        Geometry casting = geometry.casting(by);
-        return new ShadowCaster(casting, tracer.among(casting), view);
+    private ShadowCaster createCaster(ShapeLinks shadowedBy) {
+        Geometry casting = geometry.shadowGeometry(shadowedBy);
+        return new ShadowCaster(casting, tracer.withGeometry(casting), view);
     }
 
     /** Shadow rays cast since the start. */
     long shadowRays() {
-        return all.rays() + some.values().stream().mapToLong(ShadowCaster::rays).sum();
+        return unrestrictedCaster.rayCount() + restrictedCasters.values().stream().mapToLong(ShadowCaster::rayCount).sum();
     }
 
     /** Of each primitive whether a light shines on it; null where it does on all. */
-    boolean[] lit(Lamp lamp) {
-        Links on = lamp.light().illuminates();
-        return on.isAll() ? null : geometry.linked(on);
+    boolean[] litPrimitives(LightSource source) {
+        ShapeLinks illuminated = source.light().illuminates();
+        return illuminated.isAll() ? null : geometry.linkedPrimitives(illuminated);
     }
 
     /** Whether it shines on any of the rows, as far as links tell. */
-    boolean reaches(Lamp lamp, HitRows rows) {
-        boolean[] lit = lit(lamp);
+    boolean canReach(LightSource source, HitRows rows) {
+        boolean[] lit = litPrimitives(source);
         boolean any = lit == null || rows.count == 0;
         for (int i = 0; i < rows.count && !any; i++) {
             any = lit[rows.owner[i]];
@@ -60,8 +60,8 @@ final class LightLinks {
     }
 
     /** Leaves out rows of a set that it does not shine on. */
-    void keep(Lamp lamp, HitRows rows, int[] set) {
-        boolean[] lit = lit(lamp);
+    void retainLit(LightSource source, HitRows rows, int[] set) {
+        boolean[] lit = litPrimitives(source);
         for (int i = 0; lit != null && i < rows.count; i++) {
             if (!lit[rows.owner[i]]) {
                 RowBits.remove(set, i, i + 1);

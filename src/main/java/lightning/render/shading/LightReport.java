@@ -8,9 +8,9 @@ import lightning.scene.Light;
  * @param light     the light
  * @param state     why it reaches the point or not
  * @param blocker   the index of the nearest shape between the point and the light; −1 if there is none or nobody looked
- * @param seen      of how many of its samples the light reaches the point
+ * @param visibleSamples      of how many of its samples the light reaches the point
  * @param samples   how many samples it has; 1 for a point
- * @param below     how many of its samples are below the surface itself, though the normal that shades it faces them
+ * @param samplesBelowSurface     how many of its samples are below the surface itself, though the normal that shades it faces them
  * @param cosine    N·L, also below 0, or where it is lit the diffuse term of a metallic material; of a light with samples the mean of the cosine times the falloff, and the next two likewise
  * @param specular  max(V·R, 0)<sup>shininess</sup>, or what F0 of a metallic material multiplies; 0 where the light does not reach
  * @param grazing   what a metallic material sends besides; 0 where the light does not reach, and of others
@@ -20,7 +20,8 @@ import lightning.scene.Light;
  * @param sheen     its part of Σ Igraz, linear, {@code float[3]}
  * @param tint      what passes of it through clear shapes in between, {@code float[3]}; 1 where there are none
  */
-public record LightReport(Light light, State state, int blocker, int seen, int samples, int below, float cosine, float specular,
+public record LightReport(Light light, State state, int blocker, int visibleSamples, int samples, int samplesBelowSurface, float cosine,
+        float specular,
         float grazing,
         float falloff,
         float[] diffuse,

@@ -24,18 +24,18 @@ public final class LightRows implements LightLayer {
     /**
      * States, decided in this order, but that all rows of a tile that a cone cannot reach are outside, whether or not they
      * face away; lit means potentially lit (paper §4.4), even with a falloff of 0. */
-    public static final byte AWAY = 0;
-    public static final byte OUTSIDE = 1;
+    public static final byte FACING_AWAY = 0;
+    public static final byte OUTSIDE_CONE = 1;
     public static final byte SHADOWED = 2;
     public static final byte LIT = 3;
-    public static final int STATE = 3;
+    public static final int STATE_MASK = 3;
     /** Whether the way to the light is free, as far as known; kept apart from the state. */
-    public static final int CLEAR = 4;
+    public static final int UNBLOCKED = 4;
     public static final int BLOCKED = 8;
     /** What is known of the way: neither, where nobody asked. */
-    static final int WAY = CLEAR | BLOCKED;
+    static final int SHADOW_RAY_MASK = UNBLOCKED | BLOCKED;
     /** Samples in a column of those that a row sees. */
-    static final int SAMPLES = 16;
+    static final int SAMPLES_PER_COLUMN = 16;
 
     /** All columns that there are: what makes, counts and splices layers knows no others. */
     public enum Column implements ColumnKind {
@@ -55,8 +55,8 @@ public final class LightRows implements LightLayer {
         TINT_GREEN(ElementType.FLOAT, "colours of tinted shadows"),
         TINT_BLUE(ElementType.FLOAT, "colours of tinted shadows");
 
-        static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
-        static final List<Column> TINT = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
+        static final List<Column> SAMPLE_COLUMNS = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
+        static final List<Column> TINT_COLUMNS = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
 
         private final ElementType element;
         private final String title;
@@ -78,21 +78,21 @@ public final class LightRows implements LightLayer {
     }
 
     /** What a distant light gives a plane. */
-    private static final Set<Column> UNIFORM = EnumSet.of(Column.COSINE);
+    private static final Set<Column> UNIFORM_COLUMNS = EnumSet.of(Column.COSINE);
     private static final float[] ONES = ones();
-    private static final float[] ZEROS = new float[Terms.ROWS];
+    private static final float[] ZEROS = new float[TermKernel.MAX_ROWS];
     /** What a file tells of columns that stand for others there. */
-    private static final int OF_UNREACHED = 1;
-    private static final int OF_FADED = 2;
+    private static final int UNREACHED_FLAG = 1;
+    private static final int PREMULTIPLIED_FLAG = 2;
     /** For each state and way a column that holds no other: shared by all layers of which every row has it, and not counted as memory. */
-    private static final byte[][] ALL = all();
-    private static final float[][] PLAIN = {ONES, ONES, ONES};
+    private static final byte[][] UNIFORM_STATES = uniformStates();
+    private static final float[][] WHITE_TINT = {ONES, ONES, ONES};
 
     /** The falloff of layers whose terms have theirs in them: 1 everywhere, shared by all of these and not counted as memory. */
-    static final float[] FADED = UniformColumns.of(1);
+    static final float[] PREMULTIPLIED = UniformColumns.of(1);
 
     /** All rows outside: shared by all tiles that no light in question reaches, and not counted as memory. */
-    public static final LightRows UNREACHED = unlit(all(OUTSIDE));
+    public static final LightRows UNREACHED = unlit(uniformStates(OUTSIDE_CONE));
 
     /** State and way of each row. */
     public final byte[] state;
@@ -102,14 +102,14 @@ public final class LightRows implements LightLayer {
     public final float[] specular;
     /** What a metallic material sends besides; null where no row is lit or none is metallic. */
     public final float[] grazing;
-    /** atten·spot; null where no row is lit or the light does not fall off; {@link #FADED} where the cosines have it in them. */
+    /** atten·spot; null where no row is lit or the light does not fall off; {@link #PREMULTIPLIED} where the cosines have it in them. */
     public final float[] falloff;
     /** The columns of the samples seen, as many as there are for the light; null where it has one sample or no row sees any. */
-    final short[][] seen;
+    final short[][] visibleSamples;
     /** Red, green and blue columns of what passes on free ways; null where it is 1 on all. */
     final float[][] tint;
     /** How many rows are lit. */
-    public final int lit;
+    public final int litCount;
 
     private final ColumnSet<Column> columns;
 
@@ -117,52 +117,53 @@ public final class LightRows implements LightLayer {
         this(state, cosine, specular, grazing, falloff, null, lit);
     }
 
-    public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] seen, int lit) {
-        this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, samples(seen, 0), samples(seen, 1), samples(seen, 2),
-                samples(seen, 3), null, null, null), lit);
+    public LightRows(byte[] state, float[] cosine, float[] specular, float[] grazing, float[] falloff, short[][] visibleSamples, int lit) {
+        this(ColumnSet.of(Column.class, state, cosine, specular, grazing, falloff, sampleColumn(visibleSamples, 0),
+                sampleColumn(visibleSamples, 1), sampleColumn(visibleSamples, 2),
+                sampleColumn(visibleSamples, 3), null, null, null), lit);
     }
 
     LightRows(ColumnSet<Column> columns, int lit) {
         this.columns = columns;
-        this.lit = lit;
+        this.litCount = lit;
         state = (byte[]) columns.get(Column.STATE);
         cosine = (float[]) columns.get(Column.COSINE);
         specular = (float[]) columns.get(Column.SPECULAR);
         grazing = (float[]) columns.get(Column.GRAZING);
         falloff = (float[]) columns.get(Column.FALLOFF);
-        seen = seen(columns, Column.SEEN);
-        tint = colors(columns, Column.TINT);
+        visibleSamples = readVisibleSamples(columns, Column.SAMPLE_COLUMNS);
+        tint = readChannels(columns, Column.TINT_COLUMNS);
     }
 
     /** The column of the samples from 16·{@code group} on, or null. */
-    public static short[] samples(short[][] seen, int group) {
-        return seen == null || seen.length <= group ? null : seen[group];
+    public static short[] sampleColumn(short[][] visibleSamples, int group) {
+        return visibleSamples == null || visibleSamples.length <= group ? null : visibleSamples[group];
     }
 
     /** The columns of samples that there are, the first ones; null where there is none. */
-    public static <C extends Enum<C> & ColumnKind> short[][] seen(ColumnSet<C> columns, List<C> kinds) {
+    public static <C extends Enum<C> & ColumnKind> short[][] readVisibleSamples(ColumnSet<C> columns, List<C> kinds) {
         return !columns.has(kinds.getFirst()) ? null
                 : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
     }
 
     /** Three columns; null where the first is not there. */
-    public static <C extends Enum<C> & ColumnKind> float[][] colors(ColumnSet<C> columns, List<C> channels) {
+    public static <C extends Enum<C> & ColumnKind> float[][] readChannels(ColumnSet<C> columns, List<C> channels) {
         return !columns.has(channels.getFirst()) ? null
                 : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
     }
 
     /** Columns with others in place of three; with none where {@code colors} is null. */
-    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> with(ColumnSet<C> columns, List<C> channels, float[][] colors) {
-        ColumnSet<C> with = columns;
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withChannels(ColumnSet<C> columns, List<C> channels, float[][] colors) {
+        ColumnSet<C> result = columns;
         for (int c = 0; c < channels.size(); c++) {
-            with = with.with(channels.get(c), colors == null ? null : colors[c]);
+            result = result.with(channels.get(c), colors == null ? null : colors[c]);
         }
-        return with;
+        return result;
     }
 
     /** Columns of which those of tints are all 1 where they are not there. */
-    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> plainlyTinted(ColumnSet<C> columns, List<C> channels) {
-        return columns.has(channels.getFirst()) ? columns : with(columns, channels, PLAIN);
+    public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withDefaultTint(ColumnSet<C> columns, List<C> channels) {
+        return columns.has(channels.getFirst()) ? columns : withChannels(columns, channels, WHITE_TINT);
     }
 
     /**
@@ -174,12 +175,12 @@ public final class LightRows implements LightLayer {
     public static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
         if (!tinted) {
-            columns.removeAll(Column.TINT);
+            columns.removeAll(Column.TINT_COLUMNS);
         }
         if (!metallic) {
             columns.remove(Column.GRAZING);
         }
-        columns.removeAll(Column.SEEN.subList(groups(light), Column.SEEN.size()));
+        columns.removeAll(Column.SAMPLE_COLUMNS.subList(sampleColumnCount(light), Column.SAMPLE_COLUMNS.size()));
         if (light.isArea()) {
             columns.remove(Column.FALLOFF);
         }
@@ -187,8 +188,8 @@ public final class LightRows implements LightLayer {
     }
 
     /** How many columns tell of the samples of a light; 0 for a point. */
-    public static int groups(Light light) {
-        return light.isArea() ? (light.area().samples() - 1) / SAMPLES + 1 : 0;
+    public static int sampleColumnCount(Light light) {
+        return light.isArea() ? (light.area().samples() - 1) / SAMPLES_PER_COLUMN + 1 : 0;
     }
 
     /** A layer of which no row is lit. */
@@ -197,41 +198,41 @@ public final class LightRows implements LightLayer {
     }
 
     /** A layer of which no row is lit, though ways of some may be free. */
-    static LightRows unlit(byte[] state, short[][] seen) {
-        return new LightRows(state, null, null, null, null, seen, 0);
+    static LightRows unlit(byte[] state, short[][] visibleSamples) {
+        return new LightRows(state, null, null, null, null, visibleSamples, 0);
     }
 
     /** This layer with other tints, or with none where they are null. */
     public LightRows withTint(float[][] tints) {
-        return tints == tint ? this : new LightRows(with(columns, Column.TINT, tints), lit);
+        return tints == tint ? this : new LightRows(withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
     }
 
     /** This layer with another column, or with none where it is null; the same rows are lit. */
     LightRows with(Column kind, float[] column) {
-        return new LightRows(columns.with(kind, column), lit);
+        return new LightRows(columns.with(kind, column), litCount);
     }
 
     private static float[] ones() {
-        float[] ones = new float[Terms.ROWS];
+        float[] ones = new float[TermKernel.MAX_ROWS];
         Arrays.fill(ones, 1);
         return ones;
     }
 
-    private static byte[] all(int state) {
-        byte[] states = new byte[Terms.ROWS];
+    private static byte[] uniformStates(int state) {
+        byte[] states = new byte[TermKernel.MAX_ROWS];
         Arrays.fill(states, (byte) state);
         return states;
     }
 
-    private static byte[][] all() {
-        byte[][] all = new byte[STATE + WAY + 1][];
-        Arrays.setAll(all, LightRows::all);
+    private static byte[][] uniformStates() {
+        byte[][] all = new byte[STATE_MASK + SHADOW_RAY_MASK + 1][];
+        Arrays.setAll(all, LightRows::uniformStates);
         return all;
     }
 
     /** The bytes of a layer's columns that are counted with no layer, because all share them. */
-    public static long shared(byte[] states) {
-        return states == UNREACHED.state || states.length > 0 && states == ALL[states[0]] ? states.length : 0;
+    public static long sharedBytes(byte[] states) {
+        return states == UNREACHED.state || states.length > 0 && states == UNIFORM_STATES[states[0]] ? states.length : 0;
     }
 
     /**
@@ -240,33 +241,33 @@ public final class LightRows implements LightLayer {
      * that where there are any both stay.
      */
     public LightRows compact(int rows) {
-        ColumnSet<Column> kept = columns.withUniform(UNIFORM, rows);
-        if (rows > 0 && shared(state) == 0 && Arrays.equals(state, 0, rows, ALL[state[0]], 0, rows)) {
-            kept = kept.with(Column.STATE, ALL[state[0]]);
+        ColumnSet<Column> compacted = columns.withUniform(UNIFORM_COLUMNS, rows);
+        if (rows > 0 && sharedBytes(state) == 0 && Arrays.equals(state, 0, rows, UNIFORM_STATES[state[0]], 0, rows)) {
+            compacted = compacted.with(Column.STATE, UNIFORM_STATES[state[0]]);
         }
         if (specular != null && grazing == null && !hasHighlight(rows)) {
-            kept = kept.with(Column.SPECULAR, null);
+            compacted = compacted.with(Column.SPECULAR, null);
         }
-        return kept == columns ? this : new LightRows(kept, lit);
+        return compacted == columns ? this : new LightRows(compacted, litCount);
     }
 
     /** Whether the cosines have the falloff in them. */
-    boolean isFaded() {
-        return falloff == FADED;
+    boolean isPremultiplied() {
+        return falloff == PREMULTIPLIED;
     }
 
     /**
      * This layer over {@code rows} rows with one column, cosine times falloff, in place of two, where no row has a highlight: the product
      * is what composing takes of both, with the same bits. New falloffs then ask for the cosines anew. The cosines are written over.
      */
-    public LightRows faded(int rows) {
-        if (falloff == null || lit == 0 || grazing != null || specular != null && hasHighlight(rows)) {
+    public LightRows premultiply(int rows) {
+        if (falloff == null || litCount == 0 || grazing != null || specular != null && hasHighlight(rows)) {
             return this;
         }
         for (int i = 0; i < rows; i++) {
             cosine[i] *= falloff[i];
         }
-        return new LightRows(columns.with(Column.SPECULAR, null).with(Column.FALLOFF, FADED), lit);
+        return new LightRows(columns.with(Column.SPECULAR, null).with(Column.FALLOFF, PREMULTIPLIED), litCount);
     }
 
     private boolean hasHighlight(int rows) {
@@ -274,18 +275,18 @@ public final class LightRows implements LightLayer {
     }
 
     /** This layer over {@code rows} rows in columns of its own, {@linkplain #compact compact}. */
-    public LightRows copied(int rows) {
+    public LightRows copyCompact(int rows) {
         if (state == UNREACHED.state) {
             return this;
         }
         LightRows compact = compact(rows);
-        ColumnSet<Column> own = compact.columns.copied(rows);
-        return new LightRows(shared(compact.state) > 0 ? own.with(Column.STATE, compact.state) : own, lit);
+        ColumnSet<Column> own = compact.columns.deepCopy(rows);
+        return new LightRows(sharedBytes(compact.state) > 0 ? own.with(Column.STATE, compact.state) : own, litCount);
     }
 
     /** The state of a row, without the way. */
     public int state(int row) {
-        return state[row] & STATE;
+        return state[row] & STATE_MASK;
     }
 
     @Override
@@ -294,8 +295,8 @@ public final class LightRows implements LightLayer {
     }
 
     @Override
-    public short[][] seen() {
-        return seen;
+    public short[][] visibleSamples() {
+        return visibleSamples;
     }
 
     @Override
@@ -304,16 +305,16 @@ public final class LightRows implements LightLayer {
     }
 
     @Override
-    public int lit() {
-        return lit;
+    public int litCount() {
+        return litCount;
     }
 
     /** Writes all that is known of the layer. */
     public void writeTo(ColumnWriter out) throws IOException {
         boolean unreached = state == UNREACHED.state;
-        out.number(lit);
-        out.number(unreached ? OF_UNREACHED : isFaded() ? OF_FADED : 0);
-        out.columns(unreached ? columns.with(Column.STATE, null) : isFaded() ? columns.with(Column.FALLOFF, null) : columns);
+        out.writeInt(litCount);
+        out.writeInt(unreached ? UNREACHED_FLAG : isPremultiplied() ? PREMULTIPLIED_FLAG : 0);
+        out.writeColumns(unreached ? columns.with(Column.STATE, null) : isPremultiplied() ? columns.with(Column.FALLOFF, null) : columns);
     }
 
     /**
@@ -322,11 +323,11 @@ public final class LightRows implements LightLayer {
      * @throws IOException if it is cut off
      */
     public static LightRows readFrom(ColumnReader in) throws IOException {
-        int lit = in.number();
-        int shared = in.number();
-        ColumnSet<Column> read = in.columns(Column.class);
-        LightRows layer = new LightRows(shared == OF_UNREACHED ? read.with(Column.STATE, UNREACHED.state)
-                : shared == OF_FADED ? read.with(Column.FALLOFF, FADED) : read, lit);
+        int lit = in.readInt();
+        int shared = in.readInt();
+        ColumnSet<Column> read = in.readColumns(Column.class);
+        LightRows layer = new LightRows(shared == UNREACHED_FLAG ? read.with(Column.STATE, UNREACHED.state)
+                : shared == PREMULTIPLIED_FLAG ? read.with(Column.FALLOFF, PREMULTIPLIED) : read, lit);
         // What was shared was written as long as that of any tile.
         return layer.compact(Math.min(layer.state.length, Math.min(length(layer.cosine), length(layer.specular))));
     }
@@ -342,16 +343,16 @@ public final class LightRows implements LightLayer {
 
     @Override
     public long bytes() {
-        return columns.bytes() - shared(state);
+        return columns.bytes() - sharedBytes(state);
     }
 
     /** The bytes of one kind of column. */
     public long bytes(Column kind) {
-        return columns.bytes(kind) - (kind == Column.STATE ? shared(state) : 0);
+        return columns.bytes(kind) - (kind == Column.STATE ? sharedBytes(state) : 0);
     }
 
     @Override
-    public long composedBytes() {
+    public long bytesReadByCompositing() {
         return columns.bytes() - columns.bytes(Column.STATE);
     }
 
@@ -366,6 +367,6 @@ public final class LightRows implements LightLayer {
         if (!(before instanceof LightRows b)) {
             return bytes();
         }
-        return columns.newBytes(b.columns) - (state == b.state ? 0 : shared(state));
+        return columns.newBytes(b.columns) - (state == b.state ? 0 : sharedBytes(state));
     }
 }

@@ -14,105 +14,105 @@ import java.util.List;
  * the left half is computed before, and is one that is known.
  */
 final class LightSum {
-    private final Sums kernel;
-    private final Addends diffuse = new Addends();
-    private final Addends specular = new Addends();
-    private final Addends grazing = new Addends();
+    private final SumKernel sumKernel;
+    private final SumOperands diffuse = new SumOperands();
+    private final SumOperands specular = new SumOperands();
+    private final SumOperands grazing = new SumOperands();
     /** The lights of two chains, one behind the other. */
-    private final int[] chain = new int[Addends.MOST_LIGHTS];
-    /** Sums of branches; those before {@link #used} are in use. */
-    private final List<SumRows> scratch = new ArrayList<>();
-    private int used;
+    private final int[] chain = new int[SumOperands.MAX_LIGHTS];
+    /** Sums of branches; those before {@link #usedScratch} are in use. */
+    private final List<SumColumns> scratch = new ArrayList<>();
+    private int usedScratch;
     private int rows;
-    private Luminaire[] lights;
+    private WeightedLight[] lights;
     private LightLayer[] layers;
 
-    LightSum(Sums kernel) {
-        this.kernel = kernel;
+    LightSum(SumKernel kernel) {
+        this.sumKernel = kernel;
     }
 
     /** The sum over all lights. */
-    SumRows of(int count, Luminaire[] all, LightLayer[] theirs) {
-        begin(count, all, theirs);
-        gather(0, all.length);
+    SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
+        begin(count, sceneLights, lightLayers);
+        collectOperands(0, sceneLights.length);
         return sum();
     }
 
     /** The same sum where the branches beside one light's way to the root are known. */
-    SumRows of(int count, Luminaire[] all, LightLayer[] theirs, BranchSums branches) {
-        begin(count, all, theirs);
+    SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
+        begin(count, sceneLights, lightLayers);
         int light = branches.key().light();
         if (light != BranchSums.Key.NO_LIGHT) {
-            gather(light, light + 1);
+            collectOperands(light, light + 1);
         }
-        for (SumRows branch : branches.fromLeaf()) {
-            add(branch);
+        for (SumColumns branch : branches.fromLeaf()) {
+            addBranch(branch);
         }
         return sum();
     }
 
     /** Computes the sums of all branches beside a light's way to the root. */
-    BranchSums branches(int count, Luminaire[] all, LightLayer[] theirs, BranchSums.Key key) {
-        begin(count, all, theirs);
+    BranchSums branchSums(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
+        begin(count, sceneLights, lightLayers);
         if (key.light() == BranchSums.Key.NO_LIGHT) {
-            return new BranchSums(key, new SumRows[] {compact(sum(0, all.length))});
+            return new BranchSums(key, new SumColumns[] {compact(sum(0, sceneLights.length))});
         }
-        List<SumRows> fromRoot = new ArrayList<>();
+        List<SumColumns> fromRoot = new ArrayList<>();
         int from = 0;
-        int to = all.length;
+        int to = sceneLights.length;
         while (to - from > 1) {
             int middle = (from + to) >>> 1;
             boolean left = key.light() < middle;
             fromRoot.add(compact(sum(left ? middle : from, left ? to : middle)));
-            used = 0;
+            usedScratch = 0;
             from = left ? from : middle;
             to = left ? middle : to;
         }
-        return new BranchSums(key, fromRoot.reversed().toArray(SumRows[]::new));
+        return new BranchSums(key, fromRoot.reversed().toArray(SumColumns[]::new));
     }
 
-    private SumRows compact(SumRows sum) {
+    private SumColumns compact(SumColumns sum) {
         return sum == null ? null : sum.compact(rows);
     }
 
-    private void begin(int count, Luminaire[] all, LightLayer[] theirs) {
+    private void begin(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
         rows = count;
-        lights = all;
-        layers = theirs;
-        used = 0;
+        lights = sceneLights;
+        layers = lightLayers;
+        usedScratch = 0;
         diffuse.clear();
         specular.clear();
         grazing.clear();
     }
 
     private boolean isActive(int light) {
-        return !lights[light].isDark() && layers[light].lit() > 0;
+        return !lights[light].isDark() && layers[light].litCount() > 0;
     }
 
     /** Tells of lights {@code from … to − 1}. */
-    private void gather(int from, int to) {
+    private void collectOperands(int from, int to) {
         int middle = (from + to) >>> 1;
         int left = chain(from, middle, 0);
         int right = left < 0 ? -1 : chain(middle, to, left);
         if (right >= 0) {
-            lights(0, left);
-            diffuse.second();
-            specular.second();
-            grazing.second();
-            lights(left, left + right);
+            addChain(0, left);
+            diffuse.endFirstChain();
+            specular.endFirstChain();
+            grazing.endFirstChain();
+            addChain(left, left + right);
         } else if (to - from == 1) {
             WeightedLayer layer = (WeightedLayer) layers[from];
-            diffuse.sum(layer.diffuse);
+            diffuse.addSum(layer.diffuse);
             if (layer.specular != null) {
-                specular.sum(layer.specular);
+                specular.addSum(layer.specular);
             }
             if (layer.grazing != null) {
-                grazing.sum(layer.grazing);
+                grazing.addSum(layer.grazing);
             }
         } else {
-            SumRows known = sum(from, middle);
-            gather(middle, to);
-            add(known);
+            SumColumns known = sum(from, middle);
+            collectOperands(middle, to);
+            addBranch(known);
         }
     }
 
@@ -125,7 +125,7 @@ final class LightSum {
             if (from == to || !isActive(from)) {
                 return 0;
             }
-            if (at == Addends.MOST_LIGHTS || !(layers[from] instanceof LightRows)) {
+            if (at == SumOperands.MAX_LIGHTS || !(layers[from] instanceof LightRows)) {
                 return -1;
             }
             chain[at] = from;
@@ -145,44 +145,44 @@ final class LightSum {
         return left + right;
     }
 
-    private void lights(int from, int to) {
+    private void addChain(int from, int to) {
         for (int i = from; i < to; i++) {
-            Luminaire light = lights[chain[i]];
+            WeightedLight light = lights[chain[i]];
             LightRows layer = (LightRows) layers[chain[i]];
-            diffuse.light(light, layer.cosine, layer.falloff, layer.tint);
+            diffuse.addLight(light, layer.cosine, layer.falloff, layer.tint);
             if (layer.specular != null) {
-                specular.light(light, layer.specular, layer.falloff, layer.tint);
+                specular.addLight(light, layer.specular, layer.falloff, layer.tint);
             }
             if (layer.grazing != null) {
-                grazing.light(light, layer.grazing, layer.falloff, layer.tint);
+                grazing.addLight(light, layer.grazing, layer.falloff, layer.tint);
             }
         }
     }
 
-    private void add(SumRows known) {
+    private void addBranch(SumColumns known) {
         if (known == null) {
             return;
         }
-        diffuse.sum(known.diffuse);
+        diffuse.addSum(known.diffuse);
         if (known.hasSpecular) {
-            specular.sum(known.specular);
+            specular.addSum(known.specular);
         }
         if (known.hasGrazing) {
-            grazing.sum(known.grazing);
+            grazing.addSum(known.grazing);
         }
     }
 
     /** The sum over lights {@code from … to − 1} in scratch columns that are in use then, or null where none adds anything. */
-    private SumRows sum(int from, int to) {
-        int free = used;
-        gather(from, to);
+    private SumColumns sum(int from, int to) {
+        int freeCount = usedScratch;
+        collectOperands(from, to);
         if (diffuse.isEmpty()) {
             return null;
         }
         // What it is made of stands in columns that are free afterwards.
-        SumRows sum = sum();
-        scratch.set(used, scratch.set(free, sum));
-        used = free + 1;
+        SumColumns sum = sum();
+        scratch.set(usedScratch, scratch.set(freeCount, sum));
+        usedScratch = freeCount + 1;
         diffuse.clear();
         specular.clear();
         grazing.clear();
@@ -190,19 +190,19 @@ final class LightSum {
     }
 
     /** The sum of what was told of, in the scratch columns that are free next. */
-    private SumRows sum() {
-        if (used == scratch.size()) {
-            scratch.add(SumRows.scratch());
+    private SumColumns sum() {
+        if (usedScratch == scratch.size()) {
+            scratch.add(SumColumns.allocate());
         }
-        SumRows sum = scratch.get(used);
-        kernel.sum(rows, diffuse, sum.diffuse);
+        SumColumns sum = scratch.get(usedScratch);
+        sumKernel.sum(rows, diffuse, sum.diffuse);
         sum.hasSpecular = !specular.isEmpty();
         if (sum.hasSpecular) {
-            kernel.sum(rows, specular, sum.specular);
+            sumKernel.sum(rows, specular, sum.specular);
         }
         sum.hasGrazing = !grazing.isEmpty();
         if (sum.hasGrazing) {
-            kernel.sum(rows, grazing, sum.grazing());
+            sumKernel.sum(rows, grazing, sum.grazing());
         }
         return sum;
     }

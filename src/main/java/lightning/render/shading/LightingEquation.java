@@ -1,6 +1,6 @@
 package lightning.render.shading;
 
-import lightning.base.math.Power;
+import lightning.base.math.PowerFunction;
 import lightning.scene.Attenuation;
 
 /**
@@ -31,37 +31,37 @@ import lightning.scene.Attenuation;
  */
 public final class LightingEquation {
     /** Below it the square of a distance has too few digits to give a vector the length 1; it counts as 0. */
-    public static final double NO_DISTANCE = 0x1p-500;
+    public static final double MIN_DISTANCE = 0x1p-500;
 
-    private final Lamp lamp;
+    private final LightSource source;
     private double lx;
     private double ly;
     private double lz;
     private double distance;
-    private final Shaping doors;
-    private double door;
+    private final AngularMask angularMask;
+    private double maskFactor;
 
-    LightingEquation(Lamp lamp) {
-        this.lamp = lamp;
-        doors = Shaping.of(lamp);
+    LightingEquation(LightSource source) {
+        this.source = source;
+        angularMask = AngularMask.of(source);
     }
 
     /** Turns to a row: its point and its unit normal. At distance 0 the light stands straight above. */
-    void at(float px, float py, float pz, float nx, float ny, float nz) {
-        door = doors == null ? 1 : doors.at(px, py, pz);
-        lx = lamp.source().x();
-        ly = lamp.source().y();
-        lz = lamp.source().z();
-        if (lamp.type().hasPosition()) {
+    void moveTo(float px, float py, float pz, float nx, float ny, float nz) {
+        maskFactor = angularMask == null ? 1 : angularMask.factor(px, py, pz);
+        lx = source.position().x();
+        ly = source.position().y();
+        lz = source.position().z();
+        if (source.type().hasPosition()) {
             double vx = lx - px;
             double vy = ly - py;
             double vz = lz - pz;
             distance = Math.sqrt(vx * vx + vy * vy + vz * vz);
-            boolean here = distance < NO_DISTANCE;
+            boolean atLight = distance < MIN_DISTANCE;
             double inverse = 1 / distance;
-            lx = here ? nx : vx * inverse;
-            ly = here ? ny : vy * inverse;
-            lz = here ? nz : vz * inverse;
+            lx = atLight ? nx : vx * inverse;
+            ly = atLight ? ny : vy * inverse;
+            lz = atLight ? nz : vz * inverse;
         }
     }
 
@@ -72,13 +72,13 @@ public final class LightingEquation {
 
     /** −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
     private double axisCosine() {
-        double c = -(lx * lamp.axis().x() + ly * lamp.axis().y() + lz * lamp.axis().z());
+        double c = -(lx * source.axis().x() + ly * source.axis().y() + lz * source.axis().z());
         return c < -1 ? -1 : c > 1 ? 1 : c;
     }
 
     /** Whether the row is in the light's cone; a row exactly on it is. */
     boolean insideCone() {
-        return !lamp.hasCone() || axisCosine() >= lamp.cosAngle();
+        return !source.hasCone() || axisCosine() >= source.cosAngle();
     }
 
     /**
@@ -96,7 +96,7 @@ public final class LightingEquation {
         double c = dot / Math.sqrt(lengths);
         c = c > 0 ? c : 0;
         c = c > 1 ? 1 : c;
-        return (float) Power.of(c, shininess);
+        return (float) PowerFunction.pow(c, shininess);
     }
 
     /**
@@ -104,11 +104,11 @@ public final class LightingEquation {
      *
      * @param v the unit direction of the ray that met the row
      */
-    float matte(float nx, float ny, float nz, float vx, float vy, float vz) {
+    float metallicDiffuse(float nx, float ny, float nz, float vx, float vy, float vz) {
         double nl = nx * lx + ny * ly + nz * lz;
         double nv = -((double) nx * vx + (double) ny * vy + (double) nz * vz);
         nv = nv > 0 ? nv : 0;
-        return (float) (nl * (1 - fifth(1 - nl)) * (1 - fifth(1 - nv)));
+        return (float) (nl * (1 - pow5(1 - nl)) * (1 - pow5(1 - nv)));
     }
 
     /**
@@ -120,7 +120,7 @@ public final class LightingEquation {
      *
      * @param alpha the width of the highlight, above 0
      */
-    private double microfacets(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+    private double microfacetTerm(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         double hx = lx - vx;
         double hy = ly - vy;
         double hz = lz - vz;
@@ -150,39 +150,39 @@ public final class LightingEquation {
         double c = vh / Math.sqrt(lengths);
         c = c > 0 ? c : 0;
         c = c > 1 ? 1 : c;
-        return fifth(1 - c);
+        return pow5(1 - c);
     }
 
-    private static double fifth(double x) {
+    private static double pow5(double x) {
         double square = x * x;
         return square * square * x;
     }
 
     /** N·L·D·V·(1 − (1 − V·H)⁵): the specular term of a metallic material, which F0 multiplies. */
-    float gloss(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
-        return (float) (microfacets(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
+    float metallicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+        return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
     }
 
     /** N·L·D·V·(1 − V·H)⁵: what a metallic material of any colour sends besides. */
-    float grazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
-        return (float) (microfacets(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
+    float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
+        return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
     }
 
     /** atten·spot·doors: 1 for a directional light. */
     float falloff() {
-        return switch (lamp.type()) {
+        return switch (source.type()) {
             case DIRECTIONAL -> 1;
-            case POINT -> (float) (attenuation() * door);
+            case POINT -> (float) (attenuation() * maskFactor);
             case SPOT, RECT, DISC -> {
                 double c = axisCosine();
-                yield (float) (attenuation() * Power.of(c > 0 ? c : 0, lamp.dropoff()) * door);
+                yield (float) (attenuation() * PowerFunction.pow(c > 0 ? c : 0, source.dropoff()) * maskFactor);
             }
         };
     }
 
     /** min(1 / (cc + cl·d + cq·d²), 1), where 1/0 counts as 1. */
     private double attenuation() {
-        Attenuation a = lamp.light().attenuation();
+        Attenuation a = source.light().attenuation();
         double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
         return factor < 1 ? factor : 1;
     }
@@ -202,7 +202,7 @@ public final class LightingEquation {
     }
 
     /** One channel of what passes a clear surface: what it does not mirror, times its colour. */
-    static float passed(float kr, float share, float kt) {
+    static float transmitted(float kr, float share, float kt) {
         float mirror = kr + (1 - kr) * share;
         return (1 - mirror) * kt;
     }

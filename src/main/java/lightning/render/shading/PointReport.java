@@ -7,8 +7,8 @@ import lightning.render.trace.SurfacePoint;
 /**
  * The lighting equation at one point with all its parts.
  *
- * @param at        what the ray met; null where it met nothing and brought the background
- * @param holes     the primitives through whose holes the ray came, each once; none where nobody looked
+ * @param hit        what the ray met; null where it met nothing and brought the background
+ * @param passedCutouts     the primitives through whose holes the ray came, each once; none where nobody looked
  * @param normals   how its normal came about; null where it is the surface's own
  * @param color     the colour that the ray brings, linear, {@code float[3]}
  * @param ambient   ka·ambience·(1 − kr), linear, {@code float[3]}
@@ -17,12 +17,12 @@ import lightning.render.trace.SurfacePoint;
  *                  ends here
  * @param reflected what the mirrored ray brings; null if the material does not mirror or the depth ends here
  */
-public record PointReport(SurfacePoint at, List<Integer> holes, NormalSteps normals, float[] color, float[] ambient,
+public record PointReport(SurfacePoint hit, List<Integer> passedCutouts, NormalSteps normals, float[] color, float[] ambient,
         List<LightReport> lights,
         PointReport reflected,
         PointReport refracted) {
     /** Whether the ray met nothing. */
     public boolean isBackground() {
-        return at == null;
+        return hit == null;
     }
 }

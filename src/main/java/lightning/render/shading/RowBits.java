@@ -7,14 +7,14 @@ import lightning.render.trace.Tracer;
  */
 public final class RowBits {
     /** Rows in a word. */
-    public static final int WIDTH = Tracer.WORD;
+    public static final int WIDTH = Tracer.ROWS_PER_WORD;
     private static final int ALL = (1 << WIDTH) - 1;
 
     private RowBits() {}
 
     /** Room for the rows of any tile. */
-    static int[] room() {
-        return new int[words(Terms.ROWS)];
+    static int[] allocate() {
+        return new int[words(TermKernel.MAX_ROWS)];
     }
 
     /** How many words hold {@code rows} rows. */
@@ -23,14 +23,14 @@ public final class RowBits {
     }
 
     /** The bits of word {@code b} that stand for one of {@code rows} rows. */
-    public static int valid(int b, int rows) {
+    public static int validBits(int b, int rows) {
         int rest = rows - b * WIDTH;
         return rest >= WIDTH ? ALL : (1 << rest) - 1;
     }
 
     /** The bits of word {@code b} that stand for rows {@code from … to − 1}. */
-    public static int within(int b, int from, int to) {
-        return valid(b, to) & -1 << Math.max(0, from - b * WIDTH);
+    public static int rangeBits(int b, int from, int to) {
+        return validBits(b, to) & -1 << Math.max(0, from - b * WIDTH);
     }
 
     /** How many of {@code rows} rows are in the set. */
@@ -46,13 +46,13 @@ public final class RowBits {
     static int count(int[] bits, int from, int to) {
         int count = 0;
         for (int b = from / WIDTH; b * WIDTH < to; b++) {
-            count += Integer.bitCount(bits[b] & within(b, from, to));
+            count += Integer.bitCount(bits[b] & rangeBits(b, from, to));
         }
         return count;
     }
 
     /** The first word from {@code b} on without a row of the set; {@code words} where all have one. */
-    public static int end(int[] bits, int b, int words) {
+    public static int firstEmptyWord(int[] bits, int b, int words) {
         int end = b;
         while (end < words && bits[end] != 0) {
             end++;
@@ -63,14 +63,14 @@ public final class RowBits {
     /** Puts rows {@code from … to − 1} into the set. */
     public static void add(int[] bits, int from, int to) {
         for (int b = from / WIDTH; b * WIDTH < to; b++) {
-            bits[b] |= within(b, from, to);
+            bits[b] |= rangeBits(b, from, to);
         }
     }
 
     /** Takes rows {@code from … to − 1} out of the set. */
     static void remove(int[] bits, int from, int to) {
         for (int b = from / WIDTH; b * WIDTH < to; b++) {
-            bits[b] &= ~within(b, from, to);
+            bits[b] &= ~rangeBits(b, from, to);
         }
     }
 
@@ -83,21 +83,21 @@ public final class RowBits {
     }
 
     /** Puts the rows in a state, see {@link LightRows}, into the set. */
-    static void inState(byte[] states, int rows, int state, int[] bits) {
-        inStates(states, rows, 1 << state, bits);
+    static void selectState(byte[] states, int rows, int state, int[] bits) {
+        selectStates(states, rows, 1 << state, bits);
     }
 
     /**
      * Puts the rows in any of some states into the set.
      *
-     * @param which a bit for each state
+     * @param stateMask a bit for each state
      */
-    static void inStates(byte[] states, int rows, int which, int[] bits) {
+    static void selectStates(byte[] states, int rows, int stateMask, int[] bits) {
         for (int b = 0; b < words(rows); b++) {
             int word = 0;
             int end = Math.min(WIDTH, rows - b * WIDTH);
             for (int i = 0; i < end; i++) {
-                word |= (which >>> (states[b * WIDTH + i] & LightRows.STATE) & 1) << i;
+                word |= (stateMask >>> (states[b * WIDTH + i] & LightRows.STATE_MASK) & 1) << i;
             }
             bits[b] = word;
         }

@@ -5,13 +5,13 @@ public final class SampleMean {
     private SampleMean() {}
 
     /** The mean of {@code perPixel} values from {@code from} on. */
-    static float of(float[] samples, int from, int perPixel) {
+    static float mean(float[] samples, int from, int perPixel) {
         float sum = sum(samples, from, perPixel);
-        return sum <= Float.MAX_VALUE ? sum / perPixel : ofBright(samples, from, perPixel);
+        return sum <= Float.MAX_VALUE ? sum / perPixel : meanOfLarge(samples, from, perPixel);
     }
 
     /** The same of values so large that their sum overflows a float. */
-    static float ofBright(float[] samples, int from, int perPixel) {
+    static float meanOfLarge(float[] samples, int from, int perPixel) {
         double sum = 0;
         for (int s = from; s < from + perPixel; s++) {
             sum += samples[s];
@@ -25,13 +25,13 @@ public final class SampleMean {
             case 1 -> v[from];
             case 2 -> v[from] + v[from + 1];
             case 3 -> v[from] + (v[from + 1] + v[from + 2]);
-            case 4 -> four(v, from);
-            case 16 -> four(v, from) + four(v, from + 4) + (four(v, from + 8) + four(v, from + 12));
+            case 4 -> sumFour(v, from);
+            case 16 -> sumFour(v, from) + sumFour(v, from + 4) + (sumFour(v, from + 8) + sumFour(v, from + 12));
             default -> sum(v, from, count >>> 1) + sum(v, from + (count >>> 1), count - (count >>> 1));
         };
     }
 
-    private static float four(float[] v, int from) {
+    private static float sumFour(float[] v, int from) {
         return v[from] + v[from + 1] + (v[from + 2] + v[from + 3]);
     }
 
@@ -45,13 +45,13 @@ public final class SampleMean {
     public static void write(short[] pixels, int from, int to, int perPixel, float[][] samples, float[][] film) {
         for (int c = 0; c < 3; c++) {
             for (int i = from; i < to; i++) {
-                film[c][pixels[i]] = of(samples[c], (i - from) * perPixel, perPixel);
+                film[c][pixels[i]] = mean(samples[c], (i - from) * perPixel, perPixel);
             }
         }
     }
 
     /** How many pixels of {@code perPixel} samples each are traced together. */
-    public static int pixelsTogether(int perPixel) {
-        return Terms.ROWS / perPixel;
+    public static int pixelsPerBatch(int perPixel) {
+        return TermKernel.MAX_ROWS / perPixel;
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Columns that are handed out in turn and, after {@link #reset}, again. */
-public final class ScratchColumns implements Columns {
+public final class ScratchColumns implements ColumnAllocator {
     private final List<float[]> floats = new ArrayList<>();
     private final List<byte[]> states = new ArrayList<>();
     private final List<short[]> shorts = new ArrayList<>();
@@ -22,7 +22,7 @@ public final class ScratchColumns implements Columns {
     @Override
     public float[] floats(int rows) {
         if (floatsUsed == floats.size()) {
-            floats.add(new float[Terms.ROWS]);
+            floats.add(new float[TermKernel.MAX_ROWS]);
         }
         return floats.get(floatsUsed++);
     }
@@ -30,7 +30,7 @@ public final class ScratchColumns implements Columns {
     @Override
     public byte[] states(int rows) {
         if (statesUsed == states.size()) {
-            states.add(new byte[Terms.ROWS]);
+            states.add(new byte[TermKernel.MAX_ROWS]);
         }
         return states.get(statesUsed++);
     }
@@ -38,7 +38,7 @@ public final class ScratchColumns implements Columns {
     @Override
     public short[] shorts(int rows) {
         if (shortsUsed == shorts.size()) {
-            shorts.add(new short[Terms.ROWS]);
+            shorts.add(new short[TermKernel.MAX_ROWS]);
         }
         return shorts.get(shortsUsed++);
     }

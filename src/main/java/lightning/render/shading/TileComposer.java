@@ -1,10 +1,10 @@
 package lightning.render.shading;
 
 import java.util.Arrays;
-import lightning.render.trace.Bounce;
+import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
-import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
@@ -14,15 +14,15 @@ import lightning.scene.effects.ViewEffects;
  * one for each thread.
  */
 public final class TileComposer {
-    private final Composer composer;
-    private final Backdrop backdrop = new Backdrop();
+    private final LevelComposer composer;
+    private final BackgroundShader backgroundShader = new BackgroundShader();
     private final MaterialTable materials;
     /** By the depth of a level. */
-    private Images[] scratch = new Images[2];
+    private BounceImages[] scratch = new BounceImages[2];
 
-    public TileComposer(MaterialTable materials, Sums sums, ViewEffects view) {
+    public TileComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
         this.materials = materials;
-        composer = new Composer(materials, sums, view);
+        composer = new LevelComposer(materials, sums, view);
     }
 
     /**
@@ -31,11 +31,11 @@ public final class TileComposer {
      * @param depth over how many others the level is seen
      * @return valid until this is asked again for the same depth; null where no ray goes on
      */
-    public Images unfollowed(HitRows rows, int depth) {
-        Images images = images(rows, depth);
-        for (Bounce bounce : Bounce.values()) {
-            for (int c = 0; c < 3 && bounce.rows(rows) > 0; c++) {
-                Arrays.fill(images.of(bounce)[c], 0, bounce.rows(rows), 0);
+    public BounceImages blackImages(HitRows rows, int depth) {
+        BounceImages images = scratchImages(rows, depth);
+        for (BounceKind bounce : BounceKind.values()) {
+            for (int c = 0; c < 3 && bounce.rowCount(rows) > 0; c++) {
+                Arrays.fill(images.forBounce(bounce)[c], 0, bounce.rowCount(rows), 0);
             }
         }
         return images;
@@ -48,32 +48,33 @@ public final class TileComposer {
      * @param depth over how many others the level is seen
      * @return valid until this is asked again for the same depth; null where no ray goes on
      */
-    public Images followed(HitRows rows, World world, int depth) {
-        Images images = images(rows, depth);
-        for (Bounce bounce : Bounce.values()) {
-            if (bounce.rows(rows) > 0) {
-                backdrop.behind(rows, bounce, materials, world, images.of(bounce));
+    public BounceImages backgroundImages(HitRows rows, World world, int depth) {
+        BounceImages images = scratchImages(rows, depth);
+        for (BounceKind bounce : BounceKind.values()) {
+            if (bounce.rowCount(rows) > 0) {
+                backgroundShader.shadeBounceRays(rows, bounce, materials, world, images.forBounce(bounce));
             }
         }
         return images;
     }
 
-    private Images images(HitRows rows, int depth) {
-        if (rows.reflective == 0) {
+    private BounceImages scratchImages(HitRows rows, int depth) {
+        if (rows.reflectiveCount == 0) {
             return null;
         }
         if (depth >= scratch.length) {
             scratch = Arrays.copyOf(scratch, depth + 1);
         }
-        if (scratch[depth] == null || rows.clear > 0 && scratch[depth].refracted() == null) {
-            scratch[depth] = new Images(new float[3][Terms.ROWS], rows.clear > 0 ? new float[3][Terms.ROWS] : null);
+        if (scratch[depth] == null || rows.transparentCount > 0 && scratch[depth].refracted() == null) {
+            scratch[depth] = new BounceImages(new float[3][TermKernel.MAX_ROWS],
+                    rows.transparentCount > 0 ? new float[3][TermKernel.MAX_ROWS] : null);
         }
         return scratch[depth];
     }
 
     /** Makes a tile of the film ready for the colours of a first level: what is behind all where no row is. */
-    public void background(HitRows rows, Scene scene, SamplePlaces places, float[][] film) {
-        backdrop.eye(rows, scene, places, film);
+    public void fillBackground(HitRows rows, Scene scene, SamplePositions places, float[][] film) {
+        backgroundShader.shadeEyeRays(rows, scene, places, film);
     }
 
     /**
@@ -85,18 +86,19 @@ public final class TileComposer {
      * @param images   what the rays bring that go on from the rows; null where none does
      * @param to       gets each row's colour at its parent, linear: red, green, blue, {@code float[1024]} each
      */
-    public void level(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums branches, World world, Images images,
+    public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world,
+            BounceImages images,
             float[][] to) {
         composer.compose(rows, lights, layers, branches, world, images, to);
     }
 
     /** Which of the lights' contributions levels are composed of from now on: all of them until it is called. */
-    public void setPart(LightPart part) {
-        composer.setPart(part);
+    public void setComponent(LightComponent part) {
+        composer.setComponent(part);
     }
 
-    /** The sums beside one light, to be given to {@link #level} while that light alone is edited. */
-    public BranchSums branches(HitRows rows, Luminaire[] lights, LightLayer[] layers, BranchSums.Key key) {
-        return composer.lightSum().branches(rows.count, lights, layers, key);
+    /** The sums beside one light, to be given to {@link #composeLevel} while that light alone is edited. */
+    public BranchSums branchSums(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums.Key key) {
+        return composer.lightSum().branchSums(rows.count, lights, layers, key);
     }
 }

@@ -3,9 +3,9 @@ package lightning.render.trace;
 import lightning.base.math.Ray;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.render.trace.tree.Beam;
+import lightning.render.trace.tree.RayBeam;
 import lightning.scene.Camera;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 
 /**
  * The rays from the eye, which is the origin of render space unless the camera says otherwise, through points of the picture.
@@ -20,7 +20,7 @@ public final class CameraRays {
     public final Vec3 right;
     public final Vec3 down;
 
-    public CameraRays(Camera camera, Picture picture) {
+    public CameraRays(Camera camera, PictureSettings picture) {
         eye = camera.from().minus(camera.origin());
         Vec3 forward = camera.to().minus(camera.from()).normalized();
         Vec3 side = forward.cross(camera.up().normalized()).normalized();
@@ -34,16 +34,16 @@ public final class CameraRays {
     }
 
     /** The ray through the centre of pixel {@code column, row}; its direction has length 1. */
-    public Ray through(int column, int row) {
-        return at(column + 0.5, row + 0.5);
+    public Ray pixelRay(int column, int row) {
+        return imageRay(column + 0.5, row + 0.5);
     }
 
     /** The ray through picture coordinates x, y; its direction has length 1. */
-    public Ray at(double x, double y) {
+    public Ray imageRay(double x, double y) {
         double[] dx = new double[1];
         double[] dy = new double[1];
         double[] dz = new double[1];
-        at(x, y, dx, dy, dz, 0);
+        writeDirection(x, y, dx, dy, dz, 0);
         return new Ray(eye, new Vec3(dx[0], dy[0], dz[0]));
     }
 
@@ -53,21 +53,21 @@ public final class CameraRays {
      * @param column the leftmost pixel, {@code columns} the number of pixels across
      * @param row    the uppermost pixel, {@code rows} the number of pixels down
      */
-    public void sweep(Beam beam, int column, int row, int columns, int rows) {
+    public void boundBeam(RayBeam beam, int column, int row, int columns, int rows) {
         beam.clear();
-        beam.origin(eye.x(), eye.y(), eye.z());
+        beam.addOrigin(eye.x(), eye.y(), eye.z());
         // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
         for (int end = 0; end < 4; end++) {
             double x = column + (end & 1) * columns;
             double y = row + (end >> 1) * rows;
-            beam.direction(corner.x() + x * right.x() + y * down.x(),
+            beam.addDirection(corner.x() + x * right.x() + y * down.x(),
                     corner.y() + x * right.y() + y * down.y(),
                     corner.z() + x * right.z() + y * down.z());
         }
     }
 
     /** Writes the direction, of length 1, of the ray through picture coordinates x, y to place {@code i}. */
-    public void at(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
+    public void writeDirection(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
         double dx = corner.x() + x * right.x() + y * down.x();
         double dy = corner.y() + x * right.y() + y * down.y();
         double dz = corner.z() + x * right.z() + y * down.z();

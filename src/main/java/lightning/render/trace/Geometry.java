@@ -10,18 +10,18 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
-import lightning.render.trace.mesh.MeshProbe;
-import lightning.render.trace.primitive.Crossings;
+import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.render.trace.solid.Form;
-import lightning.render.trace.solid.Touch;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.solid.SolidGeometry;
+import lightning.render.trace.solid.SurfaceContact;
 import lightning.render.trace.tree.Bvh;
-import lightning.render.trace.tree.RayWalk;
-import lightning.render.trace.tree.WayEnd;
-import lightning.scene.Links;
+import lightning.render.trace.tree.RayTraversal;
+import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.ShapeLinks;
 
 /**
  * What rays can meet: a scene's shapes and materials in render space, without its lights.
@@ -32,226 +32,227 @@ import lightning.scene.Shape;
 public final class Geometry {
     private final Scene scene;
     private final List<Shape> shapes;
-    private final List<String> names;
-    private final Set<String> tinted;
+    private final List<String> materialNames;
+    private final Set<String> vertexColorMaterials;
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
     private final Bvh bvh;
-    private final Predicate<Material> mirrors;
+    private final Predicate<Material> castsReflections;
     /** Which primitives throw shadows; null where all do. */
-    private final boolean[] casters;
-    private final boolean throwsShadows;
+    private final boolean[] shadowCasters;
+    private final boolean castsShadows;
     /** The tree of those primitives that light passes and takes the colour of; null where it passes none. */
-    private final Bvh tinting;
-    private final boolean[] tinters;
+    private final Bvh tintBvh;
+    private final boolean[] tintCasters;
     /** Whether any material throws no shadows. */
-    private final boolean hasShadowless;
+    private final boolean hasShadowlessMaterials;
     /** The same shapes where some of them throw no shadow, by those that do. */
-    private final Map<Links, Geometry> casting = new ConcurrentHashMap<>();
+    private final Map<ShapeLinks, Geometry> shadowGeometries = new ConcurrentHashMap<>();
     /** What {@link #changeTo} found last, as long as someone else uses it. Any thread may set it: each that does is right. */
-    private volatile WeakReference<ShapeChange> change;
+    private volatile WeakReference<ShapeChange> lastChange;
 
     /** Prepares the shapes of a scene. */
     public Geometry(Scene scene) {
-        this(scene, MaterialTable.MIRRORS);
+        this(scene, MaterialTable.CASTS_REFLECTIONS);
     }
 
     /**
      * Prepares the shapes of a scene.
      *
-     * @param mirrors which materials cast mirrored rays: all that mirror, and perhaps others
+     * @param castsReflections which materials cast mirrored rays: all that mirror, and perhaps others
      */
-    public Geometry(Scene scene, Predicate<Material> mirrors) {
+    public Geometry(Scene scene, Predicate<Material> castsReflections) {
         this.scene = scene;
         shapes = scene.stage().shapes();
-        names = MaterialTable.names(shapes);
-        tinted = MaterialTable.tinted(shapes);
-        this.mirrors = mirrors;
-        materials = new MaterialTable(names, tinted, scene, null, mirrors);
-        bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()));
+        materialNames = MaterialTable.materialNames(shapes);
+        vertexColorMaterials = MaterialTable.vertexColorMaterials(shapes);
+        this.castsReflections = castsReflections;
+        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, null, castsReflections);
+        bvh = new Bvh(PrimitiveTable.of(scene.stage(), materialIndices(), scene.camera().origin()));
         primitives = bvh.primitives;
-        casters = null;
-        throwsShadows = true;
-        tinting = null;
-        tinters = null;
-        hasShadowless = materials.hasShadowless();
+        shadowCasters = null;
+        castsShadows = true;
+        tintBvh = null;
+        tintCasters = null;
+        hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
-    private Geometry(Geometry shared, Scene scene) {
+    private Geometry(Geometry source, Scene scene) {
         this.scene = scene;
-        shapes = shared.shapes;
-        names = shared.names;
-        tinted = shared.tinted;
-        mirrors = shared.mirrors;
-        materials = new MaterialTable(names, tinted, scene, shared.materials, mirrors);
-        primitives = shared.primitives;
-        bvh = shared.bvh;
-        casters = shared.casters;
-        throwsShadows = shared.throwsShadows;
-        tinting = shared.tinting;
-        tinters = shared.tinters;
-        hasShadowless = materials.hasShadowless();
+        shapes = source.shapes;
+        materialNames = source.materialNames;
+        vertexColorMaterials = source.vertexColorMaterials;
+        castsReflections = source.castsReflections;
+        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, source.materials, castsReflections);
+        primitives = source.primitives;
+        bvh = source.bvh;
+        shadowCasters = source.shadowCasters;
+        castsShadows = source.castsShadows;
+        tintBvh = source.tintBvh;
+        tintCasters = source.tintCasters;
+        hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
     /** The same of which only some primitives throw shadows: the tree has no others. */
-    private Geometry(Geometry shared, boolean[] casters, boolean[] tinters) {
-        scene = shared.scene;
-        shapes = shared.shapes;
-        names = shared.names;
-        tinted = shared.tinted;
-        mirrors = shared.mirrors;
-        materials = shared.materials;
-        primitives = shared.primitives;
-        this.casters = casters;
-        throwsShadows = IntStream.range(0, casters.length).anyMatch(s -> casters[s]);
-        hasShadowless = shared.hasShadowless;
-        bvh = throwsShadows ? shared.bvh.only(casters) : shared.bvh;
-        this.tinters = tinters;
-        tinting = tinters == null ? null : shared.bvh.only(tinters);
+    private Geometry(Geometry source, boolean[] shadowCasters, boolean[] tintCasters) {
+        scene = source.scene;
+        shapes = source.shapes;
+        materialNames = source.materialNames;
+        vertexColorMaterials = source.vertexColorMaterials;
+        castsReflections = source.castsReflections;
+        materials = source.materials;
+        primitives = source.primitives;
+        this.shadowCasters = shadowCasters;
+        castsShadows = IntStream.range(0, shadowCasters.length).anyMatch(s -> shadowCasters[s]);
+        hasShadowlessMaterials = source.hasShadowlessMaterials;
+        bvh = castsShadows ? source.bvh.subset(shadowCasters) : source.bvh;
+        this.tintCasters = tintCasters;
+        tintBvh = tintCasters == null ? null : source.bvh.subset(tintCasters);
     }
 
     /** The form of the tree is another's. */
-    private Geometry(Geometry shared, Scene scene, Predicate<Material> mirrors) {
+    private Geometry(Geometry source, Scene scene, Predicate<Material> castsReflections) {
         this.scene = scene;
-        shapes = shared.shapes;
-        names = shared.names;
-        tinted = shared.tinted;
-        this.mirrors = mirrors;
-        materials = new MaterialTable(names, tinted, scene, shared.materials, mirrors);
-        bvh = new Bvh(shared.primitives.from(scene.camera().origin()), shared.bvh);
+        shapes = source.shapes;
+        materialNames = source.materialNames;
+        vertexColorMaterials = source.vertexColorMaterials;
+        this.castsReflections = castsReflections;
+        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, source.materials, castsReflections);
+        bvh = new Bvh(source.primitives.movedCamera(scene.camera().origin()), source.bvh);
         primitives = bvh.primitives;
-        casters = null;
-        throwsShadows = true;
-        tinting = null;
-        tinters = null;
-        hasShadowless = materials.hasShadowless();
+        shadowCasters = null;
+        castsShadows = true;
+        tintBvh = null;
+        tintCasters = null;
+        hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
     /** Other shapes, seen from the same place; materials keep their indices. */
-    private Geometry(Scene scene, Geometry before) {
+    private Geometry(Scene scene, Geometry previous) {
         this.scene = scene;
         shapes = scene.stage().shapes();
-        names = MaterialTable.names(before.names, shapes);
-        tinted = MaterialTable.tinted(shapes);
-        mirrors = before.mirrors;
-        materials = new MaterialTable(names, tinted, scene, before.materials, mirrors);
-        bvh = Bvh.following(PrimitiveTable.of(scene.stage(), materialOf(), scene.camera().origin()), before.bvh);
+        materialNames = MaterialTable.materialNames(previous.materialNames, shapes);
+        vertexColorMaterials = MaterialTable.vertexColorMaterials(shapes);
+        castsReflections = previous.castsReflections;
+        materials = new MaterialTable(materialNames, vertexColorMaterials, scene, previous.materials, castsReflections);
+        bvh = Bvh.refitOrRebuild(PrimitiveTable.of(scene.stage(), materialIndices(), scene.camera().origin()), previous.bvh);
         primitives = bvh.primitives;
-        casters = null;
-        throwsShadows = true;
-        tinting = null;
-        tinters = null;
-        hasShadowless = materials.hasShadowless();
+        shadowCasters = null;
+        castsShadows = true;
+        tintBvh = null;
+        tintCasters = null;
+        hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
     /** Of each primitive whether it is of a linked shape; not to be written to. */
-    public boolean[] linked(Links links) {
+    public boolean[] linkedPrimitives(ShapeLinks links) {
         // Every shape is one primitive.
-        return scene.stage().linked(links);
+        return scene.stage().linkMask(links);
     }
 
     /** What ways to a light meet that some shapes do not shadow: primitives keep their indices and their boxes. */
-    public Geometry casting(Links links) {
-        return links.isAll() && !hasShadowless ? this
-                : casting.computeIfAbsent(links, asked -> new Geometry(this, casters(asked), tinters(asked)));
+    public Geometry shadowGeometry(ShapeLinks links) {
+        return links.isAll() && !hasShadowlessMaterials ? this
+                : shadowGeometries.computeIfAbsent(links,
+                        requested -> new Geometry(this, shadowCasters(requested), tintCasters(requested)));
     }
 
     /** Of each primitive whether it throws shadows in a light that linked shapes shadow; not to be written to. */
-    boolean[] casters(Links links) {
-        boolean[] linked = linked(links);
-        if (!hasShadowless) {
+    boolean[] shadowCasters(ShapeLinks links) {
+        boolean[] linked = linkedPrimitives(links);
+        if (!hasShadowlessMaterials) {
             return linked;
         }
-        boolean[] casters = linked.clone();
-        for (int s = 0; s < casters.length; s++) {
-            casters[s] &= material(s).clarity().throwsShadows();
+        boolean[] result = linked.clone();
+        for (int s = 0; s < result.length; s++) {
+            result[s] &= material(s).transmission().castsShadows();
         }
-        return casters;
+        return result;
     }
 
     /** Of each primitive whether it gives its colour to the light that linked shapes shadow; null where none does. */
-    boolean[] tinters(Links links) {
-        if (!primitives.haveTints()) {
+    boolean[] tintCasters(ShapeLinks links) {
+        if (!primitives.hasShadowTints()) {
             return null;
         }
-        boolean[] tints = linked(links).clone();
-        boolean any = false;
-        for (int s = 0; s < tints.length; s++) {
-            tints[s] &= primitives.tint(s) != null;
-            any |= tints[s];
+        boolean[] result = linkedPrimitives(links).clone();
+        boolean hasTints = false;
+        for (int s = 0; s < result.length; s++) {
+            result[s] &= primitives.shadowTint(s) != null;
+            hasTints |= result[s];
         }
-        return any ? tints : null;
+        return hasTints ? result : null;
     }
 
     /** Of each primitive whether light passes it and takes its colour; null where it passes none; not to be written to. */
-    public boolean[] tinters() {
-        return tinters;
+    public boolean[] tintCasters() {
+        return tintCasters;
     }
 
     /** The tree of those primitives that light passes and takes the colour of; null where it passes none. */
-    public Bvh tinting() {
-        return tinting;
+    public Bvh tintBvh() {
+        return tintBvh;
     }
 
     /**
      * Writes where a way meets what light passes, as way 0; every primitive is asked, and every triangle.
      *
-     * @param end   {@link WayEnd#OPEN} for a ray
+     * @param target   {@link ShadowRayTarget#OFF_SURFACE} for a ray
      * @param limit 1 for a way to a point; {@code +∞} for a ray
      */
-    public void crossingsOfAll(Ray way, WayEnd end, double limit, Crossings to) {
-        MeshProbe probe = new MeshProbe();
-        Vec3 o = way.origin();
-        Vec3 d = way.direction();
-        to.clear();
-        to.turnTo(0);
-        for (int s = 0; tinters != null && s < tinters.length; s++) {
-            if (tinters[s]) {
-                primitives.crossings(s, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), end.touches(s, o), limit, probe, true, to);
+    public void collectHitsBruteForce(Ray shadowRay, ShadowRayTarget target, double limit, ShadowRayHits hits) {
+        MeshRayQuery probe = new MeshRayQuery();
+        Vec3 o = shadowRay.origin();
+        Vec3 d = shadowRay.direction();
+        hits.clear();
+        hits.selectRay(0);
+        for (int s = 0; tintCasters != null && s < tintCasters.length; s++) {
+            if (tintCasters[s]) {
+                primitives.addHits(s, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), target.touches(s, o), limit, probe, true, hits);
             }
         }
     }
 
     /** Whether any primitive throws a shadow; where none does, rays must not be asked. */
-    public boolean throwsShadows() {
-        return throwsShadows;
+    public boolean castsShadows() {
+        return castsShadows;
     }
 
-    private boolean casts(int primitive) {
-        return casters == null || casters[primitive];
+    private boolean isShadowCaster(int primitive) {
+        return shadowCasters == null || shadowCasters[primitive];
     }
 
-    private int[] materialOf() {
+    private int[] materialIndices() {
         Map<String, Integer> index = new HashMap<>();
-        names.forEach(name -> index.put(name, index.size()));
+        materialNames.forEach(name -> index.put(name, index.size()));
         return shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
     }
 
     /** Whether the shapes of {@code other} are these, seen from this place; its materials may be others. */
-    public boolean serves(Scene other) {
-        return hasShapesOf(other) && scene.camera().origin().equals(other.camera().origin());
+    public boolean canServe(Scene other) {
+        return hasSameShapes(other) && scene.camera().origin().equals(other.camera().origin());
     }
 
-    private boolean hasShapesOf(Scene other) {
-        return scene.nodes().equals(other.nodes()) && hasWaysOf(other);
+    private boolean hasSameShapes(Scene other) {
+        return scene.nodes().equals(other.nodes()) && hasSameRays(other);
     }
 
     /**
      * Whether the materials that shapes have bend normals as those of another scene do, lead rays on behind them and throw shadows:
      * what is met is told with its normal and with where rays go on.
      */
-    private boolean hasWaysOf(Scene other) {
+    private boolean hasSameRays(Scene other) {
         if (scene.materials() == other.materials()) {
             return true;
         }
-        Map<String, Material> here = scene.materialsByName();
-        Map<String, Material> there = other.materialsByName();
-        return scene.stage().namedMaterials().stream().allMatch(m -> here.get(m).hasWaysOf(there.get(m)));
+        Map<String, Material> thisMaterials = scene.materialsByName();
+        Map<String, Material> otherMaterials = other.materialsByName();
+        return scene.stage().usedMaterials().stream().allMatch(m -> thisMaterials.get(m).hasSameRays(otherMaterials.get(m)));
     }
 
     /** Whether these are the shapes of a scene, and an eye may stand at a point of it without their being moved. */
-    public boolean servesEye(Scene other, Vec3 eye) {
-        return hasShapesOf(other) && toRenderSpace(eye).maxAbs() <= primitives.farthest;
+    public boolean canServeEye(Scene other, Vec3 eye) {
+        return hasSameShapes(other) && toRenderSpace(eye).maxAbs() <= primitives.maxCoordinate;
     }
 
     /** Where render space begins, a point of the scene. */
@@ -263,13 +264,14 @@ public final class Geometry {
      * What rays of another scene can meet: this itself where it serves that scene, its tree with moved boxes where shapes are
      * the same and the camera stands elsewhere, and else built anew.
      *
-     * @param casting as for a new one
+     * @param newCastsReflections as for a new one
      */
-    public Geometry forScene(Scene other, Predicate<Material> casting) {
-        if (!hasShapesOf(other)) {
-            return new Geometry(other, casting);
+    public Geometry forScene(Scene other, Predicate<Material> newCastsReflections) {
+        if (!hasSameShapes(other)) {
+            return new Geometry(other, newCastsReflections);
         }
-        return serves(other) && mirrors == casting ? of(other) : new Geometry(this, other, casting);
+        return canServe(other) && castsReflections == newCastsReflections ? withMaterialsOf(other)
+                : new Geometry(this, other, newCastsReflections);
     }
 
     /**
@@ -277,8 +279,8 @@ public final class Geometry {
      *
      * @throws IllegalArgumentException if this geometry does not serve that scene
      */
-    public Geometry of(Scene other) {
-        if (!serves(other)) {
+    public Geometry withMaterialsOf(Scene other) {
+        if (!canServe(other)) {
             throw new IllegalArgumentException("the geometry is another scene's");
         }
         return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
@@ -289,12 +291,12 @@ public final class Geometry {
      * index here know it by the same there.
      */
     public ShapeChange changeTo(Scene other) {
-        ShapeChange known = change == null ? null : change.get();
-        if (known == null || !known.after(this).hasShapesOf(other)) {
-            known = new ShapeChange(this, new Geometry(other, this));
-            change = new WeakReference<>(known);
+        ShapeChange current = lastChange == null ? null : lastChange.get();
+        if (current == null || !current.after(this).hasSameShapes(other)) {
+            current = new ShapeChange(this, new Geometry(other, this));
+            lastChange = new WeakReference<>(current);
         }
-        return known;
+        return current;
     }
 
     /** The same where those shapes are known already, of a geometry that followed from this one, perhaps in several steps. */
@@ -303,8 +305,8 @@ public final class Geometry {
     }
 
     /** Which materials cast mirrored rays. */
-    public Predicate<Material> mirrors() {
-        return mirrors;
+    public Predicate<Material> castsReflections() {
+        return castsReflections;
     }
 
     public MaterialTable materials() {
@@ -322,7 +324,7 @@ public final class Geometry {
     }
 
     /** A number for the shape that a primitive is of, which it keeps whatever other shapes there are: of its name. */
-    public int number(int primitive) {
+    public int shapeHash(int primitive) {
         return HitCode.ofName(shape(primitive).name());
     }
 
@@ -333,11 +335,11 @@ public final class Geometry {
 
     /** The material of a primitive. */
     public Material material(int primitive) {
-        return materials.material(materialOf(primitive));
+        return materials.material(materialIndex(primitive));
     }
 
     /** The index of the material of a primitive. */
-    public int materialOf(int primitive) {
+    public int materialIndex(int primitive) {
         return primitives.material[primitive];
     }
 
@@ -365,13 +367,13 @@ public final class Geometry {
      *
      * @return its index, or −1
      */
-    public int nearestOfAll(Ray ray) {
+    public int nearestBruteForce(Ray ray) {
         int nearest = -1;
-        double least = Form.MISS;
+        double minDistance = SolidGeometry.MISS;
         for (int s = 0; s < primitives.count; s++) {
             double t = distance(s, ray);
-            if (t < least) {
-                least = t;
+            if (t < minDistance) {
+                minDistance = t;
                 nearest = s;
             }
         }
@@ -379,8 +381,8 @@ public final class Geometry {
     }
 
     /** The same, where meshes are asked by their trees: these serve rays from anywhere, which the tree of primitives does not. */
-    public int nearestInTurn(Ray ray) {
-        return bvh.walk(ray).nearestInTurn();
+    public int nearestLinear(Ray ray) {
+        return bvh.traversal(ray).nearestBruteForce();
     }
 
     /** The same by the tree of boxes; origins are the camera or lie within the box of the scene. */
@@ -389,14 +391,14 @@ public final class Geometry {
     }
 
     /** Whether any primitive is met at a distance below {@code limit}, by the tree of boxes. */
-    public boolean blocked(Ray ray, double limit) {
-        return bvh.blocked(ray, limit);
+    public boolean isBlocked(Ray ray, double limit) {
+        return bvh.isBlocked(ray, limit);
     }
 
     /** Whether any primitive that throws shadows is met at a distance below {@code limit}; every one is asked. */
-    public boolean blockedByAny(Ray ray, double limit) {
+    public boolean isBlockedBruteForce(Ray ray, double limit) {
         for (int s = 0; s < primitives.count; s++) {
-            if (casts(s) && distance(s, ray) < limit) {
+            if (isShadowCaster(s) && distance(s, ray) < limit) {
                 return true;
             }
         }
@@ -404,20 +406,20 @@ public final class Geometry {
     }
 
     /** Where ways to a light at a point in render space end; every primitive is asked. */
-    public WayEnd endOfAll(Vec3 point) {
-        return WayEnd.ofAll(point, bvh);
+    public ShadowRayTarget shadowRayTargetBruteForce(Vec3 point) {
+        return ShadowRayTarget.findBruteForce(point, bvh);
     }
 
     /** The same by the tree of boxes. */
-    public WayEnd end(Vec3 point) {
-        return WayEnd.at(point, bvh);
+    public ShadowRayTarget shadowRayTarget(Vec3 point) {
+        return ShadowRayTarget.find(point, bvh);
     }
 
     /** Whether any primitive that throws shadows stands between a point and a light, both in render space; every one is asked. */
-    public boolean blockedByAny(Vec3 point, WayEnd end) {
-        Ray way = new Ray(point, end.point().minus(point));
+    public boolean isBlockedBruteForce(Vec3 point, ShadowRayTarget target) {
+        Ray shadowRay = new Ray(point, target.point().minus(point));
         for (int s = 0; s < primitives.count; s++) {
-            if (casts(s) && distance(s, way, end) < 1) {
+            if (isShadowCaster(s) && distance(s, shadowRay, target) < 1) {
                 return true;
             }
         }
@@ -429,8 +431,8 @@ public final class Geometry {
      *
      * @return its index, or −1 where the way is free
      */
-    public int blocker(Vec3 point, WayEnd end) {
-        return bvh.blocker(new Ray(point, end.point().minus(point)), end);
+    public int blocker(Vec3 point, ShadowRayTarget target) {
+        return bvh.blocker(new Ray(point, target.point().minus(point)), target);
     }
 
     /** The distance along a ray to a primitive, or {@code +∞}. */
@@ -441,11 +443,11 @@ public final class Geometry {
     }
 
     /** The distance along the way to a light, 1 at the light, to a primitive that comes between; {@code +∞} where it does not. */
-    public double distance(int primitive, Ray way, WayEnd end) {
-        Vec3 o = way.origin();
-        Vec3 d = way.direction();
-        return end.touches(primitive, o) ? primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), Touch.END)
-                : distance(primitive, way);
+    public double distance(int primitive, Ray shadowRay, ShadowRayTarget target) {
+        Vec3 o = shadowRay.origin();
+        Vec3 d = shadowRay.direction();
+        return target.touches(primitive, o) ? primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), SurfaceContact.END)
+                : distance(primitive, shadowRay);
     }
 
     /**
@@ -454,19 +456,19 @@ public final class Geometry {
      * @throws IllegalArgumentException if the ray misses the primitive
      */
     public SurfacePoint surface(int primitive, Ray ray) {
-        RayWalk walk = bvh.walk(ray);
-        return walk.only(primitive) < 0 ? missed(primitive)
-                : new SurfaceProbe(primitives, materials).at(primitive, walk.part(), ray, walk.distance());
+        RayTraversal traversal = bvh.traversal(ray);
+        return traversal.intersectPrimitive(primitive) < 0 ? throwMissed(primitive)
+                : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, traversal.part(), ray, traversal.distance());
     }
 
     /** The same; every triangle of a mesh is asked. */
-    public SurfacePoint surfaceOfAll(int primitive, Ray ray) {
+    public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
         double t = distance(primitive, ray);
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
-        return t == Form.MISS ? missed(primitive)
-                : new SurfaceProbe(primitives, materials).at(primitive,
-                        primitives.part(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
+        return t == SolidGeometry.MISS ? throwMissed(primitive)
+                : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive,
+                        primitives.hitPart(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()), ray, t);
     }
 
     /**
@@ -475,14 +477,14 @@ public final class Geometry {
      * @throws IllegalArgumentException if the ray misses the primitive
      */
     public NormalSteps normalSteps(int primitive, Ray ray) {
-        RayWalk walk = bvh.walk(ray);
-        if (walk.only(primitive) < 0) {
-            missed(primitive);
+        RayTraversal traversal = bvh.traversal(ray);
+        if (traversal.intersectPrimitive(primitive) < 0) {
+            throwMissed(primitive);
         }
-        return new SurfaceProbe(primitives, materials).steps(primitive, walk.part(), ray, walk.distance());
+        return new SurfacePointBuilder(primitives, materials).normalSteps(primitive, traversal.part(), ray, traversal.distance());
     }
 
-    private static SurfacePoint missed(int primitive) {
+    private static SurfacePoint throwMissed(int primitive) {
         throw new IllegalArgumentException("the ray misses primitive " + primitive);
     }
 }

@@ -7,9 +7,9 @@ package lightning.render.trace;
  */
 public final class HitCode {
     /** Unit vectors at a right angle differ by more than this along some axis, so that a crease never hides. */
-    private static final float SIDE = 0.75f;
+    private static final float SIDE_THRESHOLD = 0.75f;
     /** Steps of a texture from black to white. */
-    private static final float SHADES = 8;
+    private static final float SHADE_LEVELS = 8;
     private static final int FACTOR = 0x9E3779B1;
 
     private HitCode() {}
@@ -32,18 +32,18 @@ public final class HitCode {
     }
 
     /** The number of a hit, its own number being {@code code}, whose material has a texture of this linear colour there. */
-    public static int textured(int code, float red, float green, float blue) {
-        int shade = ((int) (red * SHADES) * 31 + (int) (green * SHADES)) * 31 + (int) (blue * SHADES);
+    public static int withTexture(int code, float red, float green, float blue) {
+        int shade = ((int) (red * SHADE_LEVELS) * 31 + (int) (green * SHADE_LEVELS)) * 31 + (int) (blue * SHADE_LEVELS);
         return scramble(code + shade * FACTOR);
     }
 
     private static int side(float n) {
-        return n > SIDE / 2 ? 2 : n < -SIDE / 2 ? 0 : 1;
+        return n > SIDE_THRESHOLD / 2 ? 2 : n < -SIDE_THRESHOLD / 2 ? 0 : 1;
     }
 
     /** A number that stands for {@code code} seen at a place, 0 where the eye sees it: such numbers of one pixel are added. */
-    public static int seen(int code, int place) {
-        return scramble(code + (place + 1) * FACTOR);
+    public static int atDepth(int code, int depth) {
+        return scramble(code + (depth + 1) * FACTOR);
     }
 
     /** Spreads the bits of a number over all of it. */

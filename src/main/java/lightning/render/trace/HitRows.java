@@ -21,7 +21,7 @@ import lightning.render.trace.tree.PointBox;
  */
 public final class HitRows {
     /** When a tile's rows have a column. */
-    public enum Part {
+    public enum ColumnGroup {
         /** Always. */
         HIT,
         /** Where any row's material is textured. */
@@ -31,12 +31,12 @@ public final class HitRows {
         /** Where a light of the scene shines on some shapes only. */
         OWNER,
         /** Where any row's material is clear. */
-        CLEAR;
+        TRANSPARENT;
 
         /** The columns that come and go together. */
         Set<Column> columns() {
             Set<Column> columns = EnumSet.allOf(Column.class);
-            columns.removeIf(column -> column.part != this);
+            columns.removeIf(column -> column.group != this);
             return columns;
         }
 
@@ -48,31 +48,31 @@ public final class HitRows {
 
     /** All columns that there are: what makes, counts, shares and splices rows knows no others. */
     public enum Column implements ColumnKind {
-        PX(Part.HIT, ElementType.FLOAT),
-        PY(Part.HIT, ElementType.FLOAT),
-        PZ(Part.HIT, ElementType.FLOAT),
-        NX(Part.HIT, ElementType.FLOAT),
-        NY(Part.HIT, ElementType.FLOAT),
-        NZ(Part.HIT, ElementType.FLOAT),
-        VX(Part.HIT, ElementType.FLOAT),
-        VY(Part.HIT, ElementType.FLOAT),
-        VZ(Part.HIT, ElementType.FLOAT),
-        TEXEL_RED(Part.TEXEL, ElementType.FLOAT),
-        TEXEL_GREEN(Part.TEXEL, ElementType.FLOAT),
-        TEXEL_BLUE(Part.TEXEL, ElementType.FLOAT),
-        PARENT(Part.HIT, ElementType.SHORT),
-        CODE(Part.CODE, ElementType.INT),
-        OWNER(Part.OWNER, ElementType.INT),
-        BEHIND_X(Part.CLEAR, ElementType.FLOAT),
-        BEHIND_Y(Part.CLEAR, ElementType.FLOAT),
-        BEHIND_Z(Part.CLEAR, ElementType.FLOAT),
-        INSIDE(Part.CLEAR, ElementType.FLOAT);
+        PX(ColumnGroup.HIT, ElementType.FLOAT),
+        PY(ColumnGroup.HIT, ElementType.FLOAT),
+        PZ(ColumnGroup.HIT, ElementType.FLOAT),
+        NX(ColumnGroup.HIT, ElementType.FLOAT),
+        NY(ColumnGroup.HIT, ElementType.FLOAT),
+        NZ(ColumnGroup.HIT, ElementType.FLOAT),
+        VX(ColumnGroup.HIT, ElementType.FLOAT),
+        VY(ColumnGroup.HIT, ElementType.FLOAT),
+        VZ(ColumnGroup.HIT, ElementType.FLOAT),
+        TEXEL_RED(ColumnGroup.TEXEL, ElementType.FLOAT),
+        TEXEL_GREEN(ColumnGroup.TEXEL, ElementType.FLOAT),
+        TEXEL_BLUE(ColumnGroup.TEXEL, ElementType.FLOAT),
+        PARENT(ColumnGroup.HIT, ElementType.SHORT),
+        CODE(ColumnGroup.CODE, ElementType.INT),
+        OWNER(ColumnGroup.OWNER, ElementType.INT),
+        BACK_X(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
+        BACK_Y(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
+        BACK_Z(ColumnGroup.TRANSPARENT, ElementType.FLOAT),
+        INSIDE_DISTANCE(ColumnGroup.TRANSPARENT, ElementType.FLOAT);
 
-        private final Part part;
+        private final ColumnGroup group;
         private final ElementType element;
 
-        Column(Part part, ElementType element) {
-            this.part = part;
+        Column(ColumnGroup group, ElementType element) {
+            this.group = group;
             this.element = element;
         }
 
@@ -83,7 +83,7 @@ public final class HitRows {
     }
 
     /** Those that are often the same on all rows of a tile. */
-    private static final Set<Column> UNIFORM = EnumSet.of(Column.PX, Column.PY, Column.PZ, Column.NX, Column.NY, Column.NZ);
+    private static final Set<Column> OFTEN_UNIFORM = EnumSet.of(Column.PX, Column.PY, Column.PZ, Column.NX, Column.NY, Column.NZ);
 
     /** How many rows are in use. */
     public int count;
@@ -110,23 +110,23 @@ public final class HitRows {
     /** The primitive that was hit; null where nobody asks. */
     public final int[] owner;
     /** Of rows of clear materials the points behind the surface, off it, render space; null where the tile has none. */
-    public final float[] behindX;
-    public final float[] behindY;
-    public final float[] behindZ;
+    public final float[] backX;
+    public final float[] backY;
+    public final float[] backZ;
     /** Of rows of clear materials the way that the ray came inside, scene units; below 0 where it came from outside. */
-    public final float[] inside;
+    public final float[] insideDistance;
     /** How many runs there are. */
-    public int runs;
+    public int runCount;
     /** The material of each run. */
     public int[] runMaterial = new int[4];
     /** The row after each run's last. */
     public int[] runEnd = new int[4];
     /** How many rows, the first ones, are of reflective materials. */
-    public int reflective;
+    public int reflectiveCount;
     /** How many rows, the first ones, are of clear materials; all of them are reflective. */
-    public int clear;
+    public int transparentCount;
     /** Of the points, once someone asked; whoever writes other points forgets it. */
-    PointBox box;
+    PointBox bounds;
 
     private final ColumnSet<Column> columns;
 
@@ -136,8 +136,8 @@ public final class HitRows {
     }
 
     /** Makes room for {@code rows} rows. */
-    public HitRows(int rows, boolean textured, boolean clear, boolean coded, boolean owned) {
-        this(ColumnSet.room(Column.class, columns(textured, clear, coded, owned), rows));
+    public HitRows(int rows, boolean textured, boolean transparent, boolean hasCodes, boolean hasOwners) {
+        this(ColumnSet.allocate(Column.class, columns(textured, transparent, hasCodes, hasOwners), rows));
     }
 
     /** Rows in columns that are filled already; there are no runs yet. */
@@ -158,93 +158,93 @@ public final class HitRows {
         parent = (short[]) columns.get(Column.PARENT);
         code = (int[]) columns.get(Column.CODE);
         owner = (int[]) columns.get(Column.OWNER);
-        behindX = (float[]) columns.get(Column.BEHIND_X);
-        behindY = (float[]) columns.get(Column.BEHIND_Y);
-        behindZ = (float[]) columns.get(Column.BEHIND_Z);
-        inside = (float[]) columns.get(Column.INSIDE);
+        backX = (float[]) columns.get(Column.BACK_X);
+        backY = (float[]) columns.get(Column.BACK_Y);
+        backZ = (float[]) columns.get(Column.BACK_Z);
+        insideDistance = (float[]) columns.get(Column.INSIDE_DISTANCE);
     }
 
-    private static Set<Column> columns(boolean textured, boolean clear, boolean coded, boolean owned) {
-        Set<Column> columns = Part.HIT.columns();
+    private static Set<Column> columns(boolean textured, boolean transparent, boolean hasCodes, boolean hasOwners) {
+        Set<Column> columns = ColumnGroup.HIT.columns();
         if (textured) {
-            columns.addAll(Part.TEXEL.columns());
+            columns.addAll(ColumnGroup.TEXEL.columns());
         }
-        if (clear) {
-            columns.addAll(Part.CLEAR.columns());
+        if (transparent) {
+            columns.addAll(ColumnGroup.TRANSPARENT.columns());
         }
-        if (coded) {
-            columns.addAll(Part.CODE.columns());
+        if (hasCodes) {
+            columns.addAll(ColumnGroup.CODE.columns());
         }
-        if (owned) {
-            columns.addAll(Part.OWNER.columns());
+        if (hasOwners) {
+            columns.addAll(ColumnGroup.OWNER.columns());
         }
         return columns;
     }
 
     /** The same rows in other columns, with other materials that mirror. */
-    private HitRows in(ColumnSet<Column> others, int mirrors) {
+    private HitRows withColumns(ColumnSet<Column> others, int newReflectiveCount) {
         HitRows rows = new HitRows(others);
         rows.count = count;
-        rows.runs = runs;
+        rows.runCount = runCount;
         rows.runMaterial = runMaterial;
         rows.runEnd = runEnd;
-        rows.reflective = mirrors;
-        rows.clear = clear;
-        rows.box = box;
+        rows.reflectiveCount = newReflectiveCount;
+        rows.transparentCount = transparentCount;
+        rows.bounds = bounds;
         return rows;
     }
 
     /** These rows, with columns that others share where all points or normals have one coordinate. */
     public HitRows compact() {
-        ColumnSet<Column> shared = columns.withUniform(UNIFORM, count);
-        return shared == columns ? this : in(shared, reflective);
+        ColumnSet<Column> shared = columns.withUniform(OFTEN_UNIFORM, count);
+        return shared == columns ? this : withColumns(shared, reflectiveCount);
     }
 
     /** These rows without texels. */
     HitRows withoutTexels() {
-        return in(columns.without(Part.TEXEL.columns()), reflective);
+        return withColumns(columns.without(ColumnGroup.TEXEL.columns()), reflectiveCount);
     }
 
     /** These rows with texels of their own, copies of these. */
-    HitRows withOwnTexels() {
-        ColumnSet<Column> own = ColumnSet.room(Column.class, Part.TEXEL.columns(), count);
-        own.copy(columns, 0, 0, count);
-        return in(columns.with(own), reflective);
+    HitRows withCopiedTexels() {
+        ColumnSet<Column> copies = ColumnSet.allocate(Column.class, ColumnGroup.TEXEL.columns(), count);
+        copies.copy(columns, 0, 0, count);
+        return withColumns(columns.with(copies), reflectiveCount);
     }
 
     /** These rows with other codes, or null for none. */
     public HitRows withCode(int[] to) {
-        return in(columns.with(Column.CODE, to), reflective);
+        return withColumns(columns.with(Column.CODE, to), reflectiveCount);
     }
 
     /** These rows with other owners, or null for none. */
     public HitRows withOwner(int[] to) {
-        return in(columns.with(Column.OWNER, to), reflective);
+        return withColumns(columns.with(Column.OWNER, to), reflectiveCount);
     }
 
     /**
      * The owners of rows that were traced before these, perhaps in another order, whose rays are known by their parents; 0 for rays
      * that hit nothing now.
      */
-    public int[] ownersOf(HitRows rows) {
-        int[] of = new int[RayColumns.MOST];
+    public int[] ownersFor(HitRows otherRows) {
+        int[] ownerByParent = new int[RayColumns.MAX_RAYS];
         for (int i = 0; i < count; i++) {
-            of[parent[i]] = owner[i];
+            ownerByParent[parent[i]] = owner[i];
         }
-        int[] owners = new int[ElementType.INT.length(rows.count)];
-        for (int i = 0; i < rows.count; i++) {
-            owners[i] = of[rows.parent[i]];
+        int[] owners = new int[ElementType.INT.length(otherRows.count)];
+        for (int i = 0; i < otherRows.count; i++) {
+            owners[i] = ownerByParent[otherRows.parent[i]];
         }
         return owners;
     }
 
     /** These rows, in this order, seen from other parents, with other materials that mirror. */
-    HitRows seenFrom(short[] parents, int mirrors) {
-        return in(columns.with(Column.PARENT, parents), mirrors);
+    HitRows withParents(short[] parents, int newReflectiveCount) {
+        return withColumns(columns.with(Column.PARENT, parents), newReflectiveCount);
     }
 
     /** The length of a column of floats for {@code rows} rows: a multiple of 16. */
-    public static int padded(int rows) {
+    public static int paddedLength(int rows) {
         return ElementType.FLOAT.length(rows);
     }
 
@@ -260,12 +260,12 @@ public final class HitRows {
 
     /** Writes all that is known of the rows. */
     public void writeTo(ColumnWriter out) throws IOException {
-        out.number(count);
-        out.number(reflective);
-        out.number(clear);
-        out.array(Arrays.copyOf(runMaterial, runs));
-        out.array(Arrays.copyOf(runEnd, runs));
-        out.columns(columns);
+        out.writeInt(count);
+        out.writeInt(reflectiveCount);
+        out.writeInt(transparentCount);
+        out.writeArray(Arrays.copyOf(runMaterial, runCount));
+        out.writeArray(Arrays.copyOf(runEnd, runCount));
+        out.writeColumns(columns);
     }
 
     /**
@@ -274,15 +274,15 @@ public final class HitRows {
      * @throws IOException if they are cut off
      */
     public static HitRows readFrom(ColumnReader in) throws IOException {
-        int count = in.number();
-        int reflective = in.number();
-        int clear = in.number();
-        int[] runMaterial = in.ints();
-        int[] runEnd = in.ints();
-        HitRows rows = new HitRows(in.columns(Column.class));
+        int count = in.readInt();
+        int reflectiveCount = in.readInt();
+        int transparentCount = in.readInt();
+        int[] runMaterial = in.readInts();
+        int[] runEnd = in.readInts();
+        HitRows rows = new HitRows(in.readColumns(Column.class));
         rows.count = count;
-        rows.reflective = reflective;
-        rows.clear = clear;
+        rows.reflectiveCount = reflectiveCount;
+        rows.transparentCount = transparentCount;
         for (int r = 0; r < runEnd.length; r++) {
             rows.addRun(runMaterial[r], runEnd[r]);
         }
@@ -310,15 +310,15 @@ public final class HitRows {
 
     /** Whether the ray came to a row of a clear material from inside. */
     public boolean isInside(int row) {
-        return inside[row] >= 0;
+        return insideDistance[row] >= 0;
     }
 
     /** Where the points lie; there must be a row. */
-    public PointBox box(Tracer tracer) {
-        if (box == null) {
-            box = tracer.box(px, py, pz, 0, count);
+    public PointBox bounds(Tracer tracer) {
+        if (bounds == null) {
+            bounds = tracer.bounds(px, py, pz, 0, count);
         }
-        return box;
+        return bounds;
     }
 
     /** The bytes of the columns, array headers left out. */
@@ -327,20 +327,20 @@ public final class HitRows {
     }
 
     /** The bytes of the columns of a part. */
-    public long bytes(Part part) {
+    public long bytes(ColumnGroup group) {
         long bytes = 0;
-        for (Column column : part.columns()) {
+        for (Column column : group.columns()) {
             bytes += columns.bytes(column);
         }
         return bytes;
     }
 
     void addRun(int material, int end) {
-        if (runs == runEnd.length) {
-            runMaterial = Arrays.copyOf(runMaterial, 2 * runs);
-            runEnd = Arrays.copyOf(runEnd, 2 * runs);
+        if (runCount == runEnd.length) {
+            runMaterial = Arrays.copyOf(runMaterial, 2 * runCount);
+            runEnd = Arrays.copyOf(runEnd, 2 * runCount);
         }
-        runMaterial[runs] = material;
-        runEnd[runs++] = end;
+        runMaterial[runCount] = material;
+        runEnd[runCount++] = end;
     }
 }

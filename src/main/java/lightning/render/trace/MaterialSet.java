@@ -31,7 +31,7 @@ public final class MaterialSet {
     }
 
     /** Whether any of the rows is of one of these materials. */
-    public boolean isIn(HitRows rows) {
+    public boolean intersects(HitRows rows) {
         return countIn(rows) > 0;
     }
 
@@ -42,7 +42,7 @@ public final class MaterialSet {
             return 0;
         }
         int count = 0;
-        for (int r = 0; r < rows.runs; r++) {
+        for (int r = 0; r < rows.runCount; r++) {
             count += contains(rows.runMaterial[r]) ? rows.runEnd[r] - rows.runStart(r) : 0;
         }
         return count;

@@ -9,12 +9,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.math.Rgb;
-import lightning.scene.Clarity;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.TextureMap;
+import lightning.scene.Transmission;
 
 /**
  * The materials in use as plain columns: the place where the file's doubles become the floats of
@@ -26,49 +26,50 @@ import lightning.scene.TextureMap;
  */
 public final class MaterialTable {
     /** The materials that mirror anything: clear ones do. */
-    public static final Predicate<Material> MIRRORS = Material::bouncesRays;
+    public static final Predicate<Material> CASTS_REFLECTIONS = Material::spawnsSecondaryRays;
 
     private final List<Material> materials;
     /** Which of them shapes with colours of their own have. */
-    private final boolean[] tinted;
+    private final boolean[] vertexColored;
     private final int reflectiveCount;
-    private final int clearCount;
+    private final int transparentCount;
     private final int[] rank;
-    private final int[] ranked;
+    private final int[] materialByRank;
     private final float[] ambient;
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
     /** Of metallic materials what a texture multiplies of F0; null where there is none. */
-    private final float[] metal;
+    private final float[] metalF0;
 
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
-     * @param tinted those that shapes have whose vertices are coloured ({@link #tinted})
+     * @param vertexColorMaterials those that shapes have whose vertices are coloured ({@link #vertexColored})
      * @param scene says what they are
-     * @param before  tells those that no shape has and the scene lacks; null where there are none
-     * @param mirrors which of them cast mirrored rays: all that mirror, and perhaps others
+     * @param previous  tells those that no shape has and the scene lacks; null where there are none
+     * @param castsReflections which of them cast mirrored rays: all that mirror, and perhaps others
      */
-    MaterialTable(List<String> names, Set<String> tinted, Scene scene, MaterialTable before, Predicate<Material> mirrors) {
+    MaterialTable(List<String> names, Set<String> vertexColorMaterials, Scene scene, MaterialTable previous,
+            Predicate<Material> castsReflections) {
         Map<String, Material> byName = scene.materialsByName();
         materials = IntStream.range(0, names.size()).mapToObj(m -> {
             Material material = byName.get(names.get(m));
-            return material == null ? before.material(m) : material;
+            return material == null ? previous.material(m) : material;
         }).toList();
         int count = materials.size();
-        this.tinted = new boolean[count];
+        this.vertexColored = new boolean[count];
         ambient = new float[3 * count];
         diffuse = new float[3 * count];
         specular = new float[3 * count];
         reflective = new float[3 * count];
-        metal = materials.stream().anyMatch(Material::isMetallic) ? new float[3 * count] : null;
+        metalF0 = materials.stream().anyMatch(Material::isMetallic) ? new float[3 * count] : null;
         rank = new int[count];
-        ranked = new int[count];
-        int casting = 0;
-        int clear = 0;
+        materialByRank = new int[count];
+        int reflectiveTotal = 0;
+        int transparentTotal = 0;
         for (int m = 0; m < count; m++) {
             Material material = materials.get(m);
-            this.tinted[m] = tinted.contains(material.name());
+            this.vertexColored[m] = vertexColorMaterials.contains(material.name());
             store(material.ambient(), ambient, 3 * m);
             switch (material.model()) {
                 case PHONG -> {
@@ -78,38 +79,39 @@ public final class MaterialTable {
                 case METALLIC -> {
                     double dielectric = 1 - material.metalness();
                     store(material.base().times(dielectric * (1 - material.f0())), diffuse, 3 * m);
-                    store(Rgb.grey(dielectric * material.f0()), specular, 3 * m);
-                    store(material.base().times(material.metalness()), metal, 3 * m);
+                    store(Rgb.gray(dielectric * material.f0()), specular, 3 * m);
+                    store(material.base().times(material.metalness()), metalF0, 3 * m);
                 }
             }
             store(material.reflective(), reflective, 3 * m);
-            casting += mirrors.test(material) ? 1 : 0;
-            clear += material.clarity().isClear() ? 1 : 0;
+            reflectiveTotal += castsReflections.test(material) ? 1 : 0;
+            transparentTotal += material.transmission().isTransparent() ? 1 : 0;
         }
-        reflectiveCount = casting;
-        clearCount = clear;
-        int foremost = 0;
-        int first = clear;
-        int last = casting;
+        reflectiveCount = reflectiveTotal;
+        transparentCount = transparentTotal;
+        int nextTransparent = 0;
+        int nextReflective = transparentTotal;
+        int nextOther = reflectiveTotal;
         for (int m = 0; m < count; m++) {
-            rank[m] = materials.get(m).clarity().isClear() ? foremost++ : mirrors.test(materials.get(m)) ? first++ : last++;
-            ranked[rank[m]] = m;
+            rank[m] = materials.get(m).transmission().isTransparent() ? nextTransparent++
+                    : castsReflections.test(materials.get(m)) ? nextReflective++ : nextOther++;
+            materialByRank[rank[m]] = m;
         }
     }
 
     /** The names of the materials that shapes use, each once, in the order of their first use. */
-    static List<String> names(List<Shape> shapes) {
+    static List<String> materialNames(List<Shape> shapes) {
         return shapes.stream().map(Shape::material).distinct().toList();
     }
 
     /** The same after some that keep their places, whether shapes use them or not. */
-    static List<String> names(List<String> known, List<Shape> shapes) {
-        return Stream.concat(known.stream(), shapes.stream().map(Shape::material)).distinct().toList();
+    static List<String> materialNames(List<String> existing, List<Shape> shapes) {
+        return Stream.concat(existing.stream(), shapes.stream().map(Shape::material)).distinct().toList();
     }
 
     /** The names of the materials of shapes whose vertices have colours, which are shown. */
-    static Set<String> tinted(List<Shape> shapes) {
-        return shapes.stream().filter(s -> s.solid() instanceof Solid.Triangles t && t.isTinted()).map(Shape::material)
+    static Set<String> vertexColorMaterials(List<Shape> shapes) {
+        return shapes.stream().filter(s -> s.solid() instanceof Solid.TriangleMesh t && t.hasVertexColors()).map(Shape::material)
                 .collect(Collectors.toUnmodifiableSet());
     }
 
@@ -138,18 +140,18 @@ public final class MaterialTable {
     }
 
     /** How many materials are clear: those with the lowest ranks. */
-    public int clearCount() {
-        return clearCount;
+    public int transparentCount() {
+        return transparentCount;
     }
 
     /** Whether material {@code m} is clear. */
-    public boolean isClear(int m) {
-        return rank[m] < clearCount;
+    public boolean isTransparent(int m) {
+        return rank[m] < transparentCount;
     }
 
     /** What passes through material {@code m}. */
-    public Clarity clarity(int m) {
-        return materials.get(m).clarity();
+    public Transmission transmission(int m) {
+        return materials.get(m).transmission();
     }
 
     /** The place of material {@code m} in the order of a tile's rows: 0 … {@code count() − 1}. */
@@ -158,13 +160,13 @@ public final class MaterialTable {
     }
 
     /** The material of a rank. */
-    public int ranked(int r) {
-        return ranked[r];
+    public int materialAtRank(int r) {
+        return materialByRank[r];
     }
 
-    /** Whether it is of the model {@link lightning.scene.SurfaceModel#METALLIC}. */
+    /** Whether it is of the model {@link lightning.scene.ShadingModel#METALLIC}. */
     public boolean isMetallic(int m) {
-        return metal != null && materials.get(m).isMetallic();
+        return metalF0 != null && materials.get(m).isMetallic();
     }
 
     /** Whether rows of it have specular terms. */
@@ -174,7 +176,7 @@ public final class MaterialTable {
 
     /** Whether rows of material {@code m} have texels: from its texture, or from the vertices of any shape that has it. */
     public boolean isTextured(int m) {
-        return tinted[m] || materials.get(m).texture().isPresent();
+        return vertexColored[m] || materials.get(m).texture().isPresent();
     }
 
     /** The texture of material {@code m}; null where it has none. */
@@ -192,18 +194,18 @@ public final class MaterialTable {
     }
 
     /** Whether any throws no shadows. */
-    public boolean hasShadowless() {
-        return materials.stream().anyMatch(m -> !m.clarity().throwsShadows());
+    public boolean hasShadowlessMaterials() {
+        return materials.stream().anyMatch(m -> !m.transmission().castsShadows());
     }
 
     /** Whether any is metallic. */
     public boolean hasMetallic() {
-        return metal != null;
+        return metalF0 != null;
     }
 
     /** What no term of a light is above over rows of these materials. */
-    public double mostTerm() {
-        return materials.stream().mapToDouble(Material::mostTerm).reduce(1, Math::max);
+    public double maxTerm() {
+        return materials.stream().mapToDouble(Material::maxTerm).reduce(1, Math::max);
     }
 
     /** k<sub>ambient</sub> before the scene's ambience; {@code channel} 0, 1, 2 for red, green, blue. */
@@ -222,8 +224,8 @@ public final class MaterialTable {
     }
 
     /** Of a metallic material base·metalness: the part of F0 that the texture multiplies; else 0. */
-    public float metal(int m, int channel) {
-        return metal == null ? 0 : metal[3 * m + channel];
+    public float metalF0(int m, int channel) {
+        return metalF0 == null ? 0 : metalF0[3 * m + channel];
     }
 
     public float reflective(int m, int channel) {
@@ -232,7 +234,7 @@ public final class MaterialTable {
 
     @Override
     public boolean equals(Object o) {
-        return o instanceof MaterialTable t && materials.equals(t.materials) && Arrays.equals(tinted, t.tinted);
+        return o instanceof MaterialTable t && materials.equals(t.materials) && Arrays.equals(vertexColored, t.vertexColored);
     }
 
     @Override

@@ -11,10 +11,10 @@ import lightning.scene.Solid;
 /** How much memory a scene's meshes take, each once, before any tree is built. */
 public final class MeshMemory {
     /**
-     * Bytes of a triangle in its tree: 54 where leaves are as full as usual ({@code MeshProbeTest}), and the 28 of its box and number and
+     * Bytes of a triangle in its tree: 54 where leaves are as full as usual ({@code MeshRayQueryTest}), and the 28 of its box and number and
      * about 20 of sets of triangles while the tree is built, with some room.
      */
-    private static final long TREE = 112;
+    private static final long TREE_BYTES = 112;
 
     private MeshMemory() {}
 
@@ -22,7 +22,7 @@ public final class MeshMemory {
     public static long bytes(Scene scene) {
         Set<Mesh> meshes = Collections.newSetFromMap(new IdentityHashMap<>());
         for (Shape shape : scene.stage().shapes()) {
-            if (shape.solid() instanceof Solid.Triangles t) {
+            if (shape.solid() instanceof Solid.TriangleMesh t) {
                 meshes.add(t.mesh());
             }
         }
@@ -32,7 +32,7 @@ public final class MeshMemory {
     private static long bytes(Mesh m) {
         return (long) Float.BYTES * (m.positions().length + length(m.normals()) + length(m.coordinates()) + length(m.colors())
                 + length(m.tangents()))
-                + (long) Integer.BYTES * m.triangles().length + TREE * m.triangleCount();
+                + (long) Integer.BYTES * m.triangles().length + TREE_BYTES * m.triangleCount();
     }
 
     private static long length(float[] column) {

@@ -1,6 +1,6 @@
 package lightning.render.trace;
 
-import lightning.scene.Clarity;
+import lightning.scene.Transmission;
 
 /**
  * What a clear surface does to a ray that meets it, from what a row keeps of both: unit normal N, which faces the ray, and unit direction V.
@@ -11,8 +11,8 @@ public final class Refraction {
     private Refraction() {}
 
     /** η for a ray from outside, or from inside. */
-    public static double eta(Clarity clarity, boolean inside) {
-        return clarity.thin() ? 1 : inside ? clarity.ior() : 1 / clarity.ior();
+    public static double eta(Transmission transmission, boolean inside) {
+        return transmission.thin() ? 1 : inside ? transmission.ior() : 1 / transmission.ior();
     }
 
     private static double cosine(float nx, float ny, float nz, float vx, float vy, float vz) {
@@ -25,7 +25,7 @@ public final class Refraction {
      * @param to gets x, y, z, {@code double[3]}
      * @return whether it does; else nothing is written
      */
-    public static boolean direct(float nx, float ny, float nz, float vx, float vy, float vz, double eta, double[] to) {
+    public static boolean writeDirection(float nx, float ny, float nz, float vx, float vy, float vz, double eta, double[] to) {
         double c = cosine(nx, ny, nz, vx, vy, vz);
         double k = 1 - eta * eta * (1 - c * c);
         if (!(k > 0)) {
@@ -47,8 +47,9 @@ public final class Refraction {
      * ((η·c − √k)/(η·c + √k))² and ((c − η·√k)/(c + η·√k))². A pane has two such surfaces, and what they send to and fro between
      * them adds up to 2F/(1 + F).
      */
-    public static float mirrored(Clarity clarity, boolean inside, float nx, float ny, float nz, float vx, float vy, float vz) {
-        double eta = inside && !clarity.thin() ? clarity.ior() : 1 / clarity.ior();
+    public static float fresnelReflectance(Transmission transmission, boolean inside, float nx, float ny, float nz, float vx, float vy,
+            float vz) {
+        double eta = inside && !transmission.thin() ? transmission.ior() : 1 / transmission.ior();
         if (eta == 1) {
             return 0;
         }
@@ -62,6 +63,6 @@ public final class Refraction {
         double s = (eta * c - root) / (eta * c + root);
         double p = (c - eta * root) / (c + eta * root);
         double f = (s * s + p * p) / 2;
-        return (float) (clarity.thin() ? 2 * f / (1 + f) : f);
+        return (float) (transmission.thin() ? 2 * f / (1 + f) : f);
     }
 }

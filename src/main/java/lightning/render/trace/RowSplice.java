@@ -20,69 +20,69 @@ public final class RowSplice {
     /** Of each row of the result the end of the stretch whose sources follow one another, which is copied at once. */
     private final int[] end;
     /** Of each old row its row in the result, or −1. */
-    private final int[] now;
-    private final int reflective;
-    private final int clear;
+    private final int[] newIndex;
+    private final int reflectiveCount;
+    private final int transparentCount;
 
     /**
-     * @param sequence rows in the order that rows of one material keep, as {@link #source}
+     * @param order rows in the order that rows of one material keep, as {@link #source}
      * @param count    how many they are
      */
-    private RowSplice(HitRows old, HitRows added, int[] sequence, int count, MaterialTable materials) {
+    private RowSplice(HitRows old, HitRows added, int[] order, int count, MaterialTable materials) {
         this.old = old;
         this.added = added;
         int[] oldRanks = ranks(old, materials);
         int[] addedRanks = added == null ? null : ranks(added, materials);
         int[] starts = new int[materials.count() + 1];
         for (int i = 0; i < count; i++) {
-            int s = sequence[i];
+            int s = order[i];
             starts[(s < 0 ? addedRanks[~s] : oldRanks[s]) + 1]++;
         }
         for (int r = 0; r < materials.count(); r++) {
             starts[r + 1] += starts[r];
         }
         int[] ends = starts.clone();
-        reflective = starts[materials.reflectiveCount()];
-        clear = starts[materials.clearCount()];
+        reflectiveCount = starts[materials.reflectiveCount()];
+        transparentCount = starts[materials.transparentCount()];
         source = new int[count];
-        now = new int[old.count];
-        Arrays.fill(now, -1);
+        newIndex = new int[old.count];
+        Arrays.fill(newIndex, -1);
         for (int i = 0; i < count; i++) {
-            int s = sequence[i];
+            int s = order[i];
             int row = starts[s < 0 ? addedRanks[~s] : oldRanks[s]]++;
             source[row] = s;
             if (s >= 0) {
-                now[s] = row;
+                newIndex[s] = row;
             }
         }
         end = ends(source);
-        if (!keepsRows()) {
-            rows = room(ends, materials);
+        if (!isUnchanged()) {
+            rows = allocateRows(ends, materials);
         }
     }
 
     /** Whether all old rows stay where they are and none came: columns are shared, and none need be copied. */
-    public boolean keepsRows() {
+    public boolean isUnchanged() {
         return added == null && source.length == old.count && (source.length == 0 || source[0] == 0 && end[0] == source.length);
     }
 
     /** @param ends for each rank the row behind the rows of all lower ranks */
-    private HitRows room(int[] ends, MaterialTable materials) {
+    private HitRows allocateRows(int[] ends, MaterialTable materials) {
         boolean textured = false;
         for (int r = 0; r < materials.count(); r++) {
-            textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.ranked(r));
+            textured |= ends[r + 1] > ends[r] && materials.isTextured(materials.materialAtRank(r));
         }
         boolean texels = old.texelRed != null || added != null && added.texelRed != null;
-        HitRows room = new HitRows(source.length, textured && texels, clear > 0, old.code != null, old.owner != null);
-        room.count = source.length;
-        room.reflective = reflective;
-        room.clear = clear;
+        HitRows allocated = new HitRows(source.length, textured && texels, transparentCount > 0, old.code != null, old.owner != null);
+        allocated.count = source.length;
+        allocated.reflectiveCount = reflectiveCount;
+        allocated.transparentCount = transparentCount;
         for (int r = 0; r < materials.count(); r++) {
             if (ends[r + 1] > ends[r]) {
-                room.addRun(materials.ranked(r), ends[r + 1]);
+                allocated.addRun(materials.materialAtRank(r), ends[r + 1]);
             }
         }
-        return room;
+        return allocated;
     }
 
     private static int[] ends(int[] source) {
@@ -99,7 +99,7 @@ public final class RowSplice {
     /** Of each row the place of its material in the order of rows. */
     private static int[] ranks(HitRows rows, MaterialTable materials) {
         int[] ranks = new int[rows.count];
-        for (int r = 0; r < rows.runs; r++) {
+        for (int r = 0; r < rows.runCount; r++) {
             Arrays.fill(ranks, rows.runStart(r), rows.runEnd[r], materials.rank(rows.runMaterial[r]));
         }
         return ranks;
@@ -108,16 +108,16 @@ public final class RowSplice {
     /**
      * The same rows in the order that other materials ask for.
      *
-     * @param anew the parents of those that go, as their rays are traced anew
+     * @param retraced the parents of those that go, as their rays are traced anew
      */
-    public static RowSplice sorted(HitRows old, BitSet anew, MaterialTable materials) {
-        int[] kept = new int[old.count];
+    public static RowSplice sort(HitRows old, BitSet retraced, MaterialTable materials) {
+        int[] remaining = new int[old.count];
         int count = 0;
         for (int i = 0; i < old.count; i++) {
-            kept[count] = i;
-            count += anew.get(old.parent[i]) ? 0 : 1;
+            remaining[count] = i;
+            count += retraced.get(old.parent[i]) ? 0 : 1;
         }
-        var splice = new RowSplice(old, null, kept, count, materials);
+        var splice = new RowSplice(old, null, remaining, count, materials);
         splice.copy(old.parent);
         return splice;
     }
@@ -125,12 +125,12 @@ public final class RowSplice {
     /**
      * The rows that are seen from rows of the level above by rays that go on in one way.
      *
-     * @param above what became of that level's rows; null if all of them are what they were
+     * @param parentSplice what became of that level's rows; null if all of them are what they were
      * @param rays  from how many rows of that level they go on now
-     * @param anew  rows of that level, as it is now, whose rays are traced anew: what these hit goes
+     * @param retraced  rows of that level, as it is now, whose rays are traced anew: what these hit goes
      */
-    public static RowSplice seenFrom(RowSplice above, int rays, HitRows old, BitSet anew, MaterialTable materials) {
-        return seenFrom(above, rays, old, anew, null, materials);
+    public static RowSplice mergeBounce(RowSplice parentSplice, int rays, HitRows old, BitSet retraced, MaterialTable materials) {
+        return mergeBounce(parentSplice, rays, old, retraced, null, materials);
     }
 
     /**
@@ -139,38 +139,39 @@ public final class RowSplice {
      * @param rays  how many parents there are
      * @param added rows of other parents
      */
-    public static RowSplice joined(int rays, HitRows old, HitRows added, MaterialTable materials) {
-        return seenFrom(null, rays, old, new BitSet(), added, materials);
+    public static RowSplice join(int rays, HitRows old, HitRows added, MaterialTable materials) {
+        return mergeBounce(null, rays, old, new BitSet(), added, materials);
     }
 
-    private static RowSplice seenFrom(RowSplice above, int rays, HitRows old, BitSet anew, HitRows added, MaterialTable materials) {
-        int[] hit = new int[rays];
-        Arrays.fill(hit, Integer.MIN_VALUE);
-        short[] parents = new short[HitRows.padded(old.count)];
+    private static RowSplice mergeBounce(RowSplice parentSplice, int rays, HitRows old, BitSet retraced, HitRows added,
+            MaterialTable materials) {
+        int[] sources = new int[rays];
+        Arrays.fill(sources, Integer.MIN_VALUE);
+        short[] parents = new short[HitRows.paddedLength(old.count)];
         for (int i = 0; i < old.count; i++) {
-            int parent = above == null ? old.parent[i] : above.now[old.parent[i]];
+            int parent = parentSplice == null ? old.parent[i] : parentSplice.newIndex[old.parent[i]];
             parents[i] = (short) parent;
-            if (parent >= 0 && parent < rays && !anew.get(parent)) {
-                hit[parent] = i;
+            if (parent >= 0 && parent < rays && !retraced.get(parent)) {
+                sources[parent] = i;
             }
         }
         for (int i = 0; added != null && i < added.count; i++) {
-            hit[added.parent[i]] = ~i;
+            sources[added.parent[i]] = ~i;
         }
         int count = 0;
-        for (int s : hit) {
+        for (int s : sources) {
             if (s != Integer.MIN_VALUE) {
-                hit[count++] = s;
+                sources[count++] = s;
             }
         }
-        var splice = new RowSplice(old, added, hit, count, materials);
+        var splice = new RowSplice(old, added, sources, count, materials);
         splice.copy(parents);
         return splice;
     }
 
     private void copy(short[] oldParents) {
-        HitRows from = old.seenFrom(oldParents, reflective);
-        if (keepsRows()) {
+        HitRows from = old.withParents(oldParents, reflectiveCount);
+        if (isUnchanged()) {
             rows = from;
         } else {
             fill(rows.columns(), from.columns(), added == null ? null : added.columns());
@@ -183,28 +184,28 @@ public final class RowSplice {
     }
 
     /** The old rows that are left, with all rows added since, as one step. */
-    public RowSplice then(RowSplice next) {
+    public RowSplice andThen(RowSplice next) {
         return new RowSplice(this, next);
     }
 
     private RowSplice(RowSplice first, RowSplice second) {
         old = first.old;
         added = second.added;
-        reflective = second.reflective;
-        clear = second.clear;
+        reflectiveCount = second.reflectiveCount;
+        transparentCount = second.transparentCount;
         rows = second.rows;
         source = new int[second.source.length];
         Arrays.setAll(source, i -> second.source[i] < 0 ? second.source[i] : first.source[second.source[i]]);
         end = ends(source);
-        now = new int[first.now.length];
-        Arrays.setAll(now, i -> first.now[i] < 0 ? -1 : second.now[first.now[i]]);
+        newIndex = new int[first.newIndex.length];
+        Arrays.setAll(newIndex, i -> first.newIndex[i] < 0 ? -1 : second.newIndex[first.newIndex[i]]);
     }
 
     /** The rows whose ray that goes on in some way is not known, because they are new or cast none before. */
-    public BitSet unfollowed(Bounce bounce) {
+    public BitSet rowsWithoutRays(BounceKind bounce) {
         BitSet found = new BitSet();
-        for (int i = 0; i < bounce.rows(rows); i++) {
-            found.set(i, source[i] < 0 || source[i] >= bounce.rows(old));
+        for (int i = 0; i < bounce.rowCount(rows); i++) {
+            found.set(i, source[i] < 0 || source[i] >= bounce.rowCount(old));
         }
         return found;
     }
@@ -213,15 +214,15 @@ public final class RowSplice {
      * Fills columns over the rows as they are now.
      *
      * @param columns where a column is missing below, its rows stay what they are
-     * @param ofOld   columns over the old rows
-     * @param ofAdded columns over the added ones; unread where there are none
+     * @param oldColumns   columns over the old rows
+     * @param addedColumns columns over the added ones; unread where there are none
      */
-    public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> ofOld, ColumnSet<C> ofAdded) {
+    public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> oldColumns, ColumnSet<C> addedColumns) {
         for (int i = 0; i < source.length; i = end[i]) {
             if (source[i] < 0) {
-                columns.copy(ofAdded, ~source[i], i, end[i] - i);
+                columns.copy(addedColumns, ~source[i], i, end[i] - i);
             } else {
-                columns.copy(ofOld, source[i], i, end[i] - i);
+                columns.copy(oldColumns, source[i], i, end[i] - i);
             }
         }
     }

@@ -7,9 +7,9 @@ import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveBoxes;
 import lightning.render.trace.tree.BoxSet;
-import lightning.render.trace.tree.WayEnd;
-import lightning.scene.Links;
+import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.Scene;
+import lightning.scene.ShapeLinks;
 
 /**
  * Which primitives differ between two geometries that are seen from the same place, and where: what rays of the one met that
@@ -20,8 +20,8 @@ import lightning.scene.Scene;
  * same, neither here nor there: boxes hold all that rays can meet of a primitive, whatever rounds ({@link PrimitiveBoxes}), so it
  * meets none of these, and of the others the same one at the same distance, whatever form the trees have.
  *
- * <p>A way to a light on a surface does not meet that surface at its end ({@link WayEnd}). That is a matter of the primitive, the
- * point, and of its padded box, which depends on how far the whole scene reaches: {@link #keepsEnd} tells whether it is as before.
+ * <p>A way to a light on a surface does not meet that surface at its end ({@link ShadowRayTarget}). That is a matter of the primitive, the
+ * point, and of its padded box, which depends on how far the whole scene reaches: {@link #hasSameTarget} tells whether it is as before.
  */
 public final class ShapeChange {
     /** The same shapes before and after. */
@@ -30,143 +30,144 @@ public final class ShapeChange {
     private final Geometry before;
     private final Geometry after;
     /** Of each primitive before the index it has now, perhaps with another material, other normals or without its colours; −1 where it is gone or not the same. */
-    private final int[] now;
-    private final boolean keepsAny;
-    private final boolean keepsIndices;
-    private final BoxSet seen;
-    private final BoxSet gone;
-    private final BoxSet come;
-    private final BoxSet tints;
+    private final int[] newIndex;
+    private final boolean hasUnchanged;
+    private final boolean hasSameIndices;
+    private final BoxSet visibleChanges;
+    private final BoxSet removedBoxes;
+    private final BoxSet addedBoxes;
+    private final BoxSet tintChanges;
 
     private ShapeChange() {
         before = null;
         after = null;
-        now = new int[0];
-        keepsAny = true;
-        keepsIndices = true;
-        seen = BoxSet.NONE;
-        gone = BoxSet.NONE;
-        come = BoxSet.NONE;
-        tints = BoxSet.NONE;
+        newIndex = new int[0];
+        hasUnchanged = true;
+        hasSameIndices = true;
+        visibleChanges = BoxSet.NONE;
+        removedBoxes = BoxSet.NONE;
+        addedBoxes = BoxSet.NONE;
+        tintChanges = BoxSet.NONE;
     }
 
     /** @param before its materials keep their indices in {@code after} */
     ShapeChange(Geometry before, Geometry after) {
         this.before = before;
         this.after = after;
-        Map<String, Integer> places = new HashMap<>();
+        Map<String, Integer> indexByName = new HashMap<>();
         int count = before.primitiveCount();
-        int same = prefix();
-        for (int s = same; s < count; s++) {
-            places.put(before.shape(s).name(), s);
+        int prefixLength = commonPrefix();
+        for (int s = prefixLength; s < count; s++) {
+            indexByName.put(before.shape(s).name(), s);
         }
-        now = new int[count];
-        Arrays.fill(now, -1);
-        int[] come = new int[after.primitiveCount()];
-        int[] painted = new int[after.primitiveCount()];
-        int comeCount = 0;
-        int paintedCount = 0;
+        newIndex = new int[count];
+        Arrays.fill(newIndex, -1);
+        int[] added = new int[after.primitiveCount()];
+        int[] restyled = new int[after.primitiveCount()];
+        int addedCount = 0;
+        int restyledCount = 0;
         int last = -1;
         for (int t = 0; t < after.primitiveCount(); t++) {
-            int s = t < same ? t : places.getOrDefault(after.shape(t).name(), -1);
-            boolean form = s > last && before.primitives().isAlike(s, after.primitives(), t);
-            if (form) {
+            int s = t < prefixLength ? t : indexByName.getOrDefault(after.shape(t).name(), -1);
+            boolean sameGeometry = s > last && before.primitives().hasSameGeometry(s, after.primitives(), t);
+            if (sameGeometry) {
                 last = s;
-                now[s] = t;
+                newIndex[s] = t;
             } else {
-                come[comeCount++] = t;
+                added[addedCount++] = t;
             }
-            if (form && (before.materialOf(s) != after.materialOf(t)
-                    || before.primitives().isTinted(s) != after.primitives().isTinted(t)
-                    || !before.primitives().isBentAs(s, after.primitives(), t)
-                    || !before.primitives().leadsRaysAs(s, after.primitives(), t))) {
-                painted[paintedCount++] = t;
+            if (sameGeometry && (before.materialIndex(s) != after.materialIndex(t)
+                    || before.primitives().hasVertexColors(s) != after.primitives().hasVertexColors(t)
+                    || !before.primitives().hasSameNormals(s, after.primitives(), t)
+                    || !before.primitives().refractsLike(s, after.primitives(), t))) {
+                restyled[restyledCount++] = t;
             }
         }
-        int[] gone = new int[count];
-        int goneCount = 0;
+        int[] removed = new int[count];
+        int removedCount = 0;
         for (int s = 0; s < count; s++) {
-            if (now[s] < 0) {
-                gone[goneCount++] = s;
+            if (newIndex[s] < 0) {
+                removed[removedCount++] = s;
             }
         }
-        keepsAny = goneCount + paintedCount < count;
-        keepsIndices = IntStream.range(0, count).allMatch(s -> now[s] < 0 || now[s] == s);
-        this.gone = BoxSet.of(before.bvh(), gone, goneCount);
-        this.come = BoxSet.of(after.bvh(), come, comeCount);
-        tints = BoxSet.NONE;
-        seen = this.gone.and(this.come).and(BoxSet.of(after.bvh(), painted, paintedCount));
+        hasUnchanged = removedCount + restyledCount < count;
+        hasSameIndices = IntStream.range(0, count).allMatch(s -> newIndex[s] < 0 || newIndex[s] == s);
+        this.removedBoxes = BoxSet.of(before.bvh(), removed, removedCount);
+        this.addedBoxes = BoxSet.of(after.bvh(), added, addedCount);
+        tintChanges = BoxSet.NONE;
+        visibleChanges = this.removedBoxes.union(this.addedBoxes).union(BoxSet.of(after.bvh(), restyled, restyledCount));
     }
 
     /** The change of ways to a light alone. */
-    private ShapeChange(ShapeChange of, BoxSet gone, BoxSet come, BoxSet tints) {
-        before = of.before;
-        after = of.after;
-        now = of.now;
-        keepsAny = of.keepsAny;
-        keepsIndices = of.keepsIndices;
-        this.gone = gone;
-        this.come = come;
-        this.tints = tints;
-        seen = gone.and(come).and(tints);
+    private ShapeChange(ShapeChange source, BoxSet removed, BoxSet added, BoxSet tintBoxes) {
+        before = source.before;
+        after = source.after;
+        newIndex = source.newIndex;
+        hasUnchanged = source.hasUnchanged;
+        hasSameIndices = source.hasSameIndices;
+        this.removedBoxes = removed;
+        this.addedBoxes = added;
+        this.tintChanges = tintBoxes;
+        visibleChanges = removed.union(added).union(tintBoxes);
     }
 
     /**
      * What becomes of the ways to a light that only some shapes shadow: the same where a primitive that throws no shadow counts as
      * none. Of a tree that lacks it, rays find what this one's would if it were not there.
      *
-     * @param known what rays could meet before
+     * @param previous what rays could meet before
      * @param from  the shapes that threw shadows
      * @param to    those that throw them now
      */
-    public ShapeChange shadows(Geometry known, Links from, Links to) {
-        Geometry later = after(known);
-        boolean all = from.isAll() && to.isAll() && known.casting(from) == known && later.casting(to) == later;
-        if (all || before == null && from.equals(to)) {
+    public ShapeChange shadowChange(Geometry previous, ShapeLinks from, ShapeLinks to) {
+        Geometry next = after(previous);
+        boolean unchanged = from.isAll() && to.isAll() && previous.shadowGeometry(from) == previous && next.shadowGeometry(to) == next;
+        if (unchanged || before == null && from.equals(to)) {
             return this;
         }
-        boolean[] cast = known.casters(from);
-        boolean[] casts = later.casters(to);
-        int[] gone = new int[cast.length];
-        int goneCount = 0;
-        boolean[] stays = new boolean[casts.length];
-        for (int s = 0; s < cast.length; s++) {
-            int t = before == null ? s : now[s];
-            if (cast[s] && t >= 0 && casts[t]) {
-                stays[t] = true;
-            } else if (cast[s]) {
-                gone[goneCount++] = s;
+        boolean[] oldCasters = previous.shadowCasters(from);
+        boolean[] newCasters = next.shadowCasters(to);
+        int[] removed = new int[oldCasters.length];
+        int removedCount = 0;
+        boolean[] kept = new boolean[newCasters.length];
+        for (int s = 0; s < oldCasters.length; s++) {
+            int t = before == null ? s : newIndex[s];
+            if (oldCasters[s] && t >= 0 && newCasters[t]) {
+                kept[t] = true;
+            } else if (oldCasters[s]) {
+                removed[removedCount++] = s;
             }
         }
-        int[] come = IntStream.range(0, casts.length).filter(t -> casts[t] && !stays[t]).toArray();
-        return new ShapeChange(this, BoxSet.of(known.bvh(), gone, goneCount), BoxSet.of(later.bvh(), come, come.length),
-                tints(known, later, from, to));
+        int[] added = IntStream.range(0, newCasters.length).filter(t -> newCasters[t] && !kept[t]).toArray();
+        return new ShapeChange(this, BoxSet.of(previous.bvh(), removed, removedCount), BoxSet.of(next.bvh(), added, added.length),
+                tintChanges(previous, next, from, to));
     }
 
     /** Where light passes shapes as it did not, or passes no more, or otherwise. */
-    private BoxSet tints(Geometry known, Geometry later, Links from, Links to) {
-        boolean[] tint = known.tinters(from);
-        boolean[] tints = later.tinters(to);
-        int[] lost = new int[tint == null ? 0 : tint.length];
-        int lostCount = 0;
-        boolean[] stays = new boolean[later.primitiveCount()];
-        for (int s = 0; tint != null && s < tint.length; s++) {
-            int t = before == null ? s : now[s];
-            if (tint[s] && t >= 0 && tints != null && tints[t] && known.primitives().passesLightAs(s, later.primitives(), t)) {
-                stays[t] = true;
-            } else if (tint[s]) {
-                lost[lostCount++] = s;
+    private BoxSet tintChanges(Geometry previous, Geometry next, ShapeLinks from, ShapeLinks to) {
+        boolean[] oldTints = previous.tintCasters(from);
+        boolean[] newTints = next.tintCasters(to);
+        int[] removed = new int[oldTints == null ? 0 : oldTints.length];
+        int removedCount = 0;
+        boolean[] kept = new boolean[next.primitiveCount()];
+        for (int s = 0; oldTints != null && s < oldTints.length; s++) {
+            int t = before == null ? s : newIndex[s];
+            if (oldTints[s] && t >= 0 && newTints != null && newTints[t]
+                    && previous.primitives().hasSameShadowTint(s, next.primitives(), t)) {
+                kept[t] = true;
+            } else if (oldTints[s]) {
+                removed[removedCount++] = s;
             }
         }
-        int[] got = tints == null ? new int[0] : IntStream.range(0, tints.length).filter(t -> tints[t] && !stays[t]).toArray();
-        return BoxSet.of(known.bvh(), lost, lostCount).and(BoxSet.of(later.bvh(), got, got.length));
+        int[] added = newTints == null ? new int[0] : IntStream.range(0, newTints.length).filter(t -> newTints[t] && !kept[t]).toArray();
+        return BoxSet.of(previous.bvh(), removed, removedCount).union(BoxSet.of(next.bvh(), added, added.length));
     }
 
     /** How many primitives, the first ones, have the same names. */
-    private int prefix() {
-        int least = Math.min(before.primitiveCount(), after.primitiveCount());
+    private int commonPrefix() {
+        int minCount = Math.min(before.primitiveCount(), after.primitiveCount());
         int s = 0;
-        while (s < least && before.shape(s).name().equals(after.shape(s).name())) {
+        while (s < minCount && before.shape(s).name().equals(after.shape(s).name())) {
             s++;
         }
         return s;
@@ -175,77 +176,78 @@ public final class ShapeChange {
     /**
      * What rays can meet afterwards.
      *
-     * @param known what they could meet before
+     * @param previous what they could meet before
      */
-    public Geometry after(Geometry known) {
-        return after == null ? known : after;
+    public Geometry after(Geometry previous) {
+        return after == null ? previous : after;
     }
 
     /** Whether any primitive stays as it is, its material too. */
-    public boolean keepsAny() {
-        return keepsAny;
+    public boolean hasUnchanged() {
+        return hasUnchanged;
     }
 
     /** Whether rays meet what they met: only names of groups are others, or shapes that nobody sees. */
     public boolean isEmpty() {
-        return seen.isEmpty();
+        return visibleChanges.isEmpty();
     }
 
     /** Where eye rays and mirrored rays may find something else than before. */
-    public BoxSet seen() {
-        return seen;
+    public BoxSet visibleChanges() {
+        return visibleChanges;
     }
 
     /** Where ways to lights that were blocked may be free: no other may. */
-    public BoxSet gone() {
-        return gone;
+    public BoxSet removedBoxes() {
+        return removedBoxes;
     }
 
     /** Where ways to lights that were free may be blocked: no other may. */
-    public BoxSet come() {
-        return come;
+    public BoxSet addedBoxes() {
+        return addedBoxes;
     }
 
     /** Where what passes of the light of free ways may be another. */
-    public BoxSet tints() {
-        return tints;
+    public BoxSet tintChanges() {
+        return tintChanges;
     }
 
     /** Whether every primitive that is the same has the index that it had. */
-    public boolean keepsIndices() {
-        return keepsIndices;
+    public boolean hasSameIndices() {
+        return hasSameIndices;
     }
 
-    /** The indices that primitives have now, −1 for none; a ray that touches no box of {@link #seen} met one that has one. */
-    public int[] now(int[] primitives) {
+    /** The indices that primitives have now, −1 for none; a ray that touches no box of {@link #visibleChanges} met one that has one. */
+    public int[] mapIndices(int[] primitives) {
         if (before == null) {
             return primitives;
         }
-        int[] found = new int[primitives.length];
-        for (int i = 0; i < found.length; i++) {
-            found[i] = primitives[i] < 0 ? -1 : now[primitives[i]];
+        int[] mapped = new int[primitives.length];
+        for (int i = 0; i < mapped.length; i++) {
+            mapped[i] = primitives[i] < 0 ? -1 : newIndex[primitives[i]];
         }
-        return found;
+        return mapped;
     }
 
     /** Whether the primitives that are the same are linked as they were. */
-    public boolean keepsLinks(Scene known, Scene wanted, Links links) {
+    public boolean hasSameLinks(Scene previous, Scene target, ShapeLinks links) {
         if (before == null || links.isAll()) {
             return true;
         }
-        boolean[] was = known.stage().linked(links);
-        boolean[] is = wanted.stage().linked(links);
-        return IntStream.range(0, now.length).allMatch(s -> now[s] < 0 || was[s] == is[now[s]]);
+        boolean[] oldLinks = previous.stage().linkMask(links);
+        boolean[] newLinks = target.stage().linkMask(links);
+        return IntStream.range(0, newIndex.length).allMatch(s -> newIndex[s] < 0 || oldLinks[s] == newLinks[newIndex[s]]);
     }
 
     /** Whether ways to a point in render space pass the same ends of those primitives that cast the same shadows. */
-    public boolean keepsEnd(Vec3 point) {
-        return before == null || before.end(point).isAlike(after.end(point), s -> now[s], this::isOld);
+    public boolean hasSameTarget(Vec3 point) {
+        return before == null
+                || before.shadowRayTarget(point).hasSameContacts(after.shadowRayTarget(point), s -> newIndex[s], this::existedBefore);
     }
 
     /** Whether a primitive of now was there before. */
-    private boolean isOld(int primitive) {
-        for (int s : now) {
+    private boolean existedBefore(int primitive) {
+        for (int s : newIndex) {
             if (s == primitive) {
                 return true;
             }

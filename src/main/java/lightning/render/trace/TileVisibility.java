@@ -3,11 +3,11 @@ package lightning.render.trace;
 import java.util.Arrays;
 import java.util.BitSet;
 import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.render.trace.primitive.Surface;
-import lightning.render.trace.tree.Beam;
+import lightning.render.trace.primitive.SurfaceHit;
 import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.BoxSet;
-import lightning.render.trace.tree.Candidates;
+import lightning.render.trace.tree.CandidateList;
+import lightning.render.trace.tree.RayBeam;
 import lightning.scene.Scene;
 
 /**
@@ -18,7 +18,7 @@ public final class TileVisibility {
     /** Gives the columns that rows are written to: new ones to keep, or the same again and again. */
     @FunctionalInterface
     public interface Allocator {
-        HitRows rows(int count, boolean textured, boolean clear);
+        HitRows allocate(int count, boolean textured, boolean transparent);
     }
 
     private final PrimitiveTable primitives;
@@ -28,17 +28,17 @@ public final class TileVisibility {
     private final int height;
     private final Geometry geometry;
     private final Tracer tracer;
-    private final Beam beam = new Beam();
-    private final BoxRay way = new BoxRay();
-    private final Candidates candidates = new Candidates();
+    private final RayBeam beam = new RayBeam();
+    private final BoxRay boxRay = new BoxRay();
+    private final CandidateList candidates = new CandidateList();
     private final RayColumns rays;
     private final int[] starts;
     /** Of the material that each ray hit, −1 for a miss. */
-    private final int[] ranks = new int[RayColumns.MOST];
+    private final int[] ranks = new int[RayColumns.MAX_RAYS];
     private final double[] direction = new double[3];
     /** Made when it is needed first. */
-    private Surface surface;
-    private final TexelColumns texels;
+    private SurfaceHit surface;
+    private final TexelWriter texels;
 
     public TileVisibility(Geometry geometry, Scene scene, Tracer tracer) {
         this.geometry = geometry;
@@ -50,7 +50,7 @@ public final class TileVisibility {
         height = scene.picture().height();
         this.tracer = tracer;
         starts = new int[materials.count() + 1];
-        texels = new TexelColumns(geometry);
+        texels = new TexelWriter(geometry);
     }
 
     /**
@@ -59,18 +59,18 @@ public final class TileVisibility {
      * @param size pixels along a side of the tile, at most 32
      * @return the rows of the pixels that hit something; {@code parent} is the pixel's index in the tile
      */
-    public HitRows eye(int x0, int y0, int size, Allocator allocator) {
+    public HitRows traceEyeRays(int x0, int y0, int size, Allocator allocator) {
         int columns = Math.min(size, width - x0);
         int lines = Math.min(size, height - y0);
-        centers(x0, y0, size, columns, lines);
-        camera.sweep(beam, x0, y0, columns, lines);
+        setCenterRays(x0, y0, size, columns, lines);
+        camera.boundBeam(beam, x0, y0, columns, lines);
         candidates.collect(geometry.bvh(), beam);
-        tracer.nearest(rays, candidates);
-        return rows(allocator);
+        tracer.findNearest(rays, candidates);
+        return buildRows(allocator);
     }
 
-    private void centers(int x0, int y0, int size, int columns, int lines) {
-        rays.fromEye();
+    private void setCenterRays(int x0, int y0, int size, int columns, int lines) {
+        rays.startAtEye();
         rays.count = columns * lines;
         rays.columns = columns;
         for (int y = 0, ray = 0; y < lines; y++) {
@@ -78,84 +78,84 @@ public final class TileVisibility {
                 rays.slot[ray++] = (short) (y * size + x);
             }
         }
-        tracer.eye(camera, x0, y0, columns, lines, rays);
+        tracer.directEyeRays(camera, x0, y0, columns, lines, rays);
     }
 
-    private void samples(SamplePlaces places) {
-        rays.fromEye();
-        rays.count = places.count();
+    private void setSampleRays(SamplePositions positions) {
+        rays.startAtEye();
+        rays.count = positions.count();
         rays.columns = 0;
         for (int ray = 0; ray < rays.count; ray++) {
             rays.slot[ray] = (short) ray;
         }
-        tracer.samples(camera, places, rays);
+        tracer.directSampleRays(camera, positions, rays);
     }
 
     /** Directs the eye rays of some places; of the centres of pixels those in the picture. */
-    private void direct(SamplePlaces places) {
-        if (places.pixels() == null) {
-            int columns = Math.min(SamplePlaces.SIDE, width - places.x0());
-            int lines = Math.min(SamplePlaces.SIDE, height - places.y0());
-            centers(places.x0(), places.y0(), SamplePlaces.SIDE, columns, lines);
+    private void setEyeRays(SamplePositions positions) {
+        if (positions.pixels() == null) {
+            int columns = Math.min(SamplePositions.SIDE, width - positions.x0());
+            int lines = Math.min(SamplePositions.SIDE, height - positions.y0());
+            setCenterRays(positions.x0(), positions.y0(), SamplePositions.SIDE, columns, lines);
         } else {
-            samples(places);
+            setSampleRays(positions);
         }
     }
 
-    private boolean eyeTouches(SamplePlaces places, BoxSet boxes) {
-        if (places.pixels() == null) {
-            camera.sweep(beam, places.x0(), places.y0(), Math.min(SamplePlaces.SIDE, width - places.x0()),
-                    Math.min(SamplePlaces.SIDE, height - places.y0()));
+    private boolean canEyeRaysHit(SamplePositions positions, BoxSet boxes) {
+        if (positions.pixels() == null) {
+            camera.boundBeam(beam, positions.x0(), positions.y0(), Math.min(SamplePositions.SIDE, width - positions.x0()),
+                    Math.min(SamplePositions.SIDE, height - positions.y0()));
         } else {
-            places.bound(beam, camera);
+            positions.boundBeam(beam, camera);
         }
-        return boxes.touches(beam);
+        return boxes.intersects(beam);
     }
 
     /** The numbers of those of the places whose eye rays can meet any of the boxes. */
-    public BitSet eyeTouching(SamplePlaces places, BoxSet boxes) {
-        if (boxes.isEmpty() || !eyeTouches(places, boxes)) {
+    public BitSet eyeRaysThroughBoxes(SamplePositions positions, BoxSet boxes) {
+        if (boxes.isEmpty() || !canEyeRaysHit(positions, boxes)) {
             return new BitSet();
         }
-        direct(places);
-        return touching(boxes);
+        setEyeRays(positions);
+        return raysThroughBoxes(boxes);
     }
 
     /** The rows of a level whose rays that go on in some way can meet any of the boxes. */
-    public BitSet touching(HitRows from, Bounce bounce, BoxSet boxes) {
-        if (bounce.rows(from) == 0 || boxes.isEmpty()) {
+    public BitSet raysThroughBoxes(HitRows parentRows, BounceKind bounce, BoxSet boxes) {
+        if (bounce.rowCount(parentRows) == 0 || boxes.isEmpty()) {
             return new BitSet();
         }
-        direct(from, bounce);
+        setBounceRays(parentRows, bounce);
         if (rays.count == 0) {
             return new BitSet();
         }
-        bound(bounce);
-        return boxes.touches(beam) ? touching(boxes) : new BitSet();
+        boundBeam(bounce);
+        return boxes.intersects(beam) ? raysThroughBoxes(boxes) : new BitSet();
     }
 
-    private BitSet touching(BoxSet boxes) {
-        BitSet touching = new BitSet();
+    private BitSet raysThroughBoxes(BoxSet boxes) {
+        BitSet result = new BitSet();
         for (int i = 0; i < rays.count; i++) {
-            way.enter(rays.originX(i), rays.originY(i), rays.originZ(i), rays.dx[i], rays.dy[i], rays.dz[i]);
-            if (boxes.touches(way, Double.POSITIVE_INFINITY)) {
-                touching.set(rays.slot[i]);
+            boxRay.setRay(rays.originX(i), rays.originY(i), rays.originZ(i), rays.dx[i], rays.dy[i], rays.dz[i]);
+            if (boxes.intersects(boxRay, Double.POSITIVE_INFINITY)) {
+                result.set(rays.slot[i]);
             }
         }
-        return touching;
+        return result;
     }
 
     /**
      * Traces the eye rays of some places.
      *
-     * @param which the numbers of those places, at least one
+     * @param selected the numbers of those places, at least one
      * @return the rows of those that hit something; {@code parent} is the place's number
      */
-    public HitRows eye(SamplePlaces places, BitSet which, Allocator allocator) {
-        direct(places);
+    public HitRows traceEyeRays(SamplePositions positions, BitSet selected, Allocator allocator) {
+        setEyeRays(positions);
         int count = 0;
         for (int i = 0; i < rays.count; i++) {
-            if (which.get(rays.slot[i])) {
+            if (selected.get(rays.slot[i])) {
                 rays.slot[count] = rays.slot[i];
                 rays.dx[count] = rays.dx[i];
                 rays.dy[count] = rays.dy[i];
@@ -165,111 +165,111 @@ public final class TileVisibility {
         rays.count = count;
         rays.columns = 0;
         beam.clear();
-        beam.origin(rays.originX(0), rays.originY(0), rays.originZ(0));
-        rays.sweep(beam, tracer);
+        beam.addOrigin(rays.originX(0), rays.originY(0), rays.originZ(0));
+        rays.addDirectionsTo(beam, tracer);
         candidates.collect(geometry.bvh(), beam);
-        tracer.nearest(rays, candidates);
-        return rows(allocator);
+        tracer.findNearest(rays, candidates);
+        return buildRows(allocator);
     }
 
     /**
      * Traces finer samples of some pixels of a tile.
      *
-     * @param places of all of them, at most 1024
+     * @param positions of all of them, at most 1024
      * @return the rows of the samples that hit something; {@code parent} is the sample's number
      */
-    public HitRows fine(SamplePlaces places, Allocator allocator) {
-        samples(places);
-        places.bound(beam, camera);
+    public HitRows traceSamples(SamplePositions positions, Allocator allocator) {
+        setSampleRays(positions);
+        positions.boundBeam(beam, camera);
         candidates.collect(geometry.bvh(), beam);
-        tracer.nearest(rays, candidates);
-        return rows(allocator);
+        tracer.findNearest(rays, candidates);
+        return buildRows(allocator);
     }
 
     /**
      * Traces the rays that go on from a level's rows in some way.
      *
-     * @param known the shape that each ray hits, −1 for none, where that is known; else null
+     * @param knownPrimitives the shape that each ray hits, −1 for none, where that is known; else null
      * @return the rows that were hit; {@code parent} is the row they are seen from
      */
-    public HitRows seenFrom(HitRows from, Bounce bounce, int[] known, Allocator allocator) {
-        direct(from, bounce);
-        if (known == null) {
-            nearest(bounce);
+    public HitRows traceBounceRays(HitRows parentRows, BounceKind bounce, int[] knownPrimitives, Allocator allocator) {
+        setBounceRays(parentRows, bounce);
+        if (knownPrimitives == null) {
+            findNearest(bounce);
         } else {
-            System.arraycopy(known, 0, rays.primitive, 0, rays.count);
-            tracer.distances(rays);
+            System.arraycopy(knownPrimitives, 0, rays.primitive, 0, rays.count);
+            tracer.writeDistances(rays);
         }
-        return rows(allocator);
+        return buildRows(allocator);
     }
 
     /**
      * Traces the rays that go on from some of those rows.
      *
-     * @param which those rows
-     * @return as {@link #seenFrom(HitRows, Bounce, int[], Allocator)}
+     * @param selected those rows
+     * @return as {@link #traceBounceRays(HitRows, BounceKind, int[], Allocator)}
      */
-    public HitRows seenFromSome(HitRows from, Bounce bounce, BitSet which, Allocator allocator) {
+    public HitRows traceSelectedBounceRays(HitRows parentRows, BounceKind bounce, BitSet selected, Allocator allocator) {
         int count = 0;
-        for (int row = which.nextSetBit(0); row >= 0; row = which.nextSetBit(row + 1)) {
+        for (int row = selected.nextSetBit(0); row >= 0; row = selected.nextSetBit(row + 1)) {
             rays.slot[count++] = (short) row;
         }
-        direct(from, bounce, count);
-        nearest(bounce);
-        return rows(allocator);
+        setBounceRays(parentRows, bounce, count);
+        findNearest(bounce);
+        return buildRows(allocator);
     }
 
     /** How many rays were traced last. */
-    public int rays() {
+    public int rayCount() {
         return rays.count;
     }
 
     /** Directs the rays of all rows. */
-    private void direct(HitRows from, Bounce bounce) {
-        int count = bounce.rows(from);
+    private void setBounceRays(HitRows parentRows, BounceKind bounce) {
+        int count = bounce.rowCount(parentRows);
         for (int i = 0; i < count; i++) {
             rays.slot[i] = (short) i;
         }
-        direct(from, bounce, count);
+        setBounceRays(parentRows, bounce, count);
     }
 
     /** Directs the rays of the rows in the first {@code count} slots; rows from which none goes on lose their slots. */
-    private void direct(HitRows from, Bounce bounce, int count) {
-        rays.from(from, bounce);
+    private void setBounceRays(HitRows parentRows, BounceKind bounce, int count) {
+        rays.startAtRows(parentRows, bounce);
         rays.columns = 0;
-        int casting = 0;
+        int castCount = 0;
         for (int i = 0; i < count; i++) {
-            if (bounce.direct(from, rays.slot[i], materials, direction)) {
-                rays.slot[casting] = rays.slot[i];
-                rays.dx[casting] = direction[0];
-                rays.dy[casting] = direction[1];
-                rays.dz[casting++] = direction[2];
+            if (bounce.writeDirection(parentRows, rays.slot[i], materials, direction)) {
+                rays.slot[castCount] = rays.slot[i];
+                rays.dx[castCount] = direction[0];
+                rays.dy[castCount] = direction[1];
+                rays.dz[castCount++] = direction[2];
             }
         }
-        rays.count = casting;
+        rays.count = castCount;
     }
 
     /** Finds what rays from rows hit. */
-    private void nearest(Bounce bounce) {
+    private void findNearest(BounceKind bounce) {
         if (rays.count == 0) {
             return;
         }
-        bound(bounce);
+        boundBeam(bounce);
         candidates.collect(geometry.bvh(), beam);
-        tracer.nearest(rays, candidates);
+        tracer.findNearest(rays, candidates);
     }
 
     /** Makes the beam of the rays from rows; there must be any. */
-    private void bound(Bounce bounce) {
+    private void boundBeam(BounceKind bounce) {
         beam.clear();
-        if (rays.count == bounce.rows(rays.from)) {
-            beam.origins(tracer.box(rays.fromX, rays.fromY, rays.fromZ, 0, rays.count));
+        if (rays.count == bounce.rowCount(rays.sourceRows)) {
+            beam.addOrigins(tracer.bounds(rays.startX, rays.startY, rays.startZ, 0, rays.count));
         } else {
             for (int i = 0; i < rays.count; i++) {
-                beam.origin(rays.originX(i), rays.originY(i), rays.originZ(i));
+                beam.addOrigin(rays.originX(i), rays.originY(i), rays.originZ(i));
             }
         }
-        rays.sweep(beam, tracer);
+        rays.addDirectionsTo(beam, tracer);
     }
 
     /** The shapes that the rays traced last hit, −1 for none, one for each ray. */
@@ -278,9 +278,9 @@ public final class TileVisibility {
     }
 
     /** Sorts the hits by material and computes their surfaces. */
-    private HitRows rows(Allocator allocator) {
+    private HitRows buildRows(Allocator allocator) {
         Arrays.fill(starts, 0);
-        rank();
+        rankHits();
         for (int i = 0; i < rays.count; i++) {
             if (ranks[i] >= 0) {
                 starts[ranks[i] + 1]++;
@@ -288,20 +288,20 @@ public final class TileVisibility {
         }
         boolean textured = false;
         for (int r = 0; r < materials.count(); r++) {
-            textured |= starts[r + 1] > 0 && materials.isTextured(materials.ranked(r));
+            textured |= starts[r + 1] > 0 && materials.isTextured(materials.materialAtRank(r));
             starts[r + 1] += starts[r];
         }
-        rays.hits = starts[materials.count()];
-        int clear = starts[materials.clearCount()];
-        HitRows rows = allocator.rows(rays.hits, textured, clear > 0);
-        rows.count = rays.hits;
-        rows.runs = 0;
-        rows.box = null;
-        rows.clear = clear;
-        rows.reflective = starts[materials.reflectiveCount()];
+        rays.hitCount = starts[materials.count()];
+        int transparentCount = starts[materials.transparentCount()];
+        HitRows rows = allocator.allocate(rays.hitCount, textured, transparentCount > 0);
+        rows.count = rays.hitCount;
+        rows.runCount = 0;
+        rows.bounds = null;
+        rows.transparentCount = transparentCount;
+        rows.reflectiveCount = starts[materials.reflectiveCount()];
         for (int r = 0; r < materials.count(); r++) {
             if (starts[r + 1] > starts[r]) {
-                rows.addRun(materials.ranked(r), starts[r + 1]);
+                rows.addRun(materials.materialAtRank(r), starts[r + 1]);
             }
         }
         for (int i = 0; i < rays.count; i++) {
@@ -309,26 +309,26 @@ public final class TileVisibility {
                 rays.order[starts[ranks[i]]++] = (short) i;
             }
         }
-        fill(rows, textured);
+        writeRows(rows, textured);
         return rows;
     }
 
     /** Rows beside each other mostly show the same primitive, whose number is found once. */
-    private void codes(HitRows rows) {
+    private void writeCodes(HitRows rows) {
         int last = -1;
         int number = 0;
         for (int row = 0; row < rows.count; row++) {
             int primitive = rays.primitive[rays.order[row]];
             if (primitive != last) {
                 last = primitive;
-                number = geometry.number(primitive);
+                number = geometry.shapeHash(primitive);
             }
             rows.code[row] = HitCode.of(number, rows.nx[row], rows.ny[row], rows.nz[row]);
         }
     }
 
-    private void fill(HitRows rows, boolean textured) {
-        tracer.surfaces(rays, rows, textured);
+    private void writeRows(HitRows rows, boolean textured) {
+        tracer.writeSurfaces(rays, rows, textured);
         for (int row = 0; row < rows.count; row++) {
             int ray = rays.order[row];
             rows.vx[row] = (float) rays.dx[ray];
@@ -336,14 +336,14 @@ public final class TileVisibility {
             rows.vz[row] = (float) rays.dz[ray];
             rows.parent[row] = rays.slot[ray];
         }
-        for (int row = 0; row < rows.clear; row++) {
-            behind(rows, row);
+        for (int row = 0; row < rows.transparentCount; row++) {
+            writeBackSide(rows, row);
         }
         if (textured) {
             texels.write(rows, 0, rays);
         }
         if (rows.code != null) {
-            codes(rows);
+            writeCodes(rows);
         }
         for (int row = 0; rows.owner != null && row < rows.count; row++) {
             rows.owner[row] = rays.primitive[rays.order[row]];
@@ -351,21 +351,22 @@ public final class TileVisibility {
     }
 
     /** Writes where the ray of a row of a clear material goes on behind the surface. */
-    private void behind(HitRows rows, int row) {
-        surface = surface == null ? new Surface() : surface;
+    private void writeBackSide(HitRows rows, int row) {
+        surface = surface == null ? new SurfaceHit() : surface;
         int ray = rays.order[row];
         int primitive = rays.primitive[ray];
-        surface.at(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
+        surface.compute(primitives, primitive, rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
                 rays.dy[ray], rays.dz[ray], rays.t[ray]);
-        surface.behind();
-        rows.behindX[row] = surface.behindX;
-        rows.behindY[row] = surface.behindY;
-        rows.behindZ[row] = surface.behindZ;
-        rows.inside[row] = SurfaceProbe.way(materials.clarity(primitives.material[primitive]), surface, rays.t[ray]);
+        surface.computeBackPoint();
+        rows.backX[row] = surface.backX;
+        rows.backY[row] = surface.backY;
+        rows.backZ[row] = surface.backZ;
+        rows.insideDistance[row] =
+                SurfacePointBuilder.insideDistance(materials.transmission(primitives.material[primitive]), surface, rays.t[ray]);
     }
 
     /** Finds the place in the order of rows of the material that each ray hit; rays beside each other mostly hit the same primitive. */
-    private void rank() {
+    private void rankHits() {
         int last = -1;
         int rank = -1;
         for (int i = 0; i < rays.count; i++) {

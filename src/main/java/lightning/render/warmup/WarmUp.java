@@ -3,13 +3,13 @@ package lightning.render.warmup;
 import java.util.concurrent.CancellationException;
 import java.util.stream.IntStream;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.engine.Engine;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
@@ -22,7 +22,7 @@ import lightning.scene.Scene;
 public final class WarmUp {
     /** The longer side of the small picture, pixels: enough tiles to run all kernels, each of them made both ways. */
     private static final int SIDE = 160;
-    private static final int TURNS = 4;
+    private static final int REQUIRED_WINS = 4;
 
     private WarmUp() {}
 
@@ -34,41 +34,41 @@ public final class WarmUp {
      * @throws CancellationException if {@code progress} asked to stop; what is compiled by then stays so
      */
     public static void run(Scene scene, Geometry geometry, Progress progress) {
-        if (Engines.areFastest()) {
+        if (Engines.isFastestInUse()) {
             return;
         }
         if (Engines.hasLanes()) {
-            Small small = new Small(scene, geometry);
-            int faster = 0;
-            while (faster < TURNS) {
-                double scalar = small.milliseconds(Engines.SCALAR, progress);
-                double lanes = small.milliseconds(Engines.LANES, progress);
-                faster = lanes < scalar ? faster + 1 : 0;
+            SmallRender smallRender = new SmallRender(scene, geometry);
+            int wins = 0;
+            while (wins < REQUIRED_WINS) {
+                double scalarTime = smallRender.measureMilliseconds(Engines.SCALAR, progress);
+                double laneTime = smallRender.measureMilliseconds(Engines.LANES, progress);
+                wins = laneTime < scalarTime ? wins + 1 : 0;
             }
         }
         Engines.use(Engines.FASTEST);
     }
 
     /** A small picture of a scene, made again and again. */
-    private record Small(TraditionalTracer tracer, int[] tiles) {
-        Small(Scene scene, Geometry geometry) {
-            this(new TraditionalTracer(small(scene), geometry), tiles(small(scene).picture()));
+    private record SmallRender(TraditionalTracer tracer, int[] tiles) {
+        SmallRender(Scene scene, Geometry geometry) {
+            this(new TraditionalTracer(shrink(scene), geometry), tiles(shrink(scene).picture()));
         }
 
-        private static Scene small(Scene scene) {
-            Picture p = scene.picture();
+        private static Scene shrink(Scene scene) {
+            PictureSettings p = scene.picture();
             double shrink = Math.max(1, (double) Math.max(p.width(), p.height()) / SIDE);
             return scene.withPicture(p.withSize(Math.max(1, (int) (p.width() / shrink)), Math.max(1, (int) (p.height() / shrink))));
         }
 
-        private static int[] tiles(Picture p) {
+        private static int[] tiles(PictureSettings p) {
             return IntStream.range(0, Film.tilesAlong(p.width()) * Film.tilesAlong(p.height())).toArray();
         }
 
-        double milliseconds(Engine engine, Progress progress) {
-            try (Workers alone = new Workers(1)) {
+        double measureMilliseconds(Engine engine, Progress progress) {
+            try (WorkerPool singleWorker = new WorkerPool(1)) {
                 long start = System.nanoTime();
-                tracer.by(_ -> engine).trace(alone, tiles, progress.silent());
+                tracer.withEngines(_ -> engine).trace(singleWorker, tiles, progress.cancellationOnly());
                 return (System.nanoTime() - start) / 1e6;
             }
         }

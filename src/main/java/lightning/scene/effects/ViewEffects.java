@@ -15,12 +15,13 @@ import lightning.scene.Scene;
  * @param litTextures whether lights fall on textures; else a texture emits its own colour, as the
  *                    paper's preview has it (§3.1)
  */
-public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTextures) {
+public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, boolean litTextures) {
     /** Everything that the scene calls for and no more: what a picture is. */
     public static final ViewEffects ALL = new ViewEffects(Set.of(), Set.of(), true);
     /** The fast shading of the preview (paper §3.3). */
     public static final ViewEffects PREVIEW =
-            new ViewEffects(Set.of(Effect.SHADOWS, Effect.SOFT_SHADOWS, Effect.REFLECTION, Effect.ANTIALIASING), Set.of(), true);
+            new ViewEffects(Set.of(RenderEffect.SHADOWS, RenderEffect.SOFT_SHADOWS, RenderEffect.REFLECTION, RenderEffect.ANTIALIASING),
+                    Set.of(), true);
     /** The same with textures that emit their colours, as the paper has it (§3.1): no light's pool can be seen on them. */
     public static final ViewEffects PREVIEW_1998 = PREVIEW.withLitTextures(false);
 
@@ -30,35 +31,35 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
     }
 
     /** This view without these effects, and all others. */
-    public ViewEffects hiding(Collection<Effect> effects) {
+    public ViewEffects withHidden(Collection<RenderEffect> effects) {
         return new ViewEffects(Set.copyOf(effects), forced, litTextures);
     }
 
     /** This view with these effects forced, and no others. */
-    public ViewEffects forcing(Collection<Effect> effects) {
+    public ViewEffects withForced(Collection<RenderEffect> effects) {
         return new ViewEffects(hidden, Set.copyOf(effects), litTextures);
     }
 
     /** This view with one effect shown or hidden. */
-    public ViewEffects with(Effect effect, boolean shown) {
-        Set<Effect> all = new HashSet<>(hidden);
+    public ViewEffects with(RenderEffect effect, boolean shown) {
+        Set<RenderEffect> hiddenEffects = new HashSet<>(hidden);
         if (shown) {
-            all.remove(effect);
+            hiddenEffects.remove(effect);
         } else {
-            all.add(effect);
+            hiddenEffects.add(effect);
         }
-        return hiding(all);
+        return withHidden(hiddenEffects);
     }
 
     public ViewEffects withLitTextures(boolean v) {
         return new ViewEffects(hidden, forced, v);
     }
 
-    public boolean shows(Effect effect) {
+    public boolean shows(RenderEffect effect) {
         return !hidden.contains(effect);
     }
 
-    public boolean forces(Effect effect) {
+    public boolean forces(RenderEffect effect) {
         return forced.contains(effect);
     }
 
@@ -68,17 +69,17 @@ public record ViewEffects(Set<Effect> hidden, Set<Effect> forced, boolean litTex
     }
 
     /** Whether what is known of a picture in the other view serves this one: they differ in the scenes they trace alone. */
-    public boolean tracesLike(ViewEffects o) {
-        return shows(Effect.SHADOWS) == o.shows(Effect.SHADOWS) && forced.equals(o.forced) && litTextures == o.litTextures;
+    public boolean hasSameTrace(ViewEffects o) {
+        return shows(RenderEffect.SHADOWS) == o.shows(RenderEffect.SHADOWS) && forced.equals(o.forced) && litTextures == o.litTextures;
     }
 
     /** The scene that this view traces: the same, or one without the hidden effects. */
-    public Scene of(Scene scene) {
-        Scene shown = scene;
-        for (Effect effect : Effect.ALL) {
-            shown = shows(effect) ? shown : effect.without(shown);
-            shown = forces(effect) ? effect.forced(shown) : shown;
+    public Scene apply(Scene scene) {
+        Scene result = scene;
+        for (RenderEffect effect : RenderEffect.ALL) {
+            result = shows(effect) ? result : effect.removeFrom(result);
+            result = forces(effect) ? effect.addTo(result) : result;
         }
-        return shown;
+        return result;
     }
 }

@@ -2,9 +2,9 @@
  * What a scene calls for, from the scene alone: nothing is rendered to find out.
  *
  * <pre>{@code
- * Effects effects = Effects.of(scene);
- * effects.has(Effect.TEXTURES);           // false: no surface is textured
- * effects.callers(Effect.ATTENUATION);    // [lamp]
+ * SceneEffects effects = SceneEffects.of(scene);
+ * effects.has(RenderEffect.TEXTURES);           // false: no surface is textured
+ * effects.callers(RenderEffect.ATTENUATION);    // [lamp]
  * }</pre>
  *
  * <p>An effect is called for when the picture could be another one without it. What the scene holds but does not use

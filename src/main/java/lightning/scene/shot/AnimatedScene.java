@@ -8,45 +8,45 @@ import lightning.scene.Scene;
 /**
  * A scene with its shot: an ordinary scene at each frame, any of which can be edited.
  *
- * @param still the scene as it is where nothing has keys
+ * @param base the scene as it is where nothing has keys
  * @param shot  keys over frames; empty where the scene does not move
  */
-public record AnimatedScene(Scene still, Optional<Shot> shot) {
+public record AnimatedScene(Scene base, Optional<Shot> shot) {
 
     /** One that does not move. */
-    public static AnimatedScene of(Scene still) {
-        return new AnimatedScene(still, Optional.empty());
+    public static AnimatedScene of(Scene base) {
+        return new AnimatedScene(base, Optional.empty());
     }
 
     /** The scene with another shot, unless it is one of another scene: see {@link Shot#check}. */
-    public AnimatedScene withShot(Shot other) {
-        other.check(still);
-        return new AnimatedScene(still, Optional.of(other));
+    public AnimatedScene withShot(Shot newShot) {
+        newShot.check(base);
+        return new AnimatedScene(base, Optional.of(newShot));
     }
 
     /** Without the keys of an attribute, which is at all frames as a key would say it; the same where it has none. */
-    public AnimatedScene without(Target target, String attribute, Setting setting) {
+    public AnimatedScene withoutTrack(TrackTarget target, String attribute, KeyframeValue value) {
         if (shot.flatMap(s -> s.track(target, attribute)).isEmpty()) {
             return this;
         }
-        var last = new Track(target, attribute, List.of(new Key(0, setting, Passage.STEPPED)));
-        List<Track> left =
+        var constant = new Track(target, attribute, List.of(new Keyframe(0, value, Interpolation.STEPPED)));
+        List<Track> remaining =
                 shot.get().tracks().stream().filter(t -> !t.target().equals(target) || !t.attribute().equals(attribute)).toList();
-        return new AnimatedScene(new FrameScene(List.of(last), 0).of(still), Optional.of(shot.get().withTracks(left)));
+        return new AnimatedScene(new FrameEvaluator(List.of(constant), 0).evaluate(base), Optional.of(shot.get().withTracks(remaining)));
     }
 
     /** Another scene, whose things have the keys of what they come from. */
-    public AnimatedScene with(Scene other) {
-        return new AnimatedScene(other, shot.map(s -> new ShotSuccession(still, other).of(s)));
+    public AnimatedScene withScene(Scene newBase) {
+        return new AnimatedScene(newBase, shot.map(s -> new TrackRetargeting(base, newBase).retarget(s)));
     }
 
     /**
      * The scene at a frame.
      *
-     * @throws IllegalArgumentException as {@link Shot#at}
+     * @throws IllegalArgumentException as {@link Shot#sceneAt}
      */
-    public Scene at(int frame) {
-        return shot.map(s -> s.at(still, frame)).orElse(still);
+    public Scene sceneAt(int frame) {
+        return shot.map(s -> s.sceneAt(base, frame)).orElse(base);
     }
 
     /**
@@ -57,30 +57,30 @@ public record AnimatedScene(Scene still, Optional<Shot> shot) {
      * @param edited what {@code shown} was made to be
      * @throws IllegalArgumentException if the scene cannot be so where nothing has keys, as a camera that stands where it looks
      */
-    public AnimatedScene edited(int frame, Scene shown, Scene edited) {
+    public AnimatedScene withEdit(int frame, Scene shown, Scene edited) {
         if (shot.isEmpty()) {
             return of(edited);
         }
-        var succession = new ShotSuccession(shown, edited);
+        var retargeting = new TrackRetargeting(shown, edited);
         // Most edits leave shapes alone: the stage of all frames is then kept, and nobody looks at its shapes.
-        boolean sameNodes = edited.stage().hasNodesOf(shown.stage());
-        Shot keyed = succession.of(shot.get());
-        List<Track> restored = new ArrayList<>();
+        boolean sameNodes = edited.stage().hasSameNodes(shown.stage());
+        Shot newShot = retargeting.retarget(shot.get());
+        List<Track> baseTracks = new ArrayList<>();
         for (Track track : shot.get().tracks()) {
-            Target now = succession.of(track.target()).orElse(null);
-            if (now == null || now.attribute(edited, track.attribute()).isEmpty()) {
+            TrackTarget target = retargeting.retarget(track.target()).orElse(null);
+            if (target == null || target.attribute(edited, track.attribute()).isEmpty()) {
                 continue;
             }
-            Setting setting = now.setting(edited, track.attribute());
-            if (!setting.equals(track.target().setting(shown, track.attribute()))) {
-                keyed = keyed.with(track.of(now).with(frame, setting));
+            KeyframeValue value = target.value(edited, track.attribute());
+            if (!value.equals(track.target().value(shown, track.attribute()))) {
+                newShot = newShot.with(track.withTarget(target).with(frame, value));
             }
-            if (now.what() != Target.What.NODE || !sameNodes) {
-                restored.add(new Track(now, track.attribute(),
-                        List.of(new Key(0, track.target().setting(still, track.attribute()), Passage.STEPPED))));
+            if (target.kind() != TrackTarget.Kind.NODE || !sameNodes) {
+                baseTracks.add(new Track(target, track.attribute(),
+                        List.of(new Keyframe(0, track.target().value(base, track.attribute()), Interpolation.STEPPED))));
             }
         }
-        Scene base = sameNodes ? edited.withStage(still.stage().withMaterials(edited.materials())) : edited;
-        return new AnimatedScene(new FrameScene(restored, 0).of(base), Optional.of(keyed));
+        Scene template = sameNodes ? edited.withStage(base.stage().withMaterials(edited.materials())) : edited;
+        return new AnimatedScene(new FrameEvaluator(baseTracks, 0).evaluate(template), Optional.of(newShot));
     }
 }

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import lightning.scene.Limits;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 
 /**
  * Keys over frames. Two equal shots give the same scene at every frame.
@@ -29,9 +29,9 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
 
     public Shot {
         checkFrame("the first frame", first);
-        Limits.range("the last frame", last, first, MAX_FRAME);
-        Limits.range("rate", rate, MIN_RATE, MAX_RATE);
-        Map<Target, List<Track>> byTarget = new LinkedHashMap<>();
+        SceneLimits.checkRange("the last frame", last, first, MAX_FRAME);
+        SceneLimits.checkRange("rate", rate, MIN_RATE, MAX_RATE);
+        Map<TrackTarget, List<Track>> byTarget = new LinkedHashMap<>();
         Set<String> seen = new HashSet<>();
         long keys = 0;
         for (Track track : tracks) {
@@ -41,16 +41,16 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
             keys += track.keys().size();
             byTarget.computeIfAbsent(track.target(), _ -> new ArrayList<>()).add(track);
         }
-        Limits.range("the number of keys", keys, 0, MAX_KEYS);
+        SceneLimits.checkRange("the number of keys", keys, 0, MAX_KEYS);
         tracks = byTarget.values().stream().flatMap(List::stream).toList();
     }
 
-    static void checkFrame(String what, int frame) {
-        Limits.range(what, frame, 0, MAX_FRAME);
+    static void checkFrame(String name, int frame) {
+        SceneLimits.checkRange(name, frame, 0, MAX_FRAME);
     }
 
     /** The keys of an attribute. */
-    public Optional<Track> track(Target target, String attribute) {
+    public Optional<Track> track(TrackTarget target, String attribute) {
         return tracks.stream().filter(t -> t.target().equals(target) && t.attribute().equals(attribute)).findFirst();
     }
 
@@ -58,25 +58,25 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
         return new Shot(first, last, rate, v);
     }
 
-    public Shot withFrames(int from, int to) {
-        return new Shot(from, to, rate, tracks);
+    public Shot withFrames(int newFirst, int newLast) {
+        return new Shot(newFirst, newLast, rate, tracks);
     }
 
     /** This shot with other keys of one attribute, or with its first. */
     public Shot with(Track track) {
-        List<Track> all = new ArrayList<>(tracks);
-        int place = -1;
-        for (int i = 0; i < all.size(); i++) {
-            if (all.get(i).target().equals(track.target()) && all.get(i).attribute().equals(track.attribute())) {
-                place = i;
+        List<Track> newTracks = new ArrayList<>(tracks);
+        int index = -1;
+        for (int i = 0; i < newTracks.size(); i++) {
+            if (newTracks.get(i).target().equals(track.target()) && newTracks.get(i).attribute().equals(track.attribute())) {
+                index = i;
             }
         }
-        if (place < 0) {
-            all.add(track);
+        if (index < 0) {
+            newTracks.add(track);
         } else {
-            all.set(place, track);
+            newTracks.set(index, track);
         }
-        return withTracks(all);
+        return withTracks(newTracks);
     }
 
     /**
@@ -98,9 +98,9 @@ public record Shot(int first, int last, double rate, List<Track> tracks) {
      * @throws IllegalArgumentException if what the keys say does not go together there, as a camera that stands where it looks; the
      *                                  message begins with the frame
      */
-    public Scene at(Scene scene, double frame) {
+    public Scene sceneAt(Scene scene, double frame) {
         try {
-            return new FrameScene(tracks, frame).of(scene);
+            return new FrameEvaluator(tracks, frame).evaluate(scene);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("frame " + new BigDecimal(frame).toPlainString() + ": " + e.getMessage(), e);
         }

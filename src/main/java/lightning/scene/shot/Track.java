@@ -3,11 +3,11 @@ package lightning.scene.shot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.scene.Attribute;
-import lightning.scene.Choice;
-import lightning.scene.Keying;
-import lightning.scene.Quantity;
+import lightning.scene.ChoiceKind;
+import lightning.scene.KeyframeSupport;
+import lightning.scene.NumericKind;
 import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
 import lightning.scene.ValueKind;
 
 /**
@@ -16,7 +16,7 @@ import lightning.scene.ValueKind;
  * @param attribute its name as a file writes it
  * @param keys      one at least, in the order of their frames, one for a frame
  */
-public record Track(Target target, String attribute, List<Key> keys) {
+public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     public Track {
         keys = List.copyOf(keys);
         if (keys.isEmpty()) {
@@ -31,43 +31,43 @@ public record Track(Target target, String attribute, List<Key> keys) {
     }
 
     /** These keys of something else. */
-    public Track of(Target other) {
-        return new Track(other, attribute, keys);
+    public Track withTarget(TrackTarget newTarget) {
+        return new Track(newTarget, attribute, keys);
     }
 
     /** These keys some frames later, or earlier where the number is negative. */
-    public Track later(int frames) {
+    public Track shift(int frames) {
         return new Track(target, attribute,
-                keys.stream().map(k -> new Key(Math.addExact(k.frame(), frames), k.setting(), k.passage())).toList());
+                keys.stream().map(k -> new Keyframe(Math.addExact(k.frame(), frames), k.value(), k.interpolation())).toList());
     }
 
     /** The key at a frame. */
-    public Optional<Key> key(int frame) {
+    public Optional<Keyframe> key(int frame) {
         return keys.stream().filter(k -> k.frame() == frame).findFirst();
     }
 
     /** These keys and another, in place of the one at its frame. */
-    public Track with(Key key) {
-        List<Key> all = new ArrayList<>(keys);
-        int place = 0;
-        while (place < all.size() && all.get(place).frame() < key.frame()) {
-            place++;
+    public Track with(Keyframe key) {
+        List<Keyframe> newKeys = new ArrayList<>(keys);
+        int index = 0;
+        while (index < newKeys.size() && newKeys.get(index).frame() < key.frame()) {
+            index++;
         }
-        if (place < all.size() && all.get(place).frame() == key.frame()) {
-            all.set(place, key);
+        if (index < newKeys.size() && newKeys.get(index).frame() == key.frame()) {
+            newKeys.set(index, key);
         } else {
-            all.add(place, key);
+            newKeys.add(index, key);
         }
-        return new Track(target, attribute, all);
+        return new Track(target, attribute, newKeys);
     }
 
     /** With another value at a frame: the key there goes on as it did, a new one as the key before it, or as the first. */
-    public Track with(int frame, Setting setting) {
-        Key before = keys.getFirst();
-        for (Key key : keys) {
-            before = key.frame() <= frame ? key : before;
+    public Track with(int frame, KeyframeValue setting) {
+        Keyframe previous = keys.getFirst();
+        for (Keyframe key : keys) {
+            previous = key.frame() <= frame ? key : previous;
         }
-        return with(new Key(frame, setting, before.passage()));
+        return with(new Keyframe(frame, setting, previous.interpolation()));
     }
 
     /**
@@ -77,7 +77,7 @@ public record Track(Target target, String attribute, List<Key> keys) {
      *                                  may not have one's value
      */
     public void check(Scene scene) {
-        check(target.attribute(scene, attribute).<Attribute<?, ?>>map(a -> a)
+        check(target.attribute(scene, attribute).<SceneAttribute<?, ?>>map(a -> a)
                 .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " with keys")));
     }
 
@@ -87,28 +87,28 @@ public record Track(Target target, String attribute, List<Key> keys) {
      * @throws IllegalArgumentException if it has none at all, if a value is none of its own, or if words or whole numbers are to
      *                                  go from key to key
      */
-    private void check(Attribute<?, ?> known) {
-        if (known.kind().keying() == Keying.NONE) {
+    private void check(SceneAttribute<?, ?> definition) {
+        if (definition.kind().keyframeSupport() == KeyframeSupport.NONE) {
             throw new IllegalArgumentException(target + ": " + attribute + " has no keys: only numbers and words have");
         }
-        for (Key key : keys) {
-            if (known.kind().keying() == Keying.HOLDS && key.passage() != Passage.STEPPED) {
+        for (Keyframe key : keys) {
+            if (definition.kind().keyframeSupport() == KeyframeSupport.STEPPED && key.interpolation() != Interpolation.STEPPED) {
                 throw new IllegalArgumentException(target + ": " + attribute + " stays until its next key, so it must be stepped");
             }
-            check(known.kind(), key.setting());
+            check(definition.kind(), key.value());
         }
     }
 
-    private <V> void check(ValueKind<V> kind, Setting setting) {
-        boolean right = switch (kind) {
-            case Quantity<V> n -> setting instanceof Setting.Numbers(List<Double> all) && all.size() == n.labels().size();
-            case Choice<V> c -> setting instanceof Setting.Word(String text) && c.words().contains(text);
-            case ValueKind.Filed<?> _,ValueKind.Linking _,ValueKind.Naming _,ValueKind.Texturing _ -> false;
+    private <V> void check(ValueKind<V> kind, KeyframeValue setting) {
+        boolean isValid = switch (kind) {
+            case NumericKind<V> n -> setting instanceof KeyframeValue.Numbers(List<Double> all) && all.size() == n.labels().size();
+            case ChoiceKind<V> c -> setting instanceof KeyframeValue.Word(String text) && c.words().contains(text);
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ -> false;
         };
-        if (!right) {
+        if (!isValid) {
             throw new IllegalArgumentException(target + ": " + attribute + " cannot be " + setting);
         }
-        if (kind instanceof Quantity<V> n && setting instanceof Setting.Numbers(List<Double> all)) {
+        if (kind instanceof NumericKind<V> n && setting instanceof KeyframeValue.Numbers(List<Double> all)) {
             all.forEach(number -> n.check(attribute, number.doubleValue()));
         }
         kind.check(attribute, value(kind, setting));
@@ -120,41 +120,41 @@ public record Track(Target target, String attribute, List<Key> keys) {
      * @param frame may lie between two frames
      * @param kind  the attribute's
      */
-    <V> V at(double frame, ValueKind<V> kind) {
-        int last = 0;
-        int behind = keys.size();
-        while (behind - last > 1) {
-            int middle = (last + behind) >>> 1;
+    <V> V evaluate(double frame, ValueKind<V> kind) {
+        int index = 0;
+        int end = keys.size();
+        while (end - index > 1) {
+            int middle = (index + end) >>> 1;
             if (keys.get(middle).frame() <= frame) {
-                last = middle;
+                index = middle;
             } else {
-                behind = middle;
+                end = middle;
             }
         }
-        Key from = keys.get(last);
-        if (frame <= from.frame() || last == keys.size() - 1 || from.passage() == Passage.STEPPED) {
-            return value(kind, from.setting());
+        Keyframe from = keys.get(index);
+        if (frame <= from.frame() || index == keys.size() - 1 || from.interpolation() == Interpolation.STEPPED) {
+            return value(kind, from.value());
         }
-        Quantity<V> quantity = (Quantity<V>) kind;
-        List<Double> numbers = from.passage() == Passage.SMOOTH ? smooth(last, frame)
-                : Between.linear(quantity.form(), numbers(last), numbers(last + 1), share(last, frame));
-        return quantity.join().apply(numbers);
+        NumericKind<V> quantity = (NumericKind<V>) kind;
+        List<Double> numbers = from.interpolation() == Interpolation.SMOOTH ? interpolateCubic(index, frame)
+                : KeyframeInterpolator.linear(quantity.form(), keyNumbers(index), keyNumbers(index + 1), fraction(index, frame));
+        return quantity.compose().apply(numbers);
     }
 
-    private double share(int last, double frame) {
-        int start = keys.get(last).frame();
-        return (frame - start) / (keys.get(last + 1).frame() - start);
+    private double fraction(int index, double frame) {
+        int start = keys.get(index).frame();
+        return (frame - start) / (keys.get(index + 1).frame() - start);
     }
 
-    private List<Double> smooth(int last, double frame) {
-        List<Double> all = new ArrayList<>();
-        for (int i = 0; i < numbers(last).size(); i++) {
-            double slope = slope(last, i);
-            double next = slope(last + 1, i);
-            all.add(Between.smooth(numbers(last).get(i), numbers(last + 1).get(i), slope, next,
-                    keys.get(last + 1).frame() - keys.get(last).frame(), share(last, frame)));
+    private List<Double> interpolateCubic(int index, double frame) {
+        List<Double> result = new ArrayList<>();
+        for (int i = 0; i < keyNumbers(index).size(); i++) {
+            double slope = slope(index, i);
+            double next = slope(index + 1, i);
+            result.add(KeyframeInterpolator.cubic(keyNumbers(index).get(i), keyNumbers(index + 1).get(i), slope, next,
+                    keys.get(index + 1).frame() - keys.get(index).frame(), fraction(index, frame)));
         }
-        return all;
+        return result;
     }
 
     /** The slope at a key, of one number: 0 at both ends. */
@@ -162,18 +162,18 @@ public record Track(Target target, String attribute, List<Key> keys) {
         if (key == 0 || key == keys.size() - 1) {
             return 0;
         }
-        return Between.slope(numbers(key - 1).get(number), numbers(key).get(number), numbers(key + 1).get(number),
+        return KeyframeInterpolator.slope(keyNumbers(key - 1).get(number), keyNumbers(key).get(number), keyNumbers(key + 1).get(number),
                 keys.get(key).frame() - keys.get(key - 1).frame(), keys.get(key + 1).frame() - keys.get(key).frame());
     }
 
-    private List<Double> numbers(int key) {
-        return ((Setting.Numbers) keys.get(key).setting()).all();
+    private List<Double> keyNumbers(int key) {
+        return ((KeyframeValue.Numbers) keys.get(key).value()).values();
     }
 
-    private static <V> V value(ValueKind<V> kind, Setting setting) {
+    private static <V> V value(ValueKind<V> kind, KeyframeValue setting) {
         return switch (setting) {
-            case Setting.Numbers(List<Double> all) -> ((Quantity<V>) kind).join().apply(all);
-            case Setting.Word(String text) -> ((Choice<V>) kind).value(text);
+            case KeyframeValue.Numbers(List<Double> all) -> ((NumericKind<V>) kind).compose().apply(all);
+            case KeyframeValue.Word(String text) -> ((ChoiceKind<V>) kind).parse(text);
         };
     }
 }

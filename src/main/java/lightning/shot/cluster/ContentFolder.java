@@ -11,15 +11,15 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Map;
 import java.util.Optional;
-import lightning.base.file.FileSentence;
+import lightning.base.file.AtomicFile;
+import lightning.base.file.FileErrorMessage;
 import lightning.base.file.FolderLock;
 import lightning.base.file.PrivateFolder;
-import lightning.base.file.SafeFile;
 import lightning.base.text.Quote;
-import lightning.format.jen.NamedFiles;
+import lightning.format.jen.ReferencedFiles;
 import lightning.format.mesh.MeshLimits;
-import lightning.shot.cluster.wire.Bill;
-import lightning.shot.cluster.wire.Hash;
+import lightning.shot.cluster.wire.ContentHash;
+import lightning.shot.cluster.wire.SceneManifest;
 
 /**
  * Content that came from others, in a folder for nobody else to read: files named by their hash, and for each set of files that a scene
@@ -27,18 +27,18 @@ import lightning.shot.cluster.wire.Hash;
  */
 final class ContentFolder {
     /** Bytes of all content. */
-    private static final long MOST_BYTES = 32L << 30;
+    private static final long MAX_BYTES = 32L << 30;
 
     private final Path contents;
     private final Path scenes;
     private final FolderLock lock;
-    private long bytes;
+    private long storedBytes;
     private boolean cleared;
 
     /** Where content comes from. */
-    interface Parts {
+    interface PartSource {
         /** Some bytes from an offset on, none at the end; waits for them. */
-        byte[] from(Hash hash, long offset) throws IOException;
+        byte[] read(ContentHash hash, long offset) throws IOException;
     }
 
     /**
@@ -47,13 +47,13 @@ final class ContentFolder {
      * @throws IOException if another node uses the folder, or it cannot be used; a sentence
      */
     ContentFolder(Path folder) throws IOException {
-        PrivateFolder.close(folder);
+        PrivateFolder.restrict(folder);
         lock = lock(folder);
         contents = folder.resolve("contents");
         scenes = folder.resolve("scenes");
-        for (Path own : new Path[] {contents, scenes}) {
-            remove(own);
-            PrivateFolder.close(own);
+        for (Path subfolder : new Path[] {contents, scenes}) {
+            remove(subfolder);
+            PrivateFolder.restrict(subfolder);
         }
     }
 
@@ -70,71 +70,73 @@ final class ContentFolder {
     }
 
     private static String reason(IOException e) {
-        return e instanceof FileSystemException file && file.getReason() != null ? file.getReason() : FileSentence.of(e);
+        return e instanceof FileSystemException file && file.getReason() != null ? file.getReason() : FileErrorMessage.of(e);
     }
 
     /**
      * The file that holds some content, which is fetched where it is not there.
      *
-     * @param most bytes that it may have
-     * @throws ContentException if it is longer, or what came has another hash
+     * @param maxBytes bytes that it may have
+     * @throws InvalidContentException if it is longer, or what came has another hash
      * @throws IOException      if it cannot be kept
      */
-    synchronized Path file(Bill.Content content, long most, Parts parts) throws IOException {
+    synchronized Path fetch(SceneManifest.Content content, long maxBytes, PartSource parts) throws IOException {
         Path file = contents.resolve(content.hash().hex());
         if (Files.exists(file)) {
             return file;
         }
-        if (content.bytes() > most) {
-            throw new ContentException("expected content of at most " + most + " bytes, found " + content.bytes());
+        if (content.bytes() > maxBytes) {
+            throw new InvalidContentException("expected content of at most " + maxBytes + " bytes, found " + content.bytes());
         }
-        if (bytes + content.bytes() > MOST_BYTES) {
-            throw new IOException("there is room for " + (MOST_BYTES - bytes) + " bytes of content more, and this has " + content.bytes());
+        if (storedBytes + content.bytes() > MAX_BYTES) {
+            throw new IOException(
+                    "there is room for " + (MAX_BYTES - storedBytes) + " bytes of content more, and this has " + content.bytes());
         }
-        SafeFile.at(file).forOwnerOnly().write(out -> {
-            long at = 0;
-            while (at < content.bytes()) {
-                byte[] part = parts.from(content.hash(), at);
-                if (part.length == 0 || part.length > content.bytes() - at) {
-                    throw new ContentException("expected " + content.bytes() + " bytes of content, found " + (at + part.length));
+        AtomicFile.of(file).forOwnerOnly().write(out -> {
+            long offset = 0;
+            while (offset < content.bytes()) {
+                byte[] part = parts.read(content.hash(), offset);
+                if (part.length == 0 || part.length > content.bytes() - offset) {
+                    throw new InvalidContentException("expected " + content.bytes() + " bytes of content, found " + (offset + part.length));
                 }
                 out.write(part);
-                at += part.length;
+                offset += part.length;
             }
         });
-        if (!Hash.of(file).equals(content.hash())) {
+        if (!ContentHash.of(file).equals(content.hash())) {
             Files.delete(file);
-            throw new ContentException("content has other bytes than its hash says; the file was written to meanwhile");
+            throw new InvalidContentException("content has other bytes than its hash says; the file was written to meanwhile");
         }
-        bytes += content.bytes();
+        storedBytes += content.bytes();
         return file;
     }
 
     /**
      * The folder where the files of a bill have the names that its scene writes.
      *
-     * @throws ContentException if a name leads elsewhere, or as {@link #file}
-     * @throws IOException      as {@link #file}
+     * @throws InvalidContentException if a name leads elsewhere, or as {@link #fetch}
+     * @throws IOException      as {@link #fetch}
      */
-    synchronized Path scene(Bill bill, Parts parts) throws IOException {
+    synchronized Path sceneFolder(SceneManifest manifest, PartSource parts) throws IOException {
         if (cleared) {
             throw new IOException("the node has ended");
         }
-        Path folder = scenes.resolve(Hash.of(new Bill(new Bill.Content(NO_TEXT, 0), bill.files()).encode()).hex());
-        PrivateFolder.make(folder);
-        for (Map.Entry<String, Bill.Content> named : bill.files().entrySet()) {
-            if (!NamedFiles.isAllowed(named.getKey())) {
-                throw new ContentException("expected the name of a file beside a scene, found " + Quote.of(named.getKey()));
+        Path folder = scenes
+                .resolve(ContentHash.of(new SceneManifest(new SceneManifest.Content(EMPTY_HASH, 0), manifest.files()).encode()).hex());
+        PrivateFolder.create(folder);
+        for (Map.Entry<String, SceneManifest.Content> entry : manifest.files().entrySet()) {
+            if (!ReferencedFiles.isAllowed(entry.getKey())) {
+                throw new InvalidContentException("expected the name of a file beside a scene, found " + Quote.of(entry.getKey()));
             }
-            Path file = file(named.getValue(), MeshLimits.FILE_BYTES, parts);
-            Path link = folder.resolve(named.getKey());
-            PrivateFolder.make(link.getParent());
+            Path file = fetch(entry.getValue(), MeshLimits.FILE_BYTES, parts);
+            Path link = folder.resolve(entry.getKey());
+            PrivateFolder.create(link.getParent());
             link(link, file);
         }
         return folder;
     }
 
-    private static final Hash NO_TEXT = Hash.of(new byte[0]);
+    private static final ContentHash EMPTY_HASH = ContentHash.of(new byte[0]);
 
     private static void link(Path link, Path file) throws IOException {
         try {
@@ -142,7 +144,7 @@ final class ContentFolder {
         } catch (FileAlreadyExistsException e) {
             // The same: the folder's name says what is in it.
         } catch (IOException | UnsupportedOperationException e) {
-            SafeFile.at(link).forOwnerOnly().write(out -> Files.copy(file, out));
+            AtomicFile.of(link).forOwnerOnly().write(out -> Files.copy(file, out));
         }
     }
 

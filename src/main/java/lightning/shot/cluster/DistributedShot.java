@@ -2,18 +2,18 @@ package lightning.shot.cluster;
 
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import lightning.base.text.Release;
-import lightning.shot.RelitShot;
+import lightning.base.text.ReleaseInfo;
 import lightning.shot.ShotListener;
+import lightning.shot.ShotRelighter;
 
 /** The frames of a shot, held by the nodes of a cluster. */
 public final class DistributedShot implements AutoCloseable {
-    private final RelitShot frames;
-    private final Machines machines;
+    private final ShotRelighter relighter;
+    private final NodePool nodes;
 
-    private DistributedShot(RelitShot frames, Machines machines) {
-        this.frames = frames;
-        this.machines = machines;
+    private DistributedShot(ShotRelighter frames, NodePool machines) {
+        this.relighter = frames;
+        this.nodes = machines;
     }
 
     /**
@@ -24,12 +24,12 @@ public final class DistributedShot implements AutoCloseable {
      * @param log      gets a sentence at times, on other threads
      * @throws JoinException if this process cannot take part, as without a certificate
      */
-    public static DistributedShot join(Place place, Path folder, int first, int last, ShotListener listener, Consumer<String> log)
+    public static DistributedShot join(NodeConfig config, Path folder, int first, int last, ShotListener listener, Consumer<String> log)
             throws JoinException {
-        RelitShot frames = RelitShot.of(first, last, listener);
-        var shot = new DistributedShot(frames, new Machines(new TlsNetwork(place), Release.ofMachine(), folder, frames, log));
+        ShotRelighter relighter = ShotRelighter.of(first, last, listener);
+        var shot = new DistributedShot(relighter, new NodePool(new TlsNetwork(config), ReleaseInfo.machineText(), folder, relighter, log));
         try {
-            shot.machines.start();
+            shot.nodes.start();
         } catch (JoinException e) {
             shot.close();
             throw e;
@@ -37,19 +37,19 @@ public final class DistributedShot implements AutoCloseable {
         return shot;
     }
 
-    public RelitShot frames() {
-        return frames;
+    public ShotRelighter relighter() {
+        return relighter;
     }
 
     /** How many nodes hold frames, or would. */
-    public int machines() {
-        return machines.count();
+    public int nodeCount() {
+        return nodes.count();
     }
 
     /** Leaves: nodes drop the frames. Waits for what is under way here. */
     @Override
     public void close() {
-        machines.close();
-        frames.close();
+        nodes.close();
+        relighter.close();
     }
 }

@@ -9,13 +9,13 @@ import lightning.shot.cluster.wire.Message;
 final class FilmTiles {
     private static final int TILE_BYTES = 3 * Film.TILE_PIXELS * Float.BYTES;
     /** Tiles that one message carries, at most. */
-    static final int MOST = Message.PART_BYTES / TILE_BYTES;
+    static final int MAX_TILES = Message.PART_BYTES / TILE_BYTES;
 
     private FilmTiles() {}
 
     /** @return none where the film has no such tiles, or they are too many */
     static byte[] encode(Film film, int first, int count) {
-        if (count > MOST || (long) first + count > film.tileCount()) {
+        if (count > MAX_TILES || (long) first + count > film.tileCount()) {
             return new byte[0];
         }
         ByteBuffer bytes = ByteBuffer.allocate(count * TILE_BYTES);

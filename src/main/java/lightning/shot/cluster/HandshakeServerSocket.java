@@ -14,7 +14,7 @@ import java.util.concurrent.Semaphore;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 
 /**
  * Accepts TLS connections, runs each handshake on a thread of its own, and returns only established connections. JGroups accepts with one
@@ -22,29 +22,29 @@ import lightning.base.work.OwnThread;
  */
 final class HandshakeServerSocket extends ServerSocket {
     /** Handshakes at the same time; further connections wait in the system's backlog. */
-    private static final int MOST_HANDSHAKES = 32;
+    private static final int MAX_HANDSHAKES = 32;
     /** Pause after an accept that failed, as without free file handles. */
     private static final long PAUSE_MILLISECONDS = 100;
 
     private final SSLContext context;
     private final SSLParameters parameters;
-    private final int patience;
-    private final Semaphore free = new Semaphore(MOST_HANDSHAKES);
+    private final int timeoutMillis;
+    private final Semaphore permits = new Semaphore(MAX_HANDSHAKES);
     /** Established connections; empty once the socket is closed. */
     private final BlockingQueue<Optional<Socket>> established = new LinkedBlockingQueue<>();
-    private final ExecutorService handshakes = OwnThread.forEach("lightning-handshake");
+    private final ExecutorService handshakes = DedicatedThread.virtualThreadExecutor("lightning-handshake");
 
-    /** @param patience milliseconds that a peer may be silent during its handshake */
-    HandshakeServerSocket(SSLContext context, SSLParameters parameters, int patience) throws IOException {
+    /** @param timeoutMillis milliseconds that a peer may be silent during its handshake */
+    HandshakeServerSocket(SSLContext context, SSLParameters parameters, int timeoutMillis) throws IOException {
         this.context = context;
         this.parameters = parameters;
-        this.patience = patience;
+        this.timeoutMillis = timeoutMillis;
     }
 
     @Override
     public void bind(SocketAddress address, int backlog) throws IOException {
         super.bind(address, backlog);
-        OwnThread.of("lightning-accept", this::listen).start();
+        DedicatedThread.create("lightning-accept", this::acceptLoop).start();
     }
 
     /** Returns the next connection whose handshake is done. */
@@ -63,10 +63,10 @@ final class HandshakeServerSocket extends ServerSocket {
         }
     }
 
-    private void listen() {
+    private void acceptLoop() {
         try {
             while (!isClosed()) {
-                free.acquire();
+                permits.acquire();
                 acceptNext();
             }
         } catch (InterruptedException e) {
@@ -79,7 +79,7 @@ final class HandshakeServerSocket extends ServerSocket {
             Socket plain = super.accept();
             handshakes.execute(() -> establish(plain));
         } catch (IOException e) {
-            free.release();
+            permits.release();
             Thread.sleep(isClosed() ? 0 : PAUSE_MILLISECONDS);
         }
     }
@@ -89,19 +89,19 @@ final class HandshakeServerSocket extends ServerSocket {
             SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(plain, null, true);
             socket.setUseClientMode(false);
             socket.setSSLParameters(parameters);
-            socket.setSoTimeout(patience);
+            socket.setSoTimeout(timeoutMillis);
             socket.startHandshake();
             socket.setSoTimeout(0);
-            offer(socket);
+            enqueue(socket);
         } catch (IOException e) {
             // A stranger, or a peer that gave up.
             close(plain);
         } finally {
-            free.release();
+            permits.release();
         }
     }
 
-    private synchronized void offer(Socket socket) {
+    private synchronized void enqueue(Socket socket) {
         if (isClosed()) {
             close(socket);
         } else {

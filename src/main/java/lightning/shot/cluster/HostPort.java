@@ -7,40 +7,40 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 
 /** Where a member of a cluster is heard: {@code render7:7800}, {@code 10.0.0.7}, {@code [::1]:7800}. */
 public record HostPort(String host, int port) {
-    private static final Pattern WORDS = Pattern.compile("(?:\\[([0-9a-fA-F:.%]{1,100})]|([^:,\\[\\]\\s]{1,255}))(?::([0-9]{1,5}))?");
-    private static final int LAST_PORT = 65_535;
+    private static final Pattern PATTERN = Pattern.compile("(?:\\[([0-9a-fA-F:.%]{1,100})]|([^:,\\[\\]\\s]{1,255}))(?::([0-9]{1,5}))?");
+    private static final int MAX_PORT = 65_535;
 
     /**
-     * Reads what a person typed; without a port it is {@link Place#NODE_PORT}.
+     * Reads what a person typed; without a port it is {@link NodeConfig#NODE_PORT}.
      *
      * @throws IllegalArgumentException if it names no machine; a sentence
      */
-    public static HostPort of(String text) {
-        Matcher words = WORDS.matcher(text);
-        int port = words.matches() && words.group(3) != null ? Integer.parseInt(words.group(3)) : Place.NODE_PORT;
-        if (!words.matches() || port < 1 || port > LAST_PORT) {
+    public static HostPort parse(String text) {
+        Matcher matcher = PATTERN.matcher(text);
+        int port = matcher.matches() && matcher.group(3) != null ? Integer.parseInt(matcher.group(3)) : NodeConfig.NODE_PORT;
+        if (!matcher.matches() || port < 1 || port > MAX_PORT) {
             throw new IllegalArgumentException(
-                    Texts.of("expected a machine and a port from 1 to {0} as in render7:7800, found {1}", LAST_PORT, Quote.of(text)));
+                    Messages.tr("expected a machine and a port from 1 to {0} as in render7:7800, found {1}", MAX_PORT, Quote.of(text)));
         }
-        return new HostPort(words.group(1) == null ? words.group(2) : words.group(1), port);
+        return new HostPort(matcher.group(1) == null ? matcher.group(2) : matcher.group(1), port);
     }
 
     /**
      * Reads several with commas between them, at least one.
      *
-     * @throws IllegalArgumentException as {@link #of}
+     * @throws IllegalArgumentException as {@link #parse}
      */
-    public static List<HostPort> several(String text) {
-        List<HostPort> all = new ArrayList<>();
-        for (String one : text.split(",", -1)) {
-            all.add(of(one.strip()));
+    public static List<HostPort> parseAll(String text) {
+        List<HostPort> result = new ArrayList<>();
+        for (String part : text.split(",", -1)) {
+            result.add(parse(part.strip()));
         }
-        return all;
+        return result;
     }
 
     /**
@@ -53,7 +53,7 @@ public record HostPort(String host, int port) {
     }
 
     /** Returns what a person would type: {@code render7:7800}, {@code 10.0.0.7:7800}, {@code [::1]:7800}. */
-    public String text() {
+    public String format() {
         return (host.contains(":") ? "[" + host + "]" : host) + ":" + port;
     }
 
@@ -62,7 +62,7 @@ public record HostPort(String host, int port) {
         try {
             return InetAddress.getByName(host);
         } catch (UnknownHostException e) {
-            throw new JoinException(Texts.of("there is no machine {0} that this one knows of", Quote.of(host)), e);
+            throw new JoinException(Messages.tr("there is no machine {0} that this one knows of", Quote.of(host)), e);
         }
     }
 }

@@ -1,9 +1,9 @@
 package lightning.shot.cluster;
 
-import lightning.base.text.Told;
+import lightning.base.text.UserFacingException;
 
 /** A process cannot take part in a cluster; the message is a sentence. */
-public final class JoinException extends Exception implements Told {
+public final class JoinException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
     JoinException(String message, Throwable cause) {

@@ -12,71 +12,71 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenException;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
-import lightning.render.relight.PictureTooLarge;
-import lightning.shot.FrameKeeper;
-import lightning.shot.FrameRefusedException;
+import lightning.render.relight.PictureTooLargeException;
+import lightning.shot.CacheUsage;
+import lightning.shot.FrameHost;
+import lightning.shot.FrameRejectedException;
 import lightning.shot.FrameUpdate;
-import lightning.shot.KeeperGoneException;
-import lightning.shot.KeptBytes;
-import lightning.shot.cluster.wire.Hash;
+import lightning.shot.HostLostException;
+import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
 
 /** One coordinator's frames at a node. */
 final class NodeSession implements AutoCloseable {
     /** Wishes at once: a coordinator has two, and one more of each frame that it no longer wanted. */
-    private static final int MOST_CALLS = 8;
+    private static final int MAX_CALLS = 8;
     /** Answers that are kept, to be given again. */
-    private static final int MOST_ANSWERS = 64;
+    private static final int MAX_ANSWERS = 64;
 
-    final Member owner;
+    final ClusterMember owner;
     private final UUID id;
-    private final FrameKeeper keeper;
+    private final FrameHost host;
     private final Consumer<Message> send;
-    private final TakeReader reader;
-    private final Asker<Place, byte[]> asker = new Asker<>();
-    private final ExecutorService work = Executors.newCachedThreadPool(OwnThread.named("lightning-node"));
-    private final ExecutorService films = OwnThread.inTurn("lightning-films");
-    private final Map<Long, AtomicBoolean> running = new HashMap<>();
+    private final RevisionReader reader;
+    private final PendingRequests<ContentKey, byte[]> contentRequests = new PendingRequests<>();
+    private final ExecutorService callExecutor = Executors.newCachedThreadPool(DedicatedThread.factory("lightning-node"));
+    private final ExecutorService filmExecutor = DedicatedThread.sequentialExecutor("lightning-films");
+    private final Map<Long, AtomicBoolean> runningCalls = new HashMap<>();
     private final Map<Long, Message> answers = new LinkedHashMap<>();
     /** By frame, the newest wish. */
-    private final Map<Integer, Long> wanted = new HashMap<>();
+    private final Map<Integer, Long> newestCalls = new HashMap<>();
     /** By frame, whose film is kept. */
-    private final Map<Integer, Long> shown = new HashMap<>();
+    private final Map<Integer, Long> shownCalls = new HashMap<>();
     /** By frame: one wish at a time works with it. */
     private final Map<Integer, Object> locks = new HashMap<>();
     private long filmCall = -1;
     private Film film;
 
-    private record Place(Hash hash, long offset) {}
+    private record ContentKey(ContentHash hash, long offset) {}
 
-    NodeSession(Member owner, UUID id, FrameKeeper keeper, ContentFolder contents, Consumer<Message> send) {
+    NodeSession(ClusterMember owner, UUID id, FrameHost host, ContentFolder contents, Consumer<Message> send) {
         this.owner = owner;
         this.id = id;
-        this.keeper = keeper;
+        this.host = host;
         this.send = send;
-        reader = new TakeReader(contents, (hash, offset) -> asker.ask(new Place(hash, offset),
-                () -> send.accept(new Message.Need(id, hash, offset)), () -> false));
+        reader = new RevisionReader(contents, (hash, offset) -> contentRequests.request(new ContentKey(hash, offset),
+                () -> send.accept(new Message.RequestContent(id, hash, offset)), () -> false));
     }
 
-    void part(Message.Part part) {
-        asker.answered(new Place(part.hash(), part.offset()), part.bytes());
+    void contentReceived(Message.ContentPart part) {
+        contentRequests.complete(new ContentKey(part.hash(), part.offset()), part.bytes());
     }
 
-    synchronized void bring(Message.Bring wish) {
-        Message answer = answers.get(wish.call());
+    synchronized void updateFrame(Message.UpdateFrame request) {
+        Message answer = answers.get(request.call());
         if (answer != null) {
             send.accept(answer);
-        } else if (!running.containsKey(wish.call()) && running.size() < MOST_CALLS) {
-            var cancelled = new AtomicBoolean();
-            running.put(wish.call(), cancelled);
-            wanted.merge(wish.frame(), wish.call(), Math::max);
-            execute(work, () -> answer(wish.call(), attempt(wish, cancelled)));
+        } else if (!runningCalls.containsKey(request.call()) && runningCalls.size() < MAX_CALLS) {
+            var canceled = new AtomicBoolean();
+            runningCalls.put(request.call(), canceled);
+            newestCalls.merge(request.frame(), request.call(), Math::max);
+            execute(callExecutor, () -> answer(request.call(), process(request, canceled)));
         }
     }
 
@@ -90,54 +90,55 @@ final class NodeSession implements AutoCloseable {
 
     private void answer(long call, Message answer) {
         synchronized (this) {
-            running.remove(call);
+            runningCalls.remove(call);
             answers.put(call, answer);
-            if (answers.size() > MOST_ANSWERS) {
+            if (answers.size() > MAX_ANSWERS) {
                 answers.remove(answers.keySet().iterator().next());
             }
         }
         send.accept(answer);
     }
 
-    private Message attempt(Message.Bring wish, AtomicBoolean cancelled) {
+    private Message process(Message.UpdateFrame request, AtomicBoolean canceled) {
         try {
-            return made(wish, cancelled);
+            return updateFrameNow(request, canceled);
         } catch (CancellationException e) {
-            return failed(wish, Message.Reason.CANCELLED, "");
-        } catch (PictureTooLarge e) {
-            forget(wish.frame());
-            return failed(wish, Message.Reason.REFUSED, e.getMessage());
+            return failure(request, Message.FailureReason.CANCELED, "");
+        } catch (PictureTooLargeException e) {
+            drop(request.frame());
+            return failure(request, Message.FailureReason.REJECTED, e.getMessage());
         } catch (OutOfMemoryError e) {
-            forget(wish.frame());
-            return failed(wish, Message.Reason.REFUSED, "it has not enough memory");
-        } catch (ContentException | WireException | JenException | IllegalArgumentException | KeeperGoneException e) {
-            return failed(wish, Message.Reason.UNUSABLE, String.valueOf(e.getMessage()));
-        } catch (FrameRefusedException | IOException e) {
-            return failed(wish, Message.Reason.REFUSED, String.valueOf(e.getMessage()));
+            drop(request.frame());
+            return failure(request, Message.FailureReason.REJECTED, "it has not enough memory");
+        } catch (InvalidContentException | WireException | JenException | IllegalArgumentException | HostLostException e) {
+            return failure(request, Message.FailureReason.INVALID, String.valueOf(e.getMessage()));
+        } catch (FrameRejectedException | IOException e) {
+            return failure(request, Message.FailureReason.REJECTED, String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
-            return failed(wish, Message.Reason.ERROR, e.toString());
+            return failure(request, Message.FailureReason.ERROR, e.toString());
         }
     }
 
-    private Message failed(Message.Bring wish, Message.Reason reason, String sentence) {
-        return new Message.Failed(id, wish.call(), reason, sentence);
+    private Message failure(Message.UpdateFrame request, Message.FailureReason reason, String message) {
+        return new Message.UpdateFailed(id, request.call(), reason, message);
     }
 
-    private Message made(Message.Bring wish, AtomicBoolean cancelled)
-            throws IOException, WireException, JenException, KeeperGoneException {
-        var take = reader.take(wish.bill(), wish.billBytes());
-        synchronized (lock(wish.frame())) {
-            if (isOutdated(wish)) {
+    private Message updateFrameNow(Message.UpdateFrame request, AtomicBoolean canceled)
+            throws IOException, WireException, JenException, HostLostException {
+        var revision = reader.read(request.manifest(), request.manifestBytes());
+        synchronized (lock(request.frame())) {
+            if (isSuperseded(request)) {
                 throw new CancellationException();
             }
-            FrameUpdate update = keeper.bring(wish.frame(), take, Progress.until(cancelled::get));
+            FrameUpdate update = host.update(request.frame(), revision, Progress.cancellation(canceled::get));
             synchronized (this) {
-                shown.put(wish.frame(), wish.call());
+                shownCalls.put(request.frame(), request.call());
             }
-            Film made = update.film();
-            KeptBytes bytes = keeper.bytes();
-            return new Message.Brought(id, wish.call(), update.traced(), update.plan(), update.rays(), update.nanoseconds(), made.width(),
-                    made.height(), bytes.memory(), bytes.disk());
+            Film film = update.film();
+            CacheUsage usage = host.usage();
+            return new Message.FrameUpdated(id, request.call(), update.traced(), update.plan(), update.rays(), update.nanoseconds(),
+                    film.width(),
+                    film.height(), usage.memoryBytes(), usage.diskBytes());
         }
     }
 
@@ -145,70 +146,70 @@ final class NodeSession implements AutoCloseable {
         return locks.computeIfAbsent(frame, _ -> new Object());
     }
 
-    private synchronized boolean isOutdated(Message.Bring wish) {
-        return wanted.get(wish.frame()) != wish.call();
+    private synchronized boolean isSuperseded(Message.UpdateFrame request) {
+        return newestCalls.get(request.frame()) != request.call();
     }
 
     synchronized void cancel(long call) {
-        AtomicBoolean cancelled = running.get(call);
-        if (cancelled != null) {
-            cancelled.set(true);
+        AtomicBoolean canceled = runningCalls.get(call);
+        if (canceled != null) {
+            canceled.set(true);
         }
     }
 
-    void ask(Message.Ask ask) {
-        execute(films, () -> {
-            byte[] bytes = film(ask).map(f -> FilmTiles.encode(small(f, ask), ask.firstTile(), ask.tiles())).orElse(new byte[0]);
-            send.accept(bytes.length == 0 ? new Message.Gone(id, ask.call(), ask.frame())
-                    : new Message.Pixels(id, ask.call(), ask.frame(), ask.mostWidth(), ask.mostHeight(), ask.firstTile(), bytes));
+    void sendTiles(Message.RequestTiles ask) {
+        execute(filmExecutor, () -> {
+            byte[] bytes = film(ask).map(f -> FilmTiles.encode(downscale(f, ask), ask.firstTile(), ask.tileCount())).orElse(new byte[0]);
+            send.accept(bytes.length == 0 ? new Message.FilmUnavailable(id, ask.call(), ask.frame())
+                    : new Message.FilmTileData(id, ask.call(), ask.frame(), ask.maxWidth(), ask.maxHeight(), ask.firstTile(), bytes));
         });
     }
 
-    private static Film small(Film film, Message.Ask ask) {
-        return Downscale.into(film.width(), film.height(), Math.max(1, ask.mostWidth()), Math.max(1, ask.mostHeight())).of(film);
+    private static Film downscale(Film film, Message.RequestTiles ask) {
+        return Downscale.fit(film.width(), film.height(), Math.max(1, ask.maxWidth()), Math.max(1, ask.maxHeight())).apply(film);
     }
 
     /** On the one thread of films, which keeps the last: its tiles are asked for one after the other. */
-    private Optional<Film> film(Message.Ask ask) {
+    private Optional<Film> film(Message.RequestTiles ask) {
         if (filmCall == ask.call()) {
             return Optional.of(film);
         }
         synchronized (lock(ask.frame())) {
             synchronized (this) {
-                if (!shown.getOrDefault(ask.frame(), -1L).equals(ask.call())) {
+                if (!shownCalls.getOrDefault(ask.frame(), -1L).equals(ask.call())) {
                     return Optional.empty();
                 }
             }
-            Optional<Film> kept = keeper.film(ask.frame());
-            kept.ifPresent(f -> {
+            Optional<Film> cached = host.film(ask.frame());
+            cached.ifPresent(f -> {
                 film = f;
                 filmCall = ask.call();
             });
-            return kept;
+            return cached;
         }
     }
 
-    void focus(int frame) {
-        keeper.focus(frame);
+    void setFocus(int frame) {
+        host.focus(frame);
     }
 
-    void forget(int frame) {
+    void drop(int frame) {
         synchronized (this) {
-            shown.remove(frame);
+            shownCalls.remove(frame);
         }
-        keeper.forget(frame);
+        host.drop(frame);
     }
 
     /** Stops all that is under way; drops all frames, beside the caller. */
     @Override
     public void close() {
-        asker.close();
+        contentRequests.close();
         synchronized (this) {
-            running.values().forEach(cancelled -> cancelled.set(true));
+            runningCalls.values().forEach(cancelled -> cancelled.set(true));
         }
-        films.shutdownNow();
-        work.execute(() -> awaitCalls());
-        work.shutdown();
+        filmExecutor.shutdownNow();
+        callExecutor.execute(() -> awaitCalls());
+        callExecutor.shutdown();
     }
 
     private void awaitCalls() {
@@ -219,11 +220,11 @@ final class NodeSession implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
-            keeper.close();
+            host.close();
         }
     }
 
     private synchronized boolean isWorking() {
-        return !running.isEmpty();
+        return !runningCalls.isEmpty();
     }
 }

@@ -8,7 +8,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.stream.Collectors;
 import javax.net.ssl.SSLContext;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import org.jgroups.Address;
 import org.jgroups.BytesMessage;
 import org.jgroups.Event;
@@ -34,43 +34,45 @@ import org.jgroups.util.DefaultThreadFactory;
 import org.jgroups.util.UUID;
 
 /** A network of members that show the same certificate: JGroups over TLS, both sides of a connection known. */
-public final class TlsNetwork implements Network {
+public final class TlsNetwork implements ClusterNetwork {
     /** Bytes of what comes over a connection in one piece; larger messages are cut by {@link FRAG4}. */
-    private static final int MOST_BYTES = 1 << 18;
+    private static final int MAX_BYTES = 1 << 18;
     private static final String CLUSTER = "lightning";
-    private static final int SHORT_BYTES = 4096;
+    private static final int URGENT_MAX_BYTES = 4096;
     private static final int HANDSHAKE_MILLISECONDS = 5000;
     /** Attempts to join before a member starts a part of its own. JGroups' 10 block 20 s where the coordinator it found has gone. */
     private static final int JOIN_ATTEMPTS = 2;
     /** Limit of a merge. One that includes a member that does not answer takes all of it and is repeated. */
     private static final int MERGE_MILLISECONDS = 2000;
     /** Questions to the hosts within that time. */
-    private static final int DISCOVERIES = 4;
+    private static final int DISCOVERY_RUNS = 4;
 
-    private final Place place;
+    private final NodeConfig config;
     private final ExecutorService inbox =
             Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().name("lightning-cluster").factory());
     private JChannel channel;
 
-    public TlsNetwork(Place place) {
-        this.place = place;
+    public TlsNetwork(NodeConfig config) {
+        this.config = config;
     }
 
     @Override
     public void join(Listener listener) throws JoinException {
-        SSLContext context = SharedKey.context(place.certificate());
+        SSLContext context = ClusterCertificate.sslContext(config.certificate());
         LogFactory.useNoopLogger(true);
-        PlainMessages.alone();
+        RestrictedMessageFactory.install();
         try {
-            channel = new JChannel(transport(context), discovery(), merging(), new FD_ALL3().setTimeout(place.timing().silence())
-                    .setInterval(Math.max(1, place.timing().silence() / 4)), verifying(), multicasts(), new UNICAST3(), new STABLE(),
-                    membership(), new UFC(), new FRAG4());
-            channel.setReceiver(new Ears(listener));
+            channel = new JChannel(transport(context), discoveryProtocol(), mergeProtocol(),
+                    new FD_ALL3().setTimeout(config.timing().silence())
+                            .setInterval(Math.max(1, config.timing().silence() / 4)),
+                    suspectVerification(), multicastProtocol(), new UNICAST3(), new STABLE(),
+                    membershipProtocol(), new UFC(), new FRAG4());
+            channel.setReceiver(new MessageReceiver(listener));
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException(Texts.of("cannot take part in a cluster at {0}: {1}",
-                    place.text(), reason(e)), e);
+            throw new JoinException(Messages.tr("cannot take part in a cluster at {0}: {1}",
+                    config.addressText(), reason(e)), e);
         }
     }
 
@@ -85,24 +87,24 @@ public final class TlsNetwork implements Network {
 
     private TCP transport(SSLContext context) throws Exception {
         TCP tcp = new TCP();
-        tcp.setBindAddress(place.bind()).setBindPort(place.port()).setPortRange(place.ports() - 1);
+        tcp.setBindAddress(config.bind()).setBindPort(config.port()).setPortRange(config.ports() - 1);
         // It would open a port of its own, without TLS.
         tcp.setDiagnosticsHandler(new DiagnosticsHandler(LogFactory.getLog(DiagnosticsHandler.class), new DefaultSocketFactory(),
                 new DefaultThreadFactory("lightning-cluster", true)).setEnabled(false));
-        tcp.setMaxLength(MOST_BYTES);
+        tcp.setMaxLength(MAX_BYTES);
         tcp.tcpNodelay(true);
         // On a machine that traces with all its processors, two that have just begun take seconds for a handshake.
         tcp.setPeerAddrReadTimeout(HANDSHAKE_MILLISECONDS);
         tcp.setSockConnTimeout(HANDSHAKE_MILLISECONDS);
         // A process that is killed is known to be gone when its connection ends.
         tcp.enableSuspectEvents(true);
-        tcp.tls(new LimitedHandshakes(context, HANDSHAKE_MILLISECONDS));
+        tcp.tls(new HandshakeTimeoutTls(context, HANDSHAKE_MILLISECONDS));
         return tcp;
     }
 
-    private TCPPING discovery() {
+    private TCPPING discoveryProtocol() {
         List<InetSocketAddress> hosts =
-                place.join().isEmpty() ? List.of(new InetSocketAddress(place.bind(), place.port())) : place.join();
+                config.join().isEmpty() ? List.of(new InetSocketAddress(config.bind(), config.port())) : config.join();
         TCPPING ping = new TCPPING();
         ping.setInitialHosts(hosts);
         ping.setPortRange(0);
@@ -110,30 +112,30 @@ public final class TlsNetwork implements Network {
         // members cannot reach each other, suspect each other, and split again.
         ping.returnEntireCache(true);
         // A host that starts at the same moment may not listen yet: ask several times, and let none wait for another.
-        ping.numDiscoveryRuns(DISCOVERIES);
+        ping.numDiscoveryRuns(DISCOVERY_RUNS);
         ping.asyncDiscovery(true);
         ping.asyncDiscoveryUseSeparateThread(true);
         return ping;
     }
 
-    private MERGE3 merging() {
-        long most = place.timing().merge();
-        return new MERGE3().setMinInterval(Math.max(1, most / 4)).setMaxInterval(most).setCheckInterval(2 * most);
+    private MERGE3 mergeProtocol() {
+        long maxInterval = config.timing().merge();
+        return new MERGE3().setMinInterval(Math.max(1, maxInterval / 4)).setMaxInterval(maxInterval).setCheckInterval(2 * maxInterval);
     }
 
-    private VERIFY_SUSPECT2 verifying() {
-        return new VERIFY_SUSPECT2().setTimeout(place.timing().verify());
+    private VERIFY_SUSPECT2 suspectVerification() {
+        return new VERIFY_SUSPECT2().setTimeout(config.timing().verify());
     }
 
-    private static NAKACK2 multicasts() {
+    private static NAKACK2 multicastProtocol() {
         NAKACK2 multicasts = new NAKACK2();
         multicasts.useMcastXmit(false);
         return multicasts;
     }
 
-    private GMS membership() {
+    private GMS membershipProtocol() {
         GMS membership = new GMS();
-        membership.setJoinTimeout(place.timing().join());
+        membership.setJoinTimeout(config.timing().join());
         membership.setMaxJoinAttempts(JOIN_ATTEMPTS);
         membership.setMergeTimeout(MERGE_MILLISECONDS);
         membership.printLocalAddress(false);
@@ -141,10 +143,10 @@ public final class TlsNetwork implements Network {
     }
 
     /** Hands on what JGroups tells, on one thread. */
-    private final class Ears implements Receiver {
+    private final class MessageReceiver implements Receiver {
         private final Listener listener;
 
-        Ears(Listener listener) {
+        MessageReceiver(Listener listener) {
             this.listener = listener;
         }
 
@@ -155,19 +157,19 @@ public final class TlsNetwork implements Network {
             }
             byte[] bytes = new byte[message.getLength()];
             System.arraycopy(message.getArray(), message.getOffset(), bytes, 0, bytes.length);
-            Member from = member(message.getSrc());
-            hand(() -> listener.heard(from, bytes));
+            ClusterMember from = member(message.getSrc());
+            dispatch(() -> listener.messageReceived(from, bytes));
         }
 
         @Override
         public void viewAccepted(View view) {
             Address self = channel.getAddress();
-            Set<Member> others =
+            Set<ClusterMember> others =
                     view.getMembers().stream().filter(a -> !a.equals(self)).map(TlsNetwork::member).collect(Collectors.toUnmodifiableSet());
-            hand(() -> listener.changed(others));
+            dispatch(() -> listener.membersChanged(others));
         }
 
-        private void hand(Runnable call) {
+        private void dispatch(Runnable call) {
             try {
                 inbox.execute(call);
             } catch (RejectedExecutionException e) {
@@ -176,22 +178,22 @@ public final class TlsNetwork implements Network {
         }
     }
 
-    private static Member member(Address address) {
+    private static ClusterMember member(Address address) {
         UUID id = (UUID) address;
-        return new Member(new java.util.UUID(id.getMostSignificantBits(), id.getLeastSignificantBits()));
+        return new ClusterMember(new java.util.UUID(id.getMostSignificantBits(), id.getLeastSignificantBits()));
     }
 
-    private static Address address(Member member) {
+    private static Address address(ClusterMember member) {
         return new UUID(member.id().getMostSignificantBits(), member.id().getLeastSignificantBits());
     }
 
     @Override
-    public void send(Member to, byte[] bytes) {
+    public void send(ClusterMember to, byte[] bytes) {
         try {
             Address address = address(to);
             if (channel.getView().containsMember(address)) {
                 BytesMessage message = new BytesMessage(address, bytes);
-                if (bytes.length <= SHORT_BYTES) {
+                if (bytes.length <= URGENT_MAX_BYTES) {
                     // Who is flooded by others is asked for a sign of life all the same.
                     message.setFlag(Message.Flag.NO_FC);
                 }
@@ -213,7 +215,7 @@ public final class TlsNetwork implements Network {
     }
 
     @Override
-    public String name(Member member) {
+    public String addressOf(ClusterMember member) {
         return String.valueOf(channel.<Object>down(new Event(Event.GET_PHYSICAL_ADDRESS, address(member))));
     }
 

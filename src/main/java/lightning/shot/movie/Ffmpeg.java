@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import lightning.base.text.Decimal;
-import lightning.base.text.Texts;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Messages;
 
 /**
  * The program that makes a film of pictures, where it is installed.
@@ -19,12 +19,12 @@ import lightning.base.text.Texts;
 public record Ffmpeg(Path program) {
 
     /** The first of that name in the folders where the system looks for programs. */
-    public static Optional<Ffmpeg> installed() {
-        return in(System.getenv("PATH"));
+    public static Optional<Ffmpeg> find() {
+        return findIn(System.getenv("PATH"));
     }
 
     /** @param folders as the system's variable {@code PATH} names them; null for none */
-    static Optional<Ffmpeg> in(String folders) {
+    static Optional<Ffmpeg> findIn(String folders) {
         if (folders == null) {
             return Optional.empty();
         }
@@ -48,13 +48,13 @@ public record Ffmpeg(Path program) {
      *
      * @throws IOException if there is none; the message says what it is for
      */
-    public static Ffmpeg required() throws IOException {
-        return installed().orElseThrow(() -> new IOException(missing()));
+    public static Ffmpeg require() throws IOException {
+        return find().orElseThrow(() -> new IOException(missingMessage()));
     }
 
     /** What is told where there is none: a clause without a full stop. */
-    public static String missing() {
-        return Texts.of("a film takes the program ffmpeg, which is not installed here; numbered pictures need no other program");
+    public static String missingMessage() {
+        return Messages.tr("a film takes the program ffmpeg, which is not installed here; numbered pictures need no other program");
     }
 
     /**
@@ -63,13 +63,14 @@ public record Ffmpeg(Path program) {
      * @param width pixels, even; likewise {@code height}
      * @param rate  frames per second
      */
-    List<String> command(MovieKind kind, int width, int height, double rate, Path to) {
+    List<String> command(MovieFormat kind, int width, int height, double rate, Path output) {
         List<String> command = new ArrayList<>(List.of(program.toString(), "-hide_banner", "-loglevel", "error", "-nostdin", "-y",
-                "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", width + "x" + height, "-framerate", Decimal.text(rate), "-i",
+                "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", width + "x" + height, "-framerate", DecimalNumber.format(rate),
+                "-i",
                 "pipe:0", "-an", "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-pix_fmt", "yuv420p", "-colorspace", "bt709",
                 "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"));
         command.addAll(kind.encoder());
-        command.addAll(List.of("-f", kind.format(), "file:" + to));
+        command.addAll(List.of("-f", kind.format(), "file:" + output));
         return command;
     }
 }

@@ -14,13 +14,13 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** What is remembered of a file that others write. */
 class FileStateTest {
-    private static final int LOOKS = 3000;
+    private static final int READS = 3000;
 
     @TempDir
     private Path folder;
 
     @Test
-    void fileThatIsBeingWritten_hasTheSizeOfTheContentThatWasRead() throws Exception {
+    void fileBeingWritten_sizeMatchesContent() throws Exception {
         Path file = folder.resolve("a.jen");
         // All of one letter, so that a text of which a part was read before and a part after is one of them too.
         Map<String, Long> sizes = new HashMap<>();
@@ -36,7 +36,7 @@ class FileStateTest {
             }
         });
         try {
-            for (int i = 0; i < LOOKS; i++) {
+            for (int i = 0; i < READS; i++) {
                 FileState seen = FileState.of(file);
                 assertThat(seen.size()).isEqualTo(sizes.get(seen.content()));
             }

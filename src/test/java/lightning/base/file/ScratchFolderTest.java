@@ -25,8 +25,8 @@ class ScratchFolderTest {
     }
 
     @Test
-    void folder_isItsOwnersAloneAndGoesInTheEnd() throws IOException {
-        try (ScratchFolder scratch = ScratchFolder.in(place)) {
+    void folder_isPrivateAndRemovedOnClose() throws IOException {
+        try (ScratchFolder scratch = ScratchFolder.createIn(place)) {
             Path file = scratch.file("a");
             scratch.write(file, channel -> channel.write(ByteBuffer.wrap(new byte[] {1, 2})));
             assertThat(file).hasBinaryContent(new byte[] {1, 2});
@@ -37,8 +37,8 @@ class ScratchFolderTest {
     }
 
     @Test
-    void contentThatFails_leavesNoFile() throws IOException {
-        try (ScratchFolder scratch = ScratchFolder.in(place)) {
+    void failedWrite_leavesNoFile() throws IOException {
+        try (ScratchFolder scratch = ScratchFolder.createIn(place)) {
             assertThatThrownBy(() -> scratch.write(scratch.file("a"), channel -> {
                 channel.write(ByteBuffer.wrap(new byte[10]));
                 throw new IOException("full");
@@ -48,14 +48,14 @@ class ScratchFolderTest {
     }
 
     @Test
-    void folderOfAnEndedProcess_isRemovedAndOneInUseIsNot() throws IOException {
-        Path left = Files.createDirectory(place.resolve("lightning-scratch-00000000-0000-0000-0000-000000000000"));
-        Files.writeString(left.resolve("in-use"), "");
-        Files.writeString(left.resolve("rows-1"), "x");
+    void folderOfEndedProcess_isRemoved_lockedFolderIsNot() throws IOException {
+        Path staleFolder = Files.createDirectory(place.resolve("lightning-scratch-00000000-0000-0000-0000-000000000000"));
+        Files.writeString(staleFolder.resolve("in-use"), "");
+        Files.writeString(staleFolder.resolve("rows-1"), "x");
         Path other = Files.createDirectory(place.resolve("lightning-scratch-mine"));
         Path halfMade = Files.createDirectory(place.resolve("lightning-scratch-00000000-0000-0000-0000-000000000001"));
-        try (ScratchFolder first = ScratchFolder.in(place); ScratchFolder second = ScratchFolder.in(place)) {
-            assertThat(left).doesNotExist();
+        try (ScratchFolder first = ScratchFolder.createIn(place); ScratchFolder second = ScratchFolder.createIn(place)) {
+            assertThat(staleFolder).doesNotExist();
             assertThat(other).exists();
             assertThat(halfMade).exists();
             assertThat(first.file("in-use")).exists();
@@ -64,16 +64,16 @@ class ScratchFolderTest {
     }
 
     @Test
-    void foldersOfAnotherProcess_stayWhileThatRuns() throws Exception {
+    void folderOfRunningProcess_isNotRemoved() throws Exception {
         Process other = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
                 System.getProperty("java.class.path"), ScratchHolder.class.getName(), place.toString()).start();
         try {
             assertThat(other.inputReader().readLine()).isEqualTo("made");
-            List<Path> both = folders();
-            ScratchFolder.in(place).close();
-            assertThat(folders()).hasSize(2).containsExactlyInAnyOrderElementsOf(both);
+            List<Path> folders = folders();
+            ScratchFolder.createIn(place).close();
+            assertThat(folders()).hasSize(2).containsExactlyInAnyOrderElementsOf(folders);
             other.destroyForcibly().waitFor();
-            ScratchFolder.in(place).close();
+            ScratchFolder.createIn(place).close();
             assertThat(folders()).isEmpty();
         } finally {
             other.destroyForcibly();
@@ -81,7 +81,8 @@ class ScratchFolderTest {
     }
 
     @Test
-    void placeThatIsNoFolder_isRefusedWithItsName() {
-        assertThatThrownBy(() -> ScratchFolder.in(place.resolve("none"))).hasMessageContaining("none").hasMessageContaining("is no folder");
+    void parentThatIsNoFolder_isRejected() {
+        assertThatThrownBy(() -> ScratchFolder.createIn(place.resolve("none"))).hasMessageContaining("none")
+                .hasMessageContaining("is no folder");
     }
 }

@@ -7,7 +7,7 @@ final class ScratchHolder {
     private ScratchHolder() {}
 
     public static void main(String... args) throws Exception {
-        try (ScratchFolder scratch = ScratchFolder.in(Path.of(args[0])); ScratchFolder _ = ScratchFolder.in(Path.of(args[0]))) {
+        try (ScratchFolder scratch = ScratchFolder.createIn(Path.of(args[0])); ScratchFolder _ = ScratchFolder.createIn(Path.of(args[0]))) {
             scratch.write(scratch.file("rows"), _ -> {});
             System.out.println("made");
             Thread.sleep(600_000);

@@ -13,7 +13,7 @@ final class SlowWriter {
 
     public static void main(String... args) throws Exception {
         Path file = Path.of(args[0]);
-        SafeFile.at(file).writeByName(temporary -> {
+        AtomicFile.of(file).writeToPath(temporary -> {
             Files.writeString(temporary, "first");
             try (Stream<Path> all = Files.list(file.getParent())) {
                 for (Path each : all.toList()) {

@@ -19,11 +19,11 @@ class TemporaryFileTest {
     private Path folder;
 
     @Test
-    void fileThatAnotherProcessWrites_staysHoweverLongThatTakes() throws Exception {
+    void fileOfRunningProcess_isNotRemoved() throws Exception {
         Process other = slowWriter();
         try {
             Path half = temporary().getFirst();
-            SafeFile.write(folder.resolve("picture"), out -> out.write(1));
+            AtomicFile.write(folder.resolve("picture"), out -> out.write(1));
             assertThat(half).hasContent("first");
             other.outputWriter().append('\n').close();
             assertThat(other.waitFor()).isZero();
@@ -35,48 +35,49 @@ class TemporaryFileTest {
     }
 
     @Test
-    void fileOfAKilledProcess_isRemoved() throws Exception {
+    void fileOfKilledProcess_isRemoved() throws Exception {
         Process other = slowWriter();
         other.destroyForcibly().waitFor();
         assertThat(temporary()).hasSize(1);
-        SafeFile.write(folder.resolve("picture"), out -> out.write(1));
+        AtomicFile.write(folder.resolve("picture"), out -> out.write(1));
         assertThat(temporary()).isEmpty();
     }
 
     @Test
-    void fileOfAKilledProcess_staysForAnHour() throws Exception {
-        Path young = untouched(gone().in(folder), Duration.ofMinutes(50));
-        SafeFile.write(folder.resolve("picture"), out -> out.write(1));
+    void fileOfKilledProcess_isKeptForAnHour() throws Exception {
+        Path young = age(endedProcess().newPath(folder), Duration.ofMinutes(50));
+        AtomicFile.write(folder.resolve("picture"), out -> out.write(1));
         assertThat(young).exists();
     }
 
     @Test
-    void numberOfALivingProcessThatStartedLater_isNoOwner() throws IOException {
-        ProcessStart me = ProcessStart.ofThisProcess();
-        var before = new TemporaryFile.Owner(TemporaryFile.Owner.ME.realm(), new ProcessStart(me.pid(), me.millis() - 86_400_000));
-        Path left = untouched(before.in(folder), Duration.ofHours(2));
-        Path mine = untouched(TemporaryFile.in(folder), Duration.ofDays(99));
-        SafeFile.write(folder.resolve("picture"), out -> out.write(1));
-        assertThat(left).doesNotExist();
+    void reusedProcessId_isNoOwner() throws IOException {
+        ProcessIdentity me = ProcessIdentity.current();
+        var before =
+                new TemporaryFile.Owner(TemporaryFile.Owner.SELF.realm(), new ProcessIdentity(me.pid(), me.startMillis() - 86_400_000));
+        Path staleFile = age(before.newPath(folder), Duration.ofHours(2));
+        Path mine = age(TemporaryFile.newPath(folder), Duration.ofDays(99));
+        AtomicFile.write(folder.resolve("picture"), out -> out.write(1));
+        assertThat(staleFile).doesNotExist();
         assertThat(mine).exists();
     }
 
     /** Another machine's process cannot be looked up here, nor that of an older release, which left no number. */
     @Test
-    void fileWhoseOwnerCannotBeLookedUp_staysForAMonth() throws IOException {
-        var elsewhere = new TemporaryFile.Owner("0123abcd", gone().process());
-        Path written = untouched(elsewhere.in(folder), Duration.ofDays(29));
-        Path left = untouched(elsewhere.in(folder), Duration.ofDays(31));
-        Path older = untouched(folder.resolve(".lightning-00000000-0000-4000-8000-000000000001.tmp"), Duration.ofDays(29));
-        Path oldest = untouched(folder.resolve(".lightning-00000000-0000-4000-8000-000000000002.tmp"), Duration.ofDays(31));
-        SafeFile.write(folder.resolve("picture"), out -> out.write(1));
+    void fileOfUnknownOwner_isKeptForAMonth() throws IOException {
+        var elsewhere = new TemporaryFile.Owner("0123abcd", endedProcess().process());
+        Path written = age(elsewhere.newPath(folder), Duration.ofDays(29));
+        Path staleFile = age(elsewhere.newPath(folder), Duration.ofDays(31));
+        Path older = age(folder.resolve(".lightning-00000000-0000-4000-8000-000000000001.tmp"), Duration.ofDays(29));
+        Path oldest = age(folder.resolve(".lightning-00000000-0000-4000-8000-000000000002.tmp"), Duration.ofDays(31));
+        AtomicFile.write(folder.resolve("picture"), out -> out.write(1));
         assertThat(List.of(written, older)).allSatisfy(file -> assertThat(file).exists());
-        assertThat(List.of(left, oldest)).allSatisfy(file -> assertThat(file).doesNotExist());
+        assertThat(List.of(staleFile, oldest)).allSatisfy(file -> assertThat(file).doesNotExist());
     }
 
     /** No process has this number: it is beyond what any system hands out. */
-    private static TemporaryFile.Owner gone() {
-        return new TemporaryFile.Owner(TemporaryFile.Owner.ME.realm(), new ProcessStart(999_999_999_999L, 1));
+    private static TemporaryFile.Owner endedProcess() {
+        return new TemporaryFile.Owner(TemporaryFile.Owner.SELF.realm(), new ProcessIdentity(999_999_999_999L, 1));
     }
 
     private Process slowWriter() throws IOException {
@@ -87,7 +88,7 @@ class TemporaryFileTest {
         return other;
     }
 
-    private static Path untouched(Path file, Duration ago) throws IOException {
+    private static Path age(Path file, Duration ago) throws IOException {
         Files.writeString(file, "half");
         return Files.setLastModifiedTime(file, FileTime.from(Instant.now().minus(ago)));
     }

@@ -10,11 +10,11 @@ class RgbTest {
     @Test
     void times_scalesEachChannel() {
         assertThat(COLOR.times(4)).isEqualTo(new Rgb(2, 1, 8));
-        assertThat(Rgb.grey(3)).isEqualTo(new Rgb(3, 3, 3));
+        assertThat(Rgb.gray(3)).isEqualTo(new Rgb(3, 3, 3));
     }
 
     @Test
-    void leastAndLargestChannel_areFoundInAnyPlace() {
+    void minAndMaxChannel_areFound() {
         for (Rgb c : new Rgb[] {COLOR, new Rgb(2, 0.5, 0.25), new Rgb(0.25, 2, 0.5)}) {
             assertThat(c.min()).isEqualTo(0.25);
             assertThat(c.max()).isEqualTo(2);
@@ -24,7 +24,7 @@ class RgbTest {
     }
 
     @Test
-    void black_hasNothingInAnyChannel() {
+    void black_hasZeroChannels() {
         assertThat(new Rgb(0, -0.0, 0).isBlack()).isTrue();
         assertThat(new Rgb(1e-300, 0, 0).isBlack()).isFalse();
         assertThat(new Rgb(0, 1e-300, 0).isBlack()).isFalse();

@@ -14,30 +14,31 @@ class TransformTest {
 
     /** Whole numbers: nothing is rounded. */
     @Test
-    void point_isTheMatrixTimesThePointPlusTheTranslation() {
-        assertThat(A.point(new Vec3(1, 10, 100))).isEqualTo(new Vec3(2 + 30 + 500 + 7, 11 + 130 + 1700 + 19, 23 + 290 + 3100 + 37));
-        assertThat(A.vector(new Vec3(1, 10, 100))).isEqualTo(new Vec3(2 + 30 + 500, 11 + 130 + 1700, 23 + 290 + 3100));
+    void transformPoint_appliesMatrixAndTranslation() {
+        assertThat(A.transformPoint(new Vec3(1, 10, 100)))
+                .isEqualTo(new Vec3(2 + 30 + 500 + 7, 11 + 130 + 1700 + 19, 23 + 290 + 3100 + 37));
+        assertThat(A.transformVector(new Vec3(1, 10, 100))).isEqualTo(new Vec3(2 + 30 + 500, 11 + 130 + 1700, 23 + 290 + 3100));
     }
 
     @Test
-    void product_isTheSecondMapAfterTheFirst() {
+    void product_composesMaps() {
         Transform product = A.times(B);
         for (Vec3 p : new Vec3[] {Vec3.ZERO, new Vec3(1, 0, 0), Vec3.Y, new Vec3(0, 0, 1), new Vec3(3, -2, 6)}) {
-            assertThat(product.point(p)).isEqualTo(A.point(B.point(p)));
-            assertThat(product.vector(p)).isEqualTo(A.vector(B.vector(p)));
+            assertThat(product.transformPoint(p)).isEqualTo(A.transformPoint(B.transformPoint(p)));
+            assertThat(product.transformVector(p)).isEqualTo(A.transformVector(B.transformVector(p)));
         }
         assertThat(A.times(Transform.IDENTITY)).isEqualTo(A);
         assertThat(Transform.IDENTITY.times(A)).isEqualTo(A);
     }
 
     @Test
-    void translationAndScaling_moveAndStretch() {
-        assertThat(Transform.translation(new Vec3(1, 2, 3)).point(new Vec3(10, 20, 30))).isEqualTo(new Vec3(11, 22, 33));
-        assertThat(Transform.scaling(new Vec3(1, 2, 3)).point(new Vec3(10, 20, 30))).isEqualTo(new Vec3(10, 40, 90));
+    void translationAndScaling_transformPoints() {
+        assertThat(Transform.translation(new Vec3(1, 2, 3)).transformPoint(new Vec3(10, 20, 30))).isEqualTo(new Vec3(11, 22, 33));
+        assertThat(Transform.scaling(new Vec3(1, 2, 3)).transformPoint(new Vec3(10, 20, 30))).isEqualTo(new Vec3(10, 40, 90));
     }
 
     @Test
-    void transposed_exchangesRowsAndColumnsAndMovesNothing() {
+    void transposed_swapsRowsAndColumnsWithoutTranslation() {
         assertThat(A.transposed()).isEqualTo(new Transform(2, 11, 23, 0, 3, 13, 29, 0, 5, 17, 31, 0));
     }
 
@@ -46,11 +47,11 @@ class TransformTest {
     void quarterTurns_areExactAndCounterClockwise() {
         Vec3 x = new Vec3(1, 0, 0);
         Vec3 z = new Vec3(0, 0, 1);
-        assertThat(Transform.rotation(new Vec3(90, 0, 0)).vector(Vec3.Y)).isEqualTo(z);
-        assertThat(Transform.rotation(new Vec3(0, 90, 0)).vector(z)).isEqualTo(x);
-        assertThat(Transform.rotation(new Vec3(0, 0, 90)).vector(x)).isEqualTo(Vec3.Y);
-        assertThat(Transform.rotation(new Vec3(90, 90, 0)).vector(Vec3.Y)).as("about x first").isEqualTo(x);
-        assertThat(Transform.rotation(new Vec3(0, 90, 90)).vector(z)).as("about y before z").isEqualTo(Vec3.Y);
+        assertThat(Transform.rotation(new Vec3(90, 0, 0)).transformVector(Vec3.Y)).isEqualTo(z);
+        assertThat(Transform.rotation(new Vec3(0, 90, 0)).transformVector(z)).isEqualTo(x);
+        assertThat(Transform.rotation(new Vec3(0, 0, 90)).transformVector(x)).isEqualTo(Vec3.Y);
+        assertThat(Transform.rotation(new Vec3(90, 90, 0)).transformVector(Vec3.Y)).as("about x first").isEqualTo(x);
+        assertThat(Transform.rotation(new Vec3(0, 90, 90)).transformVector(z)).as("about y before z").isEqualTo(Vec3.Y);
     }
 
     @Test
@@ -63,7 +64,7 @@ class TransformTest {
     }
 
     @Property
-    void sineAndCosine_areThoseOfTheAngle(@ForAll @DoubleRange(min = -1e4, max = 1e4) double degrees) {
+    void sineAndCosine_matchTheAngle(@ForAll @DoubleRange(min = -1e4, max = 1e4) double degrees) {
         double angle = StrictMath.toRadians(degrees % 360);
         assertThat(Transform.cosDegrees(degrees)).isCloseTo(StrictMath.cos(angle), within(1e-14));
         assertThat(Transform.sinDegrees(degrees)).isCloseTo(StrictMath.sin(angle), within(1e-12));

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class Vec3Test {
 
     @Test
-    void products_areThoseOnPaper() {
+    void products_matchManualResults() {
         Vec3 v = new Vec3(2, 3, 5);
         Vec3 w = new Vec3(7, 11, 13);
         assertThat(v.dot(w)).isEqualTo(14 + 33 + 65);
@@ -20,7 +20,7 @@ class Vec3Test {
     }
 
     @Test
-    void lengths_areThoseOnPaper() {
+    void lengths_matchManualResults() {
         assertThat(new Vec3(2, -3, 6).length()).isEqualTo(7);
         assertThat(new Vec3(2, -6, 3).maxAbs()).isEqualTo(6);
     }
@@ -36,7 +36,7 @@ class Vec3Test {
     }
 
     @Test
-    void zeroAndWhatIsNoNumber_haveNoDirection() {
+    void zeroAndNaN_haveNoDirection() {
         double inf = Double.POSITIVE_INFINITY;
         for (Vec3 v : new Vec3[] {Vec3.ZERO, new Vec3(Double.NaN, 1, 1), new Vec3(1, inf, 1), new Vec3(1, 1, -inf)}) {
             assertThatThrownBy(v::normalized).as("%s", v).isInstanceOf(ArithmeticException.class).hasMessageContaining("no direction");
@@ -44,7 +44,7 @@ class Vec3Test {
     }
 
     @Test
-    void finite_isWhatHasThreeNumbers() {
+    void isFinite_requiresThreeFiniteNumbers() {
         assertThat(new Vec3(1, -2, 3).isFinite()).isTrue();
         assertThat(new Vec3(Double.NaN, 0, 0).isFinite()).isFalse();
         assertThat(new Vec3(0, Double.POSITIVE_INFINITY, 0).isFinite()).isFalse();

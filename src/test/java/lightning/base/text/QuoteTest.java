@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class QuoteTest {
     @Test
-    void visibleText_isQuotedAsItIs() {
+    void printableText_isQuotedUnchanged() {
         assertThat(Quote.of("old oak")).isEqualTo("'old oak'");
         assertThat(Quote.of("a\\b \"c\"")).isEqualTo("'a\\b \"c\"'");
         assertThat(Quote.of("می\u200Cخواهم 👩\u200D🎨")).isEqualTo("'می\u200Cخواهم 👩\u200D🎨'");
@@ -20,7 +20,7 @@ class QuoteTest {
 
     /** What {@code git -c core.quotePath=true ls-files} prints for files of these names. */
     @Test
-    void invisibleCharacters_areEscapedAsByGit() {
+    void unprintableCharacters_areEscapedLikeGit() {
         assertThat(Quote.path("a\nb\t\"c\"\\")).isEqualTo("\"a\\nb\\t\\\"c\\\"\\\\\"");
         assertThat(Quote.path("\u0007\b\u000B\f\r\u001B[31m\u007F")).isEqualTo("\"\\a\\b\\v\\f\\r\\033[31m\\177\"");
         assertThat(Quote.path("a\u0085\u202Eb\u2028\uDB40\uDC01"))
@@ -32,20 +32,20 @@ class QuoteTest {
 
     @ParameterizedTest
     @CsvSource({"a, 100, 100, ''", "a, 101, 99, …", "𝐀, 100, 100, ''", "𝐀, 101, 99, …", "𝐀, 1000000, 99, …"})
-    void longText_isShortenedToAHundredCharacters(String character, int times, int shown, String rest) {
+    void longText_isShortenedTo100Characters(String character, int times, int shown, String rest) {
         assertThat(Quote.of(character.repeat(times))).isEqualTo("'" + character.repeat(shown) + rest + "'");
     }
 
     @Property
-    void anyText_isQuotedInOneVisibleLine(@ForAll @StringLength(max = 300) String text) {
+    void anyText_isQuotedInOnePrintableLine(@ForAll @StringLength(max = 300) String text) {
         String quoted = Quote.of(text);
-        assertThat(Visible.is(quoted)).isTrue();
+        assertThat(PrintableText.isPrintable(quoted)).isTrue();
         assertThat(quoted.codePointCount(0, quoted.length())).isLessThanOrEqualTo(2 + 12 * 100);
-        assertThat(Visible.is(Quote.path(text))).isTrue();
+        assertThat(PrintableText.isPrintable(Quote.path(text))).isTrue();
     }
 
     @Test
-    void pathOfManyCharacters_losesItsMiddle() {
+    void longPath_isShortenedInTheMiddle() {
         String longest = "a".repeat(499) + "z";
         assertThat(Quote.path(longest)).isEqualTo(longest);
         assertThat(Quote.path("start/" + "\uD83D\uDE00".repeat(3000) + "/end.jen")).startsWith("start/").endsWith("/end.jen").contains("…")

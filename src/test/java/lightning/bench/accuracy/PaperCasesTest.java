@@ -14,25 +14,25 @@ import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ConeChange;
-import lightning.render.shading.TraceCounts;
+import lightning.render.shading.RayCounts;
 import lightning.render.trace.Geometry;
 import lightning.sample.Slow;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Limits;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ class PaperCasesTest {
     private static final LightUpdate TURNED = new LightUpdate.Partial(ConeChange.TURN, true, false);
 
     @Test
-    void bird_hasEveryCaseInThePapersOrder() {
+    void bird_hasEveryCaseInPaperOrder() {
         assertThat(PaperCases.of(SceneFiles.read("bird"))).extracting(PaperCase::name).containsExactly("color",
                 "intensity", "attenuation", "angle-smaller", "angle-larger", "dropoff", "position", "direction", "type",
                 "delete", "add", "ambience", "position-feet", "composite-1", "composite-2", "off", "on", "solo", "rename",
@@ -57,14 +57,14 @@ class PaperCasesTest {
     }
 
     @Test
-    void sceneOfAsManyLightsAsAllowed_hasNoneToAdd() {
+    void sceneWithMaxLights_hasNoAddCase() {
         Scene bird = SceneFiles.read("bird");
-        List<Light> lights = IntStream.range(0, Limits.MAX_LIGHTS).mapToObj(i -> Light.of("l" + i, LightType.POINT)).toList();
+        List<Light> lights = IntStream.range(0, SceneLimits.MAX_LIGHTS).mapToObj(i -> Light.of("l" + i, LightType.POINT)).toList();
         assertThat(PaperCases.of(bird.withLights(lights))).extracting(PaperCase::name).contains("position").doesNotContain("add");
     }
 
     @Test
-    void bird_takesThePrintedValues() {
+    void bird_usesPrintedValues() {
         assertThat(edited("color", LightType.DIRECTIONAL).color()).isEqualTo(new Rgb(1, 0, 0));
         assertThat(edited("attenuation", LightType.POINT).attenuation()).isEqualTo(new Attenuation(0, 1, 1));
         assertThat(bird("ambience").before().world().ambience()).isEqualTo(1);
@@ -97,7 +97,7 @@ class PaperCasesTest {
 
     @ParameterizedTest
     @MethodSource("layerUpdates")
-    void edit_updatesItsLightsLayerAlone(String name, String light, LightUpdate expected) {
+    void edit_updatesOnlyItsLightsLayer(String name, String light, LightUpdate expected) {
         List<LayerPlan> layers = lastPlan(bird(name)).top().layers();
 
         assertThat(layers).filteredOn(l -> l.light().name().equals(light)).extracting(LayerPlan::update)
@@ -114,20 +114,20 @@ class PaperCasesTest {
 
     @Test
     void delete_dropsTheDirectionalLight() {
-        assertThat(lastPlan(bird("delete")).top().dropped()).containsExactly("sun");
+        assertThat(lastPlan(bird("delete")).top().droppedLights()).containsExactly("sun");
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"color", "intensity", "attenuation", "ambience", "angle-smaller", "dropoff", "delete",
         "composite-1", "off", "on", "solo", "rename", "undo"})
     void editWithoutMovement_castsNoRay(String name) {
-        assertThat(lastUpdate(bird(name)).rays()).isEqualTo(TraceCounts.NONE);
+        assertThat(lastUpdate(bird(name)).rays()).isEqualTo(RayCounts.NONE);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"position", "position-feet", "direction", "type", "add"})
     void movement_castsShadowRaysOnly(String name) {
-        TraceCounts rays = lastUpdate(bird(name)).rays();
+        RayCounts rays = lastUpdate(bird(name)).rays();
 
         assertThat(rays.shadow()).isPositive();
         assertThat(rays.eye() + rays.mirrored()).isZero();
@@ -135,7 +135,7 @@ class PaperCasesTest {
 
     @Test
     void rename_touchesNoRow() {
-        Update update = lastUpdate(bird("rename"));
+        UpdateResult update = lastUpdate(bird("rename"));
 
         assertThat(update.rowsTouched()).isZero();
         assertThat(update.rowsComposed()).isZero();
@@ -156,15 +156,16 @@ class PaperCasesTest {
     void everyCaseOfEveryScene_equalsTheTraditionalTrace(String name) {
         Scene scene = SceneFiles.read(name, 40);
         Geometry geometry = new Geometry(scene);
-        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withThreads(2);
-        try (Renderer renderer = new Renderer(options); Workers workers = new Workers(2)) {
+        RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(2);
+        try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(2)) {
             for (PaperCase edit : PaperCases.of(scene)) {
                 for (Scene step : edit.scenes()) {
-                    Update update = renderer.render(step, Progress.NONE);
-                    assertThat(renderer.film().sameBits(
-                            new TraditionalTracer(step, geometry.serves(step) ? geometry : new Geometry(step)).trace(workers, Progress.NONE)
+                    UpdateResult update = renderer.render(step, Progress.NONE);
+                    assertThat(renderer.film().hasSameBits(
+                            new TraditionalTracer(step, geometry.canServe(step) ? geometry : new Geometry(step))
+                                    .trace(workers, Progress.NONE)
                                     .film()))
-                            .as(edit.name() + ": " + update.plan().text()).isTrue();
+                            .as(edit.name() + ": " + update.plan().description()).isTrue();
                 }
             }
         }
@@ -193,7 +194,7 @@ class PaperCasesTest {
     }
 
     @Test
-    void missingLightTypes_leaveTheirCasesOut() {
+    void missingLightTypes_omitTheirCases() {
         Scene bird = SceneFiles.read("bird");
         Scene pointOnly = bird.withLights(bird.lights().stream().filter(l -> l.type() == LightType.POINT).toList());
 
@@ -207,16 +208,16 @@ class PaperCasesTest {
     }
 
     @Test
-    void lightOfAnotherType_isMovedWhereNoPointLightShines() {
+    void noPointLight_movesLightOfOtherType() {
         Scene scene = scene(Light.of("key", LightType.RECT), Light.of("rim", LightType.SPOT));
-        Scene after = PaperCases.moved(scene).orElseThrow().after();
+        Scene after = PaperCases.moveCase(scene).orElseThrow().after();
         assertThat(after.light("key").orElseThrow().position()).isNotEqualTo(scene.light("key").orElseThrow().position());
         assertThat(after.light("rim")).isEqualTo(scene.light("rim"));
     }
 
     @Test
-    void directionalLight_isTurnedWhereNoLightHasAPlace() {
-        assertThat(PaperCases.moved(scene(Light.of("sun", LightType.DIRECTIONAL))).orElseThrow().name()).isEqualTo("direction");
+    void noPositionedLight_turnsDirectionalLight() {
+        assertThat(PaperCases.moveCase(scene(Light.of("sun", LightType.DIRECTIONAL))).orElseThrow().name()).isEqualTo("direction");
     }
 
     private static Scene scene(Light... lights) {
@@ -224,7 +225,7 @@ class PaperCasesTest {
     }
 
     @Test
-    void editOfAShape_tracesLessThanThePicture() {
+    void shapeEdit_tracesLessThanWholePicture() {
         Scene bird = SceneFiles.read("bird");
         long all = (long) bird.picture().width() * bird.picture().height();
         for (String name : List.of("shape-moved", "shape-turned", "shape-scaled", "shape-hidden", "shape-shown")) {
@@ -233,7 +234,7 @@ class PaperCasesTest {
     }
 
     @Test
-    void floorsAndWalls_areNoShapesToMove() {
+    void floorsAndWalls_areNotMoved() {
         Scene bird = SceneFiles.read("bird");
         Scene walls = bird.withNodes(List.of(new Shape(Solid.PLANE, "wall", bird.materials().getFirst().name(), Placement.IDENTITY)));
         assertThat(PaperCases.of(walls)).extracting(PaperCase::name).contains("color").doesNotContain("shape-moved", "shape-hidden");
@@ -241,20 +242,20 @@ class PaperCasesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"material-color", "shininess", "reflectivity", "mirror-off", "texture-off", "texture-on"})
-    void editOfAMaterial_castsNoRay(String name) {
-        assertThat(lastUpdate(bird(name)).rays()).isEqualTo(TraceCounts.NONE);
+    void materialEdit_castsNoRay(String name) {
+        assertThat(lastUpdate(bird(name)).rays()).isEqualTo(RayCounts.NONE);
     }
 
     @Test
-    void mirrorThatComes_castsNoEyeRay() {
-        TraceCounts rays = lastUpdate(bird("mirror-on")).rays();
+    void addedMirror_castsNoEyeRay() {
+        RayCounts rays = lastUpdate(bird("mirror-on")).rays();
 
         assertThat(rays.mirrored()).isPositive();
         assertThat(rays.eye()).isZero();
     }
 
     @Test
-    void scenesWithoutMirrorsAndTextures_leaveTheirCasesOut() {
+    void scenesWithoutMirrorsAndTextures_omitTheirCases() {
         Scene plain = SceneFiles.read("bird");
         plain = plain.withMaterials(plain.materials().stream().map(m -> m.withReflective(Rgb.BLACK).withTexture(Optional.empty())
                 .withSpecular(Rgb.BLACK)).toList());
@@ -264,7 +265,7 @@ class PaperCasesTest {
     }
 
     @Test
-    void takenName_isNotGivenToTheAddedLight() {
+    void addedLight_hasFreeName() {
         Scene bird = SceneFiles.read("bird");
         Scene taken = bird.withLights(List.of(Light.of("light_new", LightType.DIRECTIONAL)));
 
@@ -273,7 +274,7 @@ class PaperCasesTest {
     }
 
     @Test
-    void whatSurfacesHave_isEditedWhereTheyHaveIt() throws Exception {
+    void surfaceFeatures_areEditedIfPresent() throws Exception {
         assertThat(names("arbor")).contains("relief-off", "relief-on", "cutout-off", "cutout-on").doesNotContain("roughness", "tint");
         assertThat(names("product")).contains("roughness", "tint", "clear-off", "clear-on").doesNotContain("relief-off", "cutout-off");
         assertThat(names("bird")).doesNotContain("roughness", "tint", "clear-off", "relief-off", "cutout-off");
@@ -284,7 +285,7 @@ class PaperCasesTest {
     }
 
     @Test
-    void directionalLightWithoutAPlace_becomesAPointLightOnItsWay() {
+    void directionalLightWithoutPosition_becomesPointLightAlongItsDirection() {
         Scene bird = SceneFiles.read("bird");
         Scene plain = bird.withLights(List.of(Light.of("key", LightType.DIRECTIONAL)));
         Scene after = PaperCases.of(plain).stream().filter(c -> c.name().equals("type")).findFirst().orElseThrow().after();
@@ -306,9 +307,9 @@ class PaperCasesTest {
     }
 
     /** What the last step did, in the paper's way: stale reflections. */
-    private static Update lastUpdate(PaperCase edit) {
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
-            Update update = null;
+    private static UpdateResult lastUpdate(PaperCase edit) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1))) {
+            UpdateResult update = null;
             for (Scene step : edit.scenes()) {
                 update = renderer.render(step, Progress.NONE);
             }

@@ -22,7 +22,7 @@ class PaperScenesTest {
     @ParameterizedTest
     @CsvSource({"bird, 4, 2, 4, 1", "balls, 4, 0, 0, 1", "spaceship, 0, 1, 11, 8",
         "desk, 1, 2, 16, 44", "house, 1, 2, 266, 1"})
-    void scene_hasTheShapesThatThePaperCounts(String name, int spheres, int cones, int cylinders, int planes) {
+    void scene_hasShapeCountsOfPaper(String name, int spheres, int cones, int cylinders, int planes) {
         List<Shape> shapes = SceneFiles.read(name).placedShapes().stream().map(PlacedShape::shape).toList();
 
         assertThat(count(shapes, Solid.Sphere.class)).as("spheres").isEqualTo(spheres);
@@ -37,7 +37,7 @@ class PaperScenesTest {
 
     @ParameterizedTest
     @CsvSource({"bird, 1, 1, 1", "balls, 1, 1, 2", "spaceship, 2, 1, 1", "desk, 2, 1, 1", "house, 1, 1, 2"})
-    void scene_hasTheLightsThatThePaperCounts(String name, int points, int spots, int directionals) {
+    void scene_hasLightCountsOfPaper(String name, int points, int spots, int directionals) {
         Map<LightType, Long> lights = SceneFiles.read(name).lights().stream()
                 .collect(Collectors.groupingBy(Light::type, Collectors.counting()));
 
@@ -59,7 +59,7 @@ class PaperScenesTest {
     }
 
     @Test
-    void nightsStreet_mirrors() {
+    void nightStreet_isMirror() {
         PlacedShape street = SceneFiles.read("night").placedShapes().stream()
                 .filter(p -> p.shape().name().equals("street")).findFirst().orElseThrow();
 
@@ -71,11 +71,11 @@ class PaperScenesTest {
     void everyLight_shines(String name) {
         Scene scene = SceneFiles.read(name);
 
-        assertThat(scene.lights()).allMatch(l -> scene.shines(l) && l.intensity() > 0 && !l.color().isBlack());
+        assertThat(scene.lights()).allMatch(l -> scene.isActive(l) && l.intensity() > 0 && !l.color().isBlack());
     }
 
     @Test
-    void birdsFeet_aloneHaveNoAmbientColour() {
+    void birdFeet_onlyHaveNoAmbientColor() {
         for (PlacedShape placed : SceneFiles.read("bird").placedShapes()) {
             boolean isFoot = placed.shape().name().startsWith("foot_") || placed.shape().name().startsWith("leg_");
             assertThat(placed.material().ambient().isBlack()).as(placed.shape().name()).isEqualTo(isFoot);
@@ -83,7 +83,7 @@ class PaperScenesTest {
     }
 
     @Test
-    void birdsFloor_mirrors() {
+    void birdFloor_isMirror() {
         PlacedShape floor = SceneFiles.read("bird").placedShapes().stream()
                 .filter(p -> p.shape().solid() instanceof Solid.Plane).findFirst().orElseThrow();
 
@@ -91,10 +91,10 @@ class PaperScenesTest {
     }
 
     @Test
-    void birdsLights_standAtThePrintedValues() {
+    void birdLights_havePrintedValues() {
         Scene bird = SceneFiles.read("bird");
         Light point = first(bird, LightType.POINT);
-        Framing framing = Framing.of(bird.camera());
+        CameraFraming framing = CameraFraming.of(bird.camera());
 
         assertThat(point.attenuation()).isEqualTo(new Attenuation(0.1, 1, 0.1));
         assertThat(point.position().minus(framing.focus()).dot(framing.right())).as("left of the bird").isNegative();

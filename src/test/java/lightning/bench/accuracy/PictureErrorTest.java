@@ -9,13 +9,13 @@ import org.junit.jupiter.api.Test;
 
 class PictureErrorTest {
     @Test
-    void equalPictures_haveNone() {
+    void equalPictures_haveNoError() {
         PictureError error = PictureError.of(Film.black(5, 4), Film.black(5, 4));
         assertThat(error).isEqualTo(new PictureError(0, 60, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 1, 0));
     }
 
     @Test
-    void oneDifferentValue_isMeasuredOnPaper() {
+    void oneDifferentValue_matchesHandComputedError() {
         Film film = Film.black(5, 4);
         film.green(0)[2] = 0.6f;
         PictureError error = PictureError.of(film, Film.black(5, 4));
@@ -29,7 +29,7 @@ class PictureErrorTest {
     }
 
     @Test
-    void otherSizes_areRefused() {
+    void differentSizes_areRejected() {
         assertThatThrownBy(() -> PictureError.of(Film.black(2, 2), Film.black(2, 3))).isInstanceOf(IllegalArgumentException.class);
     }
 }

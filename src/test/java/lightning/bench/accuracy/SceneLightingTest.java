@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class SceneLightingTest {
     private static final int SIZE = 100;
     /** A light must be seen in a five-hundredth of the picture. */
-    private static final long LEAST_PIXELS = SIZE * SIZE / 500;
+    private static final long MIN_PIXELS = SIZE * SIZE / 500;
 
     @ParameterizedTest
     @MethodSource("names")
@@ -29,11 +29,11 @@ class SceneLightingTest {
         Scene small = SceneFiles.read(name, SIZE);
         var geometry = new Geometry(small);
         List<String> idle = new ArrayList<>();
-        try (var workers = new Workers(2)) {
+        try (var workers = new WorkerPool(2)) {
             Film all = trace(small, geometry, workers);
             for (Light light : small.lights()) {
                 Film without = trace(small.withLight(light.withOn(false)), geometry, workers);
-                if (visiblyDarker(without, all) < LEAST_PIXELS) {
+                if (visiblyDarker(without, all) < MIN_PIXELS) {
                     idle.add(light.name());
                 }
             }
@@ -43,9 +43,9 @@ class SceneLightingTest {
 
     @ParameterizedTest
     @MethodSource("names")
-    void picture_isNeitherBurntOutNorBlack(String name) {
+    void picture_isNeitherClippedNorBlack(String name) {
         Scene small = SceneFiles.read(name, SIZE);
-        try (var workers = new Workers(2)) {
+        try (var workers = new WorkerPool(2)) {
             Film film = trace(small, new Geometry(small), workers);
             assertThat(share(film, 1, Float.MAX_VALUE)).as("share of white pixels").isLessThan(0.01);
             assertThat(share(film, 0, 0.003f)).as("share of black pixels").isLessThan(0.1);
@@ -56,33 +56,33 @@ class SceneLightingTest {
         return SceneFiles.names();
     }
 
-    private static Film trace(Scene scene, Geometry geometry, Workers workers) {
+    private static Film trace(Scene scene, Geometry geometry, WorkerPool workers) {
         return new TraditionalTracer(scene, geometry).trace(workers, Progress.NONE).film();
     }
 
     /** How many pixels lose at least 8 of 255 steps of the display in some channel. */
-    private static long visiblyDarker(Film without, Film all) {
+    private static long visiblyDarker(Film withoutLight, Film allLights) {
         ViewTransform view = ViewTransform.DEFAULT;
         long count = 0;
-        for (int y = 0; y < all.height(); y++) {
-            for (int x = 0; x < all.width(); x++) {
-                int lost = Math.max(view.encode(all.red(x, y)) - view.encode(without.red(x, y)),
-                        Math.max(view.encode(all.green(x, y)) - view.encode(without.green(x, y)),
-                                view.encode(all.blue(x, y)) - view.encode(without.blue(x, y))));
+        for (int y = 0; y < allLights.height(); y++) {
+            for (int x = 0; x < allLights.width(); x++) {
+                int lost = Math.max(view.encode(allLights.red(x, y)) - view.encode(withoutLight.red(x, y)),
+                        Math.max(view.encode(allLights.green(x, y)) - view.encode(withoutLight.green(x, y)),
+                                view.encode(allLights.blue(x, y)) - view.encode(withoutLight.blue(x, y))));
                 count += lost >= 8 ? 1 : 0;
             }
         }
         return count;
     }
 
-    /** The share of pixels whose channels are all from {@code least} to {@code most}. */
-    private static double share(Film film, float least, float most) {
+    /** The share of pixels whose channels are all from {@code min} to {@code max}. */
+    private static double share(Film film, float min, float max) {
         long count = 0;
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
                 float low = Math.min(film.red(x, y), Math.min(film.green(x, y), film.blue(x, y)));
                 float high = Math.max(film.red(x, y), Math.max(film.green(x, y), film.blue(x, y)));
-                count += low >= least && high <= most ? 1 : 0;
+                count += low >= min && high <= max ? 1 : 0;
             }
         }
         return count / (double) (film.width() * film.height());

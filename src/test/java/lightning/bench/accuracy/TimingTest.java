@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class TimingTest {
     @Test
-    void quartiles_ofFiveSamplesAreSamples() {
+    void quartilesOfFiveSamples_areSamples() {
         Timing timing = new Timing(List.of(50.0, 10.0, 30.0, 20.0, 40.0));
         assertThat(timing.lowerQuartile()).isEqualTo(20);
         assertThat(timing.median()).isEqualTo(30);
@@ -21,7 +21,7 @@ class TimingTest {
     }
 
     @Test
-    void quartiles_betweenSamplesAreInterpolated() {
+    void quartilesBetweenSamples_areInterpolated() {
         Timing timing = new Timing(List.of(1.0, 2.0, 3.0, 4.0));
         assertThat(timing.lowerQuartile()).isEqualTo(1.75);
         assertThat(timing.median()).isEqualTo(2.5);
@@ -29,9 +29,9 @@ class TimingTest {
     }
 
     @Test
-    void saving_isNegativeWhereItTakesLonger() {
-        assertThat(new Timing(List.of(5.0)).savingOf(20)).isEqualTo(75);
-        assertThat(new Timing(List.of(30.0)).savingOf(20)).isEqualTo(-50);
+    void saving_isNegativeIfSlower() {
+        assertThat(new Timing(List.of(5.0)).percentSavedOf(20)).isEqualTo(75);
+        assertThat(new Timing(List.of(30.0)).percentSavedOf(20)).isEqualTo(-50);
     }
 
     @Property
@@ -42,7 +42,7 @@ class TimingTest {
     }
 
     @Test
-    void samplesThatAreNoTimes_areRefused() {
+    void invalidSamples_areRejected() {
         assertThatThrownBy(() -> new Timing(List.of())).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("at least one");
         for (double bad : new double[] {-1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatThrownBy(() -> new Timing(List.of(1.0, bad))).isInstanceOf(IllegalArgumentException.class)

@@ -7,21 +7,21 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.Arrays;
 import java.util.List;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.engine.choice.Engines;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Difference;
 import lightning.render.image.Film;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
-import lightning.render.shading.SeenScenes;
+import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
-import lightning.sample.EngineMix;
+import lightning.sample.MixedEngineChoice;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -37,111 +37,112 @@ class VerificationTest {
     private static final Light KEY = STUDIO.lights().getFirst();
     private static final Scene DIM = STUDIO.withLight(KEY.withIntensity(0.3));
 
-    private static Renderer renderer(Accuracy accuracy, Reflections reflections) {
-        return new Renderer(new Options(accuracy, reflections, MirrorStorage.FULL_ROWS, 1));
+    private static Renderer renderer(Accuracy accuracy, ReflectionMode reflections) {
+        return new Renderer(new RenderOptions(accuracy, reflections, MirrorStorage.FULL_ROWS, 1));
     }
 
-    private static Promise promise(Scene scene, Scene mirrored, double bound) {
-        return new Promise(new SeenScenes(scene, mirrored), ViewEffects.ALL, bound);
+    private static AccuracyGuarantee guarantee(Scene scene, Scene mirrored, double bound) {
+        return new AccuracyGuarantee(new RenderedScenes(scene, mirrored), ViewEffects.ALL, bound);
     }
 
-    private static Verification verify(Promise promise, Film picture) {
-        try (Workers workers = new Workers(1)) {
+    private static Verification verify(AccuracyGuarantee promise, Film picture) {
+        try (WorkerPool workers = new WorkerPool(1)) {
             return promise.verify(picture, workers, Progress.NONE);
         }
     }
 
     /** A picture that is brighter by 0.25 in one value. */
-    private static Film off(Film film) {
+    private static Film withError(Film film) {
         Film off = film.copy();
         off.blue(0)[33] += 0.25f;
         return off;
     }
 
     @Test
-    void promise_isOfEveryBitOrOfABound() {
+    void guarantee_isBitExactOrBounded() {
         Film black = Film.black(2, 2);
         Film other = Film.black(2, 2);
         other.red(0)[0] = 0.25f;
         Difference none = Difference.of(black, black);
         Difference some = Difference.of(black, other);
-        assertThat(promise(STUDIO, STUDIO, 0).isKeptBy(none)).isTrue();
-        assertThat(promise(STUDIO, STUDIO, 0).isKeptBy(some)).isFalse();
-        assertThat(promise(STUDIO, STUDIO, 0.25).isKeptBy(some)).isTrue();
-        assertThat(promise(STUDIO, STUDIO, 0.24).isKeptBy(some)).isFalse();
+        assertThat(guarantee(STUDIO, STUDIO, 0).isMetBy(none)).isTrue();
+        assertThat(guarantee(STUDIO, STUDIO, 0).isMetBy(some)).isFalse();
+        assertThat(guarantee(STUDIO, STUDIO, 0.25).isMetBy(some)).isTrue();
+        assertThat(guarantee(STUDIO, STUDIO, 0.24).isMetBy(some)).isFalse();
     }
 
     @Test
-    void promise_saysHowFarValuesMayBeOffAndWhetherMirrorsAreOlder() {
-        assertThat(promise(STUDIO, STUDIO, 0).text()).isEqualTo("exact");
-        assertThat(promise(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections of an older light");
-        assertThat(promise(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
+    void text_statesBoundAndStaleMirrors() {
+        assertThat(guarantee(STUDIO, STUDIO, 0).text()).isEqualTo("exact");
+        assertThat(guarantee(DIM, STUDIO, 0).text()).isEqualTo("exact, reflections of an older light");
+        assertThat(guarantee(DIM, DIM, 1.21e-6).text()).as("never less than it is").isEqualTo("off by at most 1.3e-06");
         Scene renamed = STUDIO.withLights(List.of(KEY.withName("rim")));
-        assertThat(promise(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
+        assertThat(guarantee(renamed, STUDIO, 0).text()).as("no picture tells").isEqualTo("exact");
         Scene matt = DIM.withPicture(DIM.picture().withDepth(0));
-        assertThat(promise(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("there are no mirrors").isEqualTo("exact");
+        assertThat(guarantee(matt, STUDIO.withPicture(matt.picture()), 0).text()).as("there are no mirrors").isEqualTo("exact");
     }
 
     @ParameterizedTest
     @EnumSource(Accuracy.class)
-    void renderersPicture_isWhatItIsSaidToBe(Accuracy accuracy) {
-        try (Renderer renderer = renderer(accuracy, Reflections.STALE)) {
+    void renderedPicture_meetsGuarantee(Accuracy accuracy) {
+        try (Renderer renderer = renderer(accuracy, ReflectionMode.STALE)) {
             renderer.render(STUDIO, Progress.NONE);
-            Update update = renderer.render(DIM, Progress.NONE);
-            Verification verification = verify(Promise.of(renderer, update), renderer.film());
-            assertThat(verification.isKept()).isTrue();
+            UpdateResult update = renderer.render(DIM, Progress.NONE);
+            Verification verification = verify(AccuracyGuarantee.of(renderer, update), renderer.film());
+            assertThat(verification.hasPassed()).isTrue();
             assertThat(verification.text()).startsWith("Verified: ").contains("whose mirrors show an older light",
                     "would change with current mirrors");
-            assertThat(verification.full().sameBits(new ReferenceTracer(DIM).trace())).isTrue();
-            assertThat(verification.current().pixels()).isPositive();
+            assertThat(verification.full().hasSameBits(new ReferenceTracer(DIM).trace())).isTrue();
+            assertThat(verification.currentDifference().pixels()).isPositive();
         }
     }
 
     @Test
-    void timeOfTheFullTrace_isToldByAWarmProcessAlone() {
+    void fullTraceTime_isReportedOnlyWhenWarm() {
         Film film = new ReferenceTracer(STUDIO).trace();
         try {
             Engines.use(_ -> Engines.SCALAR);
-            assertThat(verify(promise(STUDIO, STUDIO, 0), film).fullTraceMs()).isEmpty();
+            assertThat(verify(guarantee(STUDIO, STUDIO, 0), film).fullTraceMs()).isEmpty();
             Engines.use(Engines.FASTEST);
-            assertThat(verify(promise(STUDIO, STUDIO, 0), film).fullTraceMs().getAsDouble()).isPositive();
+            assertThat(verify(guarantee(STUDIO, STUDIO, 0), film).fullTraceMs().getAsDouble()).isPositive();
         } finally {
-            Engines.use(new EngineMix(2));
+            Engines.use(new MixedEngineChoice(2));
         }
     }
 
     @Test
-    void keptPromise_isSaid() {
+    void metGuarantee_isReported() {
         Film film = new ReferenceTracer(STUDIO).trace();
-        assertThat(verify(promise(STUDIO, STUDIO, 0), film).text()).isEqualTo("Verified: equal to a full trace in every bit");
-        assertThat(verify(promise(STUDIO, STUDIO, 0.5), off(film)).text())
+        assertThat(verify(guarantee(STUDIO, STUDIO, 0), film).text()).isEqualTo("Verified: equal to a full trace in every bit");
+        assertThat(verify(guarantee(STUDIO, STUDIO, 0.5), withError(film)).text())
                 .isEqualTo("Verified: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where 5.0e-01 is promised");
     }
 
     @Test
-    void brokenPromise_isSaidAndNotMeasured() {
-        Film film = off(new ReferenceTracer(STUDIO).trace());
-        Verification broken = verify(promise(STUDIO, STUDIO, 0), film);
-        assertThat(broken.isKept()).isFalse();
+    void violatedGuarantee_isReportedAndNotMeasured() {
+        Film film = withError(new ReferenceTracer(STUDIO).trace());
+        Verification broken = verify(guarantee(STUDIO, STUDIO, 0), film);
+        assertThat(broken.hasPassed()).isFalse();
         assertThat(broken.text())
                 .isEqualTo("NOT KEPT: 1 value in 1 pixel differs from a full trace, by at most 2.5e-01 where no bit may differ");
-        assertThatThrownBy(() -> BrokenPromise.require(broken, Grade.EXACT)).isInstanceOf(BrokenPromise.class)
+        assertThatThrownBy(() -> GuaranteeViolation.require(broken, AccuracySetting.EXACT)).isInstanceOf(GuaranteeViolation.class)
                 .hasMessage("grade exact: " + broken.text() + "; not measured");
-        assertThat(verify(promise(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
-        assertThatCode(() -> BrokenPromise.require(verify(promise(STUDIO, STUDIO, 0.3), film), Grade.RATIO)).doesNotThrowAnyException();
+        assertThat(verify(guarantee(STUDIO, STUDIO, 0.2), film).text()).startsWith("NOT KEPT: ").endsWith("where 2.0e-01 is promised");
+        assertThatCode(() -> GuaranteeViolation.require(verify(guarantee(STUDIO, STUDIO, 0.3), film), AccuracySetting.RATIO))
+                .doesNotThrowAnyException();
     }
 
     /** The boxes of the renderer's tree hold nothing any more: a trace over the same tree sees as little as the picture. */
     @Test
-    void wrongTreeOfTheRenderer_shows() throws ReflectiveOperationException {
-        try (Renderer renderer = renderer(Accuracy.EXACT, Reflections.CURRENT); Workers workers = new Workers(1)) {
+    void wrongBvh_isDetected() throws ReflectiveOperationException {
+        try (Renderer renderer = renderer(Accuracy.EXACT, ReflectionMode.CURRENT); WorkerPool workers = new WorkerPool(1)) {
             renderer.render(STUDIO, Progress.NONE);
             empty(renderer.cache().geometry());
-            Update update = renderer.render(STUDIO.withPicture(STUDIO.picture().withSize(20, 16)), Progress.NONE);
+            UpdateResult update = renderer.render(STUDIO.withPicture(STUDIO.picture().withSize(20, 16)), Progress.NONE);
             Film overTheSameTree =
                     new TraditionalTracer(renderer.scene(), renderer.cache().geometry()).trace(workers, Progress.NONE).film();
-            assertThat(overTheSameTree.sameBits(renderer.film())).isTrue();
-            assertThat(verify(Promise.of(renderer, update), renderer.film()).isKept()).isFalse();
+            assertThat(overTheSameTree.hasSameBits(renderer.film())).isTrue();
+            assertThat(verify(AccuracyGuarantee.of(renderer, update), renderer.film()).hasPassed()).isFalse();
         }
     }
 

@@ -7,26 +7,26 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class WarmSavingTest {
-    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
-    private static final double PATIENCE_MS = 60_000;
+    private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
+    private static final double MAX_WARM_UP_MS = 60_000;
 
     private final Scene before = SceneFiles.read("bird", 64);
-    private final Light lamp = before.light("lamp").orElseThrow();
-    private final Scene after = before.withLight(lamp.withIntensity(0.3 * lamp.intensity()));
+    private final Light light = before.light("lamp").orElseThrow();
+    private final Scene after = before.withLight(light.withIntensity(0.3 * light.intensity()));
     private final Renderer renderer = new Renderer(OPTIONS);
-    private final Workers workers = new Workers(1);
+    private final WorkerPool workers = new WorkerPool(1);
 
     @AfterEach
     void close() {
@@ -34,44 +34,44 @@ class WarmSavingTest {
         workers.close();
     }
 
-    private Optional<WarmSaving.Edit> edit(Scene wanted, WarmSaving.Step step) {
+    private Optional<WarmSaving.RepeatableEdit> edit(Scene target, WarmSaving.UpdateStep step) {
         PixelCache start = renderer.hasPicture() ? renderer.cache() : null;
-        return WarmSaving.Edit.of(renderer.render(wanted, Progress.NONE), start, OPTIONS, step);
+        return WarmSaving.RepeatableEdit.of(renderer.render(target, Progress.NONE), start, OPTIONS, step);
     }
 
-    private Optional<WarmSaving.Edit> edit(Scene wanted) {
-        return edit(wanted, (r, progress) -> r.render(wanted, progress));
+    private Optional<WarmSaving.RepeatableEdit> edit(Scene target) {
+        return edit(target, (r, progress) -> r.render(target, progress));
     }
 
     @Test
-    void updateIsMadeAgainFromWhatWasKnownBeforeIt() {
+    void update_isRepeatedFromStartCache() {
         edit(before);
         AtomicInteger times = new AtomicInteger();
-        WarmSaving.Edit edit = edit(after, (r, progress) -> {
+        WarmSaving.RepeatableEdit edit = edit(after, (r, progress) -> {
             times.incrementAndGet();
-            Update again = r.render(after, progress);
-            assertThat(again.plan().text()).isEqualTo("lamp: weight, reflections");
+            UpdateResult again = r.render(after, progress);
+            assertThat(again.plan().description()).isEqualTo("lamp: weight, reflections");
             return again;
         }).orElseThrow();
-        WarmSaving saving = WarmSaving.measure(edit, workers, PATIENCE_MS, Progress.NONE).orElseThrow();
+        WarmSaving saving = WarmSaving.measure(edit, workers, MAX_WARM_UP_MS, Progress.NONE).orElseThrow();
         assertThat(times.get()).isGreaterThan(saving.update().milliseconds().size());
         assertThat(saving.full().milliseconds()).hasSameSizeAs(saving.update().milliseconds());
-        assertThat(saving.percent()).isEqualTo(saving.update().savingOf(saving.full().median()));
+        assertThat(saving.percent()).isEqualTo(saving.update().percentSavedOf(saving.full().median()));
     }
 
     @Test
-    void saving_isOfItsUpdateAloneAndNoOtherThatDidTheSame() {
+    void saving_belongsOnlyToItsUpdate() {
         edit(before);
-        WarmSaving.Edit edit = edit(after).orElseThrow();
-        WarmSaving saving = WarmSaving.measure(edit, workers, PATIENCE_MS, Progress.NONE).orElseThrow();
-        Update made = edit.made();
+        WarmSaving.RepeatableEdit edit = edit(after).orElseThrow();
+        WarmSaving saving = WarmSaving.measure(edit, workers, MAX_WARM_UP_MS, Progress.NONE).orElseThrow();
+        UpdateResult made = edit.update();
         assertThat(saving.isOf(made)).isTrue();
-        assertThat(saving.isOf(new Update(made.plan(), made.rowsTouched(), made.rowsComposed(), made.bytesMoved(), made.rays(),
-                made.nanoseconds(), made.errorBound(), made.refreshed()))).isFalse();
+        assertThat(saving.isOf(new UpdateResult(made.plan(), made.rowsTouched(), made.rowsComposed(), made.bytesMoved(), made.rays(),
+                made.nanoseconds(), made.errorBound(), made.wasRefreshed()))).isFalse();
     }
 
     @Test
-    void firstPassAndNothing_saveNothing() {
+    void firstPassAndNoUpdate_haveNoSaving() {
         assertThat(edit(before)).isEmpty();
         assertThat(edit(before)).isEmpty();
         Scene larger = before.withPicture(before.picture().withSize(70, 70));
@@ -80,24 +80,24 @@ class WarmSavingTest {
     }
 
     @Test
-    void timesThatDoNotComeToRest_areNoSaving() {
+    void unsteadyTimes_giveNoSaving() {
         edit(before);
         assertThat(WarmSaving.measure(edit(after).orElseThrow(), workers, 0, Progress.NONE)).isEmpty();
     }
 
     @Test
-    void cancelledMeasuring_stops() {
+    void canceledMeasurement_stops() {
         edit(before);
-        WarmSaving.Edit edit = edit(after).orElseThrow();
+        WarmSaving.RepeatableEdit edit = edit(after).orElseThrow();
         Progress stop = new Progress() {
             @Override
-            public void tiles(int done, int total) {}
+            public void report(int done, int total) {}
 
             @Override
-            public boolean isCancelled() {
+            public boolean isCanceled() {
                 return true;
             }
         };
-        assertThatThrownBy(() -> WarmSaving.measure(edit, workers, PATIENCE_MS, stop)).isInstanceOf(CancellationException.class);
+        assertThatThrownBy(() -> WarmSaving.measure(edit, workers, MAX_WARM_UP_MS, stop)).isInstanceOf(CancellationException.class);
     }
 }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Random;
-import lightning.render.trace.mesh.MeshProbe;
+import lightning.render.trace.mesh.MeshRayQuery;
 import lightning.render.trace.mesh.MeshSolid;
 import lightning.scene.Mesh;
 import org.junit.jupiter.api.Test;
@@ -15,25 +15,25 @@ class EmbreeTest {
      * Embree moves vertices to the ray's origin and finds edges' signs in floats, v = 2⁻²⁴: each coordinate is off by v·(|o| + r), and products of such
      * differ as if the ray were moved by less than 8v·(|o| + r). This is four times as much.
      */
-    private static final double MOVED = 0x1p-19;
+    private static final double TOLERANCE_SCALE = 0x1p-19;
     /** Beside a vertex that stands out, what passes it is a thin wedge of them. */
-    private static final int WAYS = 5000;
+    private static final int RAY_COUNT = 5000;
 
     private final Random random = new Random(1);
-    private final Mesh mesh = BumpyBall.of(20_000);
-    private final MeshProbe probe = new MeshProbe();
+    private final Mesh mesh = BumpySphere.of(20_000);
+    private final MeshRayQuery probe = new MeshRayQuery();
     private final MeshSolid solid = new MeshSolid(mesh);
 
     @Test
-    void embree_answersAsWeDoButForWhatItsFloatsCannotTell() throws Exception {
+    void embree_agreesExceptForFloatRounding() throws Exception {
         assumeTrue(Embree.isInstalled(), "Embree or a C compiler is not installed");
         RaySet rays = rays(Integer.getInteger("lightning.embree", 100_000) / RaySet.PACKET * RaySet.PACKET);
         float[] distance = new float[rays.count()];
         int[] triangle = new int[rays.count()];
         try (Embree embree = Embree.start().orElseThrow()) {
-            embree.mesh(mesh);
+            embree.setMesh(mesh);
             embree.build(1);
-            embree.rays(rays);
+            embree.setRays(rays);
             embree.nearest(distance, triangle);
         }
         int unlike = 0;
@@ -80,18 +80,18 @@ class EmbreeTest {
     private static double[] ray(RaySet rays, int i) {
         double[] ray = new double[6];
         for (int k = 0; k < 6; k++) {
-            ray[k] = rays.column()[k][i];
+            ray[k] = rays.columns()[k][i];
         }
         return ray;
     }
 
     private double nearest(double[] r) {
-        probe.enter(solid, r[0], r[1], r[2], r[3], r[4], r[5]);
+        probe.setRay(solid, r[0], r[1], r[2], r[3], r[4], r[5]);
         return probe.nearest(Double.POSITIVE_INFINITY);
     }
 
     private static double margin(double[] ray) {
-        return MOVED * (1.5 + Math.max(Math.abs(ray[0]), Math.max(Math.abs(ray[1]), Math.abs(ray[2]))));
+        return TOLERANCE_SCALE * (1.5 + Math.max(Math.abs(ray[0]), Math.max(Math.abs(ray[1]), Math.abs(ray[2]))));
     }
 
     private static boolean isNear(double a, double b, double[] ray) {
@@ -104,11 +104,11 @@ class EmbreeTest {
      * some ray that is moved by as much does.
      */
     private boolean isExplained(double[] ray, double ours, double theirs, int triangle) {
-        if (triangle >= 0 && !isOn(ray, theirs, triangle)) {
+        if (triangle >= 0 && !isOnTriangle(ray, theirs, triangle)) {
             return false;
         }
         boolean passes = theirs <= ours;
-        for (int n = 0; n < WAYS && !passes; n++) {
+        for (int n = 0; n < RAY_COUNT && !passes; n++) {
             double[] moved = ray.clone();
             for (int k = 0; k < 3; k++) {
                 moved[k] += margin(ray) * (2 * random.nextDouble() - 1);
@@ -123,7 +123,7 @@ class EmbreeTest {
      * Whether the point at a distance lies off a triangle by no more than the margin, which the slant of the ray makes longer along it; and the slant itself is
      * known but for the margin in units of the triangle's least height.
      */
-    private boolean isOn(double[] ray, double distance, int triangle) {
+    private boolean isOnTriangle(double[] ray, double distance, int triangle) {
         double[] e = side(triangle, 1);
         double[] f = side(triangle, 2);
         double[] n = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
@@ -131,7 +131,8 @@ class EmbreeTest {
                 Math.max(length(e[0], e[1], e[2]), Math.max(length(f[0], f[1], f[2]), length(f[0] - e[0], f[1] - e[1], f[2] - e[2])));
         double least = length(n[0], n[1], n[2]) / longest;
         double slant = Math.abs(n[0] * ray[3] + n[1] * ray[4] + n[2] * ray[5]) / length(n[0], n[1], n[2]) / length(ray[3], ray[4], ray[5]);
-        double gap = alone(triangle).gap(ray[0] + distance * ray[3], ray[1] + distance * ray[4], ray[2] + distance * ray[5]);
+        double gap = singleTriangle(triangle).surfaceDistance(ray[0] + distance * ray[3], ray[1] + distance * ray[4],
+                ray[2] + distance * ray[5]);
         return slant <= margin(ray) / least || gap <= margin(ray) / (slant - margin(ray) / least);
     }
 
@@ -148,7 +149,7 @@ class EmbreeTest {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    private MeshSolid alone(int triangle) {
+    private MeshSolid singleTriangle(int triangle) {
         float[] p = new float[9];
         for (int v = 0; v < 3; v++) {
             System.arraycopy(mesh.positions(), 3 * mesh.triangles()[3 * triangle + v], p, 3 * v, 3);

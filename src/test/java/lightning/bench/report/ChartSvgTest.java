@@ -11,27 +11,27 @@ class ChartSvgTest {
             ShareChart.svg("a \"label\"", List.of(new Bar("color & <b>", 2, 9.5, 13, 1), new Bar("add", 29, Double.NaN, 130, 12)));
 
     @Test
-    void colours_followTheTheme() {
+    void colors_followTheme() {
         assertThat(svg).contains("var(--ours)", "var(--paper)", "var(--sky)").doesNotContain("rgb(");
     }
 
     @Test
-    void textHasTheWidthThatItWasGiven() {
+    void text_hasLaidOutWidth() {
         assertThat(svg).containsPattern("<text [^>]*textLength=\"\\d+\\.\\d\"[^>]*>color &amp; &lt;b&gt;</text>");
     }
 
     @Test
-    void barsAreLabelledWithTheirShares() {
+    void bars_areLabeledWithShares() {
         assertThat(svg).contains(">2.0\u00a0%<", ">9.5\u00a0%<", ">130.0\u00a0%<");
     }
 
     @Test
-    void chart_hasWordsForThoseWhoCannotSeeIt() {
+    void chart_hasAccessibleLabel() {
         assertThat(svg).contains("role=\"img\" aria-label=\"a &quot;label&quot;\"");
     }
 
     @Test
-    void chart_hasNoNameThatAnotherChartCouldHave() {
+    void chart_hasNoIds() {
         assertThat(svg).doesNotContain("id=", "url(#");
     }
 }

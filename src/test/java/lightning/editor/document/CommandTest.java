@@ -11,16 +11,16 @@ import java.util.Optional;
 import lightning.base.file.FileState;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
+import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.editor.loop.Look;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
-import lightning.sample.ClearScenes;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.sample.TransparentScenes;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Limits;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -33,13 +33,13 @@ class CommandTest {
     @TempDir
     private Path folder;
 
-    private final Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1));
+    private final Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1));
     private OpenDocument document;
     private Optional<Frame> frame = Optional.empty();
 
     @BeforeEach
     void open() throws Exception {
-        document = OpenDocument.open(Files.writeString(folder.resolve("desk.jen"), Desk.TEXT));
+        document = OpenDocument.open(Files.writeString(folder.resolve("desk.jen"), DeskScene.TEXT));
     }
 
     @AfterEach
@@ -50,48 +50,50 @@ class CommandTest {
     private void go() {
         var update = renderer.render(document.scene(), Progress.NONE);
         frame = Optional
-                .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update,
+                .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
+                        renderer.cache().mirroredScene(), update,
                         renderer.cache().geometry(), renderer.isFinished()));
     }
 
     private void updateReflections() {
         var update = renderer.updateReflections(Progress.NONE);
         frame = Optional
-                .of(new Frame(renderer.film(), renderer.film(), Look.PLAIN, renderer.scene(), renderer.cache().mirroredScene(), update,
+                .of(new Frame(renderer.film(), renderer.film(), DisplayMode.FULL_PICTURE, renderer.scene(),
+                        renderer.cache().mirroredScene(), update,
                         renderer.cache().geometry(), renderer.isFinished()));
     }
 
-    private Situation now() {
-        return Situation.of(document, frame);
+    private EditorState editorState() {
+        return EditorState.of(document, frame);
     }
 
-    private void dial(double intensity) {
-        document.apply(Desk.dial("intensity").set(document.scene(), "key", intensity));
+    private void setIntensity(double intensity) {
+        document.apply(DeskScene.parameter("intensity").set(document.scene(), "key", intensity));
     }
 
     private void assertDisabled(Command command, String reason) {
-        assertThat(command.obstacle(now())).contains(reason);
-        assertThat(command.isEnabled(now())).isFalse();
+        assertThat(command.disabledReason(editorState())).contains(reason);
+        assertThat(command.isEnabled(editorState())).isFalse();
     }
 
     private void assertEnabled(Command command) {
-        assertThat(command.obstacle(now())).isEmpty();
-        assertThat(command.isEnabled(now())).isTrue();
+        assertThat(command.disabledReason(editorState())).isEmpty();
+        assertThat(command.isEnabled(editorState())).isTrue();
     }
 
     @Test
-    void go_isEnabledUntilThePictureShowsTheScene() {
+    void go_isEnabledUntilPictureShowsScene() {
         assertEnabled(Command.GO);
         go();
         assertDisabled(Command.GO, "nothing was edited since the last Go");
-        dial(2);
+        setIntensity(2);
         assertEnabled(Command.GO);
     }
 
     @Test
     void undoAfterGo_leavesGoEnabled() {
         go();
-        dial(2);
+        setIntensity(2);
         go();
         document.history().undo();
         assertEnabled(Command.GO);
@@ -100,37 +102,40 @@ class CommandTest {
     @Test
     void undoBeforeGo_leavesNothingToRender() {
         go();
-        dial(2);
+        setIntensity(2);
         document.history().undo();
         assertDisabled(Command.GO, "nothing was edited since the last Go");
     }
 
     @Test
-    void editsThatNoPictureShows_leaveNothingToRender() {
+    void invisibleEdits_leaveNothingToRender() {
         go();
-        document.apply(LightEdits.with(document.scene(), "sun", l -> l.withPosition(new Vec3(9, 9, 9))));
+        document.apply(LightEdits.edit(document.scene(), "sun", l -> l.withPosition(new Vec3(9, 9, 9))));
         document.apply(LightEdits.rename(document.scene(), "key", "rim"));
         assertDisabled(Command.GO, "nothing was edited since the last Go");
         assertThat(document.isDirty()).isTrue();
     }
 
     @Test
-    void go_isDisabledWhileItsSceneIsRendered() {
+    void go_isDisabledWhileSceneIsRendering() {
         go();
-        dial(2);
-        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(document.scene())))).contains("the scene is being rendered");
+        setIntensity(2);
+        assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(document.scene()))))
+                .contains("the scene is being rendered");
         Scene older = document.scene();
-        dial(3);
-        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(older)))).isEmpty();
+        setIntensity(3);
+        assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(older)))).isEmpty();
     }
 
     @Test
-    void go_makesTheSamplesThatThePictureLacks() {
+    void go_rendersMissingSamples() {
         go();
-        frame = frame.map(f -> new Frame(f.film(), f.seen(), f.look(), f.scene(), f.mirrored(), f.update(), f.geometry(), false));
+        frame = frame.map(
+                f -> new Frame(f.film(), f.displayed(), f.displayMode(), f.scene(), f.mirroredScene(), f.update(), f.geometry(), false));
         assertEnabled(Command.GO);
-        assertThat(now().pendingRemark()).contains("the picture lacks the finer samples of its edges");
-        assertThat(Command.GO.obstacle(now().withInWork(Optional.of(document.scene())))).contains("the scene is being rendered");
+        assertThat(editorState().pendingMessage()).contains("the picture lacks the finer samples of its edges");
+        assertThat(Command.GO.disabledReason(editorState().withSceneInProgress(Optional.of(document.scene()))))
+                .contains("the scene is being rendered");
     }
 
     @Test
@@ -138,7 +143,7 @@ class CommandTest {
         assertDisabled(Command.UPDATE_REFLECTIONS, "there is no picture yet");
         go();
         assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
-        dial(2);
+        setIntensity(2);
         assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
         go();
         assertEnabled(Command.UPDATE_REFLECTIONS);
@@ -147,33 +152,33 @@ class CommandTest {
     }
 
     @Test
-    void updateReflectionsOfASceneWithoutMirrors_isDisabled() {
-        document.apply(Dial.DEPTH.set(document.scene(), "", 0));
+    void updateReflectionsWithoutMirrors_isDisabled() {
+        document.apply(NumericParameter.DEPTH.set(document.scene(), "", 0));
         go();
-        dial(2);
+        setIntensity(2);
         go();
         assertDisabled(Command.UPDATE_REFLECTIONS, "nothing in the picture mirrors or is clear");
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {ClearScenes.BALL, ClearScenes.PANE})
-    void updateReflections_isEnabledWhileClearShapesShowOlderLights(String text) throws Exception {
+    @ValueSource(strings = {TransparentScenes.BALL, TransparentScenes.PANE})
+    void updateReflections_isEnabledWhileClearShapesAreStale(String text) throws Exception {
         document = OpenDocument.open(Files.writeString(folder.resolve("clear.jen"), text));
         go();
-        document.apply(Desk.dial("intensity").set(document.scene(), "lamp", 2));
+        document.apply(DeskScene.parameter("intensity").set(document.scene(), "lamp", 2));
         go();
         assertEnabled(Command.UPDATE_REFLECTIONS);
-        assertThat(now().mirrorsRemark()).isPresent();
+        assertThat(editorState().staleMirrorsMessage()).isPresent();
         updateReflections();
         assertDisabled(Command.UPDATE_REFLECTIONS, "the mirrors show the picture's lights already");
-        assertThat(now().mirrorsRemark()).isEmpty();
+        assertThat(editorState().staleMirrorsMessage()).isEmpty();
     }
 
     @Test
-    void undoAndRedo_areEnabledWhereThereAreSteps() {
+    void undoAndRedo_areEnabledIfStepsExist() {
         assertDisabled(Command.UNDO, "there is nothing to undo");
         assertDisabled(Command.REDO, "there is nothing to redo");
-        dial(2);
+        setIntensity(2);
         assertEnabled(Command.UNDO);
         go();
         assertEnabled(Command.UNDO);
@@ -183,8 +188,8 @@ class CommandTest {
     }
 
     @Test
-    void undoAndRedoOfTheLight_areThoseOfTheSelectedOne() {
-        dial(2);
+    void undoLight_appliesToSelectedLight() {
+        setIntensity(2);
         assertDisabled(Command.UNDO_LIGHT, "no light is selected");
         document.selectLight("fill");
         assertDisabled(Command.UNDO_LIGHT, "there is nothing to undo of this light");
@@ -200,18 +205,18 @@ class CommandTest {
     void reloadAndSave_areEnabledWithUnsavedEdits() throws Exception {
         assertDisabled(Command.RELOAD, "the scene is as it is on disk");
         assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
-        dial(2);
+        setIntensity(2);
         assertEnabled(Command.RELOAD);
         assertEnabled(Command.SAVE_SCENE);
-        Saves.save(document);
+        TestSaves.save(document);
         assertDisabled(Command.RELOAD, "the scene is as it is on disk");
         assertDisabled(Command.SAVE_SCENE, "there is nothing to save");
     }
 
     @Test
-    void fileChangedByOthers_canBeReloaded() throws Exception {
-        Files.writeString(document.file(), Desk.TEXT + "# theirs\n");
-        document.hear(new DiskNews(document.file(), document.known(), FileState.of(document.file()), false));
+    void externallyChangedFile_canBeReloaded() throws Exception {
+        Files.writeString(document.file(), DeskScene.TEXT + "# theirs\n");
+        document.setDiskStatus(new DiskStatus(document.file(), document.knownState(), FileState.of(document.file()), false));
         assertEnabled(Command.RELOAD);
     }
 
@@ -222,14 +227,14 @@ class CommandTest {
     }
 
     @Test
-    void saveImage_needsAPictureAndSaysWhatItLacks() {
+    void saveImage_needsPictureAndReportsPendingEdits() {
         assertDisabled(Command.SAVE_IMAGE, "there is no picture yet");
         go();
         assertEnabled(Command.SAVE_IMAGE);
-        assertThat(now().pendingRemark()).isEmpty();
-        dial(2);
+        assertThat(editorState().pendingMessage()).isEmpty();
+        setIntensity(2);
         assertEnabled(Command.SAVE_IMAGE);
-        assertThat(now().pendingRemark()).contains("the picture does not show the edits since the last Go");
+        assertThat(editorState().pendingMessage()).contains("the picture does not show the edits since the last Go");
     }
 
     @Test
@@ -240,14 +245,14 @@ class CommandTest {
     }
 
     @Test
-    void cancel_needsSomethingThatRuns() {
+    void cancel_needsRunningJob() {
         assertDisabled(Command.CANCEL, "nothing is running");
-        assertThat(Command.CANCEL.isEnabled(now().withVerifying(true))).isTrue();
-        assertThat(Command.CANCEL.isEnabled(now().withInWork(Optional.of(document.scene())))).isTrue();
+        assertThat(Command.CANCEL.isEnabled(editorState().withVerifying(true))).isTrue();
+        assertThat(Command.CANCEL.isEnabled(editorState().withSceneInProgress(Optional.of(document.scene())))).isTrue();
     }
 
     @Test
-    void commandsOfALight_needASelectedOne() {
+    void lightCommands_needSelectedLight() {
         for (Command command : List.of(Command.DELETE_LIGHT, Command.DUPLICATE_LIGHT, Command.RENAME_LIGHT, Command.CHANGE_TYPE,
                 Command.SWITCH_ON, Command.SOLO, Command.COPY_SETTINGS, Command.LOOK_THROUGH_LIGHT, Command.AIM)) {
             document.select(Selection.NONE);
@@ -258,53 +263,53 @@ class CommandTest {
     }
 
     @Test
-    void addLight_isEnabledWithPendingEditsUntilTheSceneIsFull() {
+    void addLight_isEnabledUntilSceneIsFull() {
         go();
-        dial(2);
+        setIntensity(2);
         assertEnabled(Command.ADD_LIGHT);
         List<Light> many = new ArrayList<>();
-        for (int i = 0; i < Limits.MAX_LIGHTS; i++) {
+        for (int i = 0; i < SceneLimits.MAX_LIGHTS; i++) {
             many.add(Light.of("l" + i, LightType.POINT));
         }
-        document.apply(new Change.To(document.scene().withLights(many)));
+        document.apply(new EditOutcome.Applied(document.scene().withLights(many)));
         document.selectLight("l0");
         assertDisabled(Command.ADD_LIGHT, "a scene has at most 1000 lights");
         assertDisabled(Command.DUPLICATE_LIGHT, "a scene has at most 1000 lights");
     }
 
     @Test
-    void pasteSettings_needsCopiedOnes() {
+    void pasteSettings_needsCopiedSettings() {
         document.selectLight("key");
         assertDisabled(Command.PASTE_SETTINGS, "no settings were copied");
-        assertThat(Command.PASTE_SETTINGS.isEnabled(now().withCopied(document.selectedLight()))).isTrue();
+        assertThat(Command.PASTE_SETTINGS.isEnabled(editorState().withCopiedLight(document.selectedLight()))).isTrue();
     }
 
     @Test
-    void aim_needsALightWithADirection() {
+    void aim_needsLightWithDirection() {
         document.selectLight("fill");
         assertDisabled(Command.AIM, "a point light has no direction");
     }
 
     @Test
-    void makeAnimation_needsASelectedLightAndNothingPending() {
+    void makeAnimation_needsSelectedLightAndNoPendingEdits() {
         assertDisabled(Command.MAKE_ANIMATION, "no light is selected");
         document.selectLight("key");
         assertDisabled(Command.MAKE_ANIMATION, "there is no picture yet");
         go();
         assertEnabled(Command.MAKE_ANIMATION);
-        dial(2);
+        setIntensity(2);
         assertDisabled(Command.MAKE_ANIMATION, "the picture does not show the last edits; press Go first");
     }
 
     @Test
-    void openAnimation_holdsBackWhatChangesTheDocument() {
+    void openAnimation_disablesDocumentCommands() {
         document.selectLight("key");
         go();
-        dial(2);
-        Situation animating = now().withAnimating(true).withCopied(document.selectedLight());
+        setIntensity(2);
+        EditorState animating = editorState().withAnimating(true).withCopiedLight(document.selectedLight());
         EnumSet<Command> heldBack = EnumSet.noneOf(Command.class);
         for (Command command : Command.values()) {
-            if (command.obstacle(animating).equals(Optional.of("an animation is open; close it first"))) {
+            if (command.disabledReason(animating).equals(Optional.of("an animation is open; close it first"))) {
                 heldBack.add(command);
             }
         }

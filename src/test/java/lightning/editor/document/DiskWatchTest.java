@@ -12,7 +12,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import lightning.base.file.FileState;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,16 +22,16 @@ class DiskWatchTest {
     @TempDir
     private Path folder;
 
-    private final LinkedBlockingQueue<DiskNews> heard = new LinkedBlockingQueue<>();
+    private final LinkedBlockingQueue<DiskStatus> statuses = new LinkedBlockingQueue<>();
     private Path file;
     private FileState known;
     private DiskWatch watch;
 
     @BeforeEach
     void watch() throws IOException {
-        file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
+        file = Files.writeString(folder.resolve("desk.jen"), DeskScene.TEXT);
         known = FileState.of(file);
-        watch = new DiskWatch(new Presence(folder.resolve("open")), Duration.ofMillis(5), heard::add);
+        watch = new DiskWatch(new OpenSceneRegistry(folder.resolve("open")), Duration.ofMillis(5), statuses::add);
         watch.watch(file, known);
     }
 
@@ -39,37 +39,37 @@ class DiskWatchTest {
     @AfterEach
     void close() throws Exception {
         watch.close();
-        Wait.untilEnded("lightning-disk");
+        Await.untilThreadEnded("lightning-disk");
     }
 
-    private DiskNews await(Predicate<DiskNews> what) throws InterruptedException {
+    private DiskStatus await(Predicate<DiskStatus> condition) throws InterruptedException {
         while (true) {
-            DiskNews news = heard.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
+            DiskStatus news = statuses.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
             assertThat(news).as("what is waited for").isNotNull();
-            if (what.test(news)) {
+            if (condition.test(news)) {
                 return news;
             }
         }
     }
 
     @Test
-    void untouchedFile_isAsItWas() throws InterruptedException {
-        DiskNews first = await(_ -> true);
-        assertThat(first.isChanged() || first.isGone() || first.elsewhere()).isFalse();
+    void untouchedFile_isUnchanged() throws InterruptedException {
+        DiskStatus first = await(_ -> true);
+        assertThat(first.isChanged() || first.isDeleted() || first.isOpenElsewhere()).isFalse();
     }
 
     @Test
-    void anothersText_isSeenAndTheNextToo() throws Exception {
+    void externalChanges_areDetected() throws Exception {
         Files.writeString(file, "his");
         FileState his = FileState.of(file);
-        assertThat(await(news -> news.seen().equals(his)).isChanged()).isTrue();
+        assertThat(await(news -> news.current().equals(his)).isChanged()).isTrue();
         Files.writeString(file, "his second");
         FileState second = FileState.of(file);
-        assertThat(await(news -> news.seen().equals(second)).known()).isEqualTo(known);
+        assertThat(await(news -> news.current().equals(second)).known()).isEqualTo(known);
     }
 
     @Test
-    void ownText_isNoNews() throws Exception {
+    void ownSave_isNotAChange() throws Exception {
         Files.writeString(file, "mine");
         FileState mine = FileState.of(file);
         watch.watch(file, mine);
@@ -80,43 +80,43 @@ class DiskWatchTest {
     void touchedFile_isNotChanged() throws Exception {
         await(_ -> true);
         Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
-        assertThat(await(news -> news.seen().modified().toMillis() == 1_000_000).isChanged()).isFalse();
+        assertThat(await(news -> news.current().modified().toMillis() == 1_000_000).isChanged()).isFalse();
     }
 
     @Test
-    void deletedFile_isGoneUntilItIsBack() throws Exception {
+    void deletedFile_isDeletedUntilRestored() throws Exception {
         Files.delete(file);
-        await(DiskNews::isGone);
+        await(DiskStatus::isDeleted);
         // Whole at once: a look between the file and its text would see another.
-        Files.move(Files.writeString(folder.resolve("again"), Desk.TEXT), file, StandardCopyOption.ATOMIC_MOVE);
-        assertThat(await(news -> !news.isGone()).isChanged()).isFalse();
+        Files.move(Files.writeString(folder.resolve("again"), DeskScene.TEXT), file, StandardCopyOption.ATOMIC_MOVE);
+        assertThat(await(news -> !news.isDeleted()).isChanged()).isFalse();
     }
 
     @Test
-    void secondEditor_isSeenToComeAndGo() throws Exception {
-        try (var other = new Presence(folder.resolve("open"))) {
-            other.open(file);
-            await(DiskNews::elsewhere);
+    void secondEditor_isDetectedUntilClosed() throws Exception {
+        try (var other = new OpenSceneRegistry(folder.resolve("open"))) {
+            other.register(file);
+            await(DiskStatus::isOpenElsewhere);
         }
-        await(news -> !news.elsewhere());
+        await(news -> !news.isOpenElsewhere());
     }
 
     @Test
-    void folderThatCannotBeMade_doesNotKeepTheFileFromBeingWatched() throws Exception {
+    void uncreatableFolder_doesNotPreventWatching() throws Exception {
         Path blocked = Files.writeString(folder.resolve("blocked"), "a file");
-        var news = new LinkedBlockingQueue<DiskNews>();
-        try (var without = new DiskWatch(new Presence(blocked), Duration.ofMillis(5), news::add)) {
-            without.watch(file, FileState.NONE);
-            assertThat(news.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).matches(DiskNews::isChanged);
+        var news = new LinkedBlockingQueue<DiskStatus>();
+        try (var without = new DiskWatch(new OpenSceneRegistry(blocked), Duration.ofMillis(5), news::add)) {
+            without.watch(file, FileState.MISSING);
+            assertThat(news.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).matches(DiskStatus::isChanged);
         }
     }
 
     @Test
-    void closedWatch_saysNothingMoreAndLeavesNoTrace() throws Exception {
+    void closedWatch_reportsNothingAndRemovesItsFile() throws Exception {
         await(_ -> true);
         watch.close();
-        watch.look();
-        Wait.until(() -> {
+        watch.checkNow();
+        Await.until(() -> {
             try (var files = Files.list(folder.resolve("open"))) {
                 return files.findAny().isEmpty();
             }

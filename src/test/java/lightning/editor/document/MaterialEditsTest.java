@@ -14,14 +14,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class MaterialEditsTest {
-    private final Scene scene = Desk.scene();
+    private final Scene scene = DeskScene.scene();
 
-    private static Material after(Change change, String name) {
-        return Desk.done(change).material(name).orElseThrow();
+    private static Material after(EditOutcome change, String name) {
+        return DeskScene.sceneOf(change).material(name).orElseThrow();
     }
 
     @Test
-    void eachEdit_changesItsProperty() {
+    void edit_changesItsProperty() {
         Material mirror = scene.material("mirror").orElseThrow();
         assertThat(after(MaterialEdits.set(scene, "mirror", MaterialAttribute.AMBIENT, Rgb.WHITE), "mirror"))
                 .isEqualTo(mirror.withAmbient(Rgb.WHITE));
@@ -36,13 +36,13 @@ class MaterialEditsTest {
     }
 
     @Test
-    void texture_isReadBesideTheSceneAndTakenAway() {
-        Scene wood = Desk.done(MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "wood.png", Path.of("scenes")));
+    void texture_isReadFromSceneFolderAndRemoved() {
+        Scene wood = DeskScene.sceneOf(MaterialEdits.setTexture(scene, "mirror", MaterialAttribute.TEXTURE, "wood.png", Path.of("scenes")));
         TextureMap map = wood.material("mirror").orElseThrow().texture().orElseThrow();
-        Scene repeated = Desk.done(MaterialEdits.set(wood, "mirror", MaterialAttribute.TEXTURE,
+        Scene repeated = DeskScene.sceneOf(MaterialEdits.set(wood, "mirror", MaterialAttribute.TEXTURE,
                 Optional.of(new TextureMap(map.file(), 2, 3, map.image()))));
         assertThat(repeated.material("mirror").orElseThrow().texture().orElseThrow().repeatV()).isEqualTo(3);
-        assertThat(Desk.done(MaterialEdits.set(repeated, "mirror", MaterialAttribute.TEXTURE, Optional.empty()))).isEqualTo(scene);
+        assertThat(DeskScene.sceneOf(MaterialEdits.set(repeated, "mirror", MaterialAttribute.TEXTURE, Optional.empty()))).isEqualTo(scene);
     }
 
     @Test
@@ -52,41 +52,43 @@ class MaterialEditsTest {
                 .contains("shininess must be ≥ 0, was -3");
         assertThat(MaterialEdits.set(scene, "mirror", MaterialAttribute.DIFFUSE, new Rgb(0, 2, 0)).refusal())
                 .contains("diffuse green must be from 0 to 1, was 2");
-        assertThat(MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "none.png", Path.of("scenes")).refusal().orElseThrow())
+        assertThat(
+                MaterialEdits.setTexture(scene, "mirror", MaterialAttribute.TEXTURE, "none.png", Path.of("scenes")).refusal().orElseThrow())
                 .contains("there is no texture 'none.png'");
         assertThat(
-                MaterialEdits.picture(scene, "mirror", MaterialAttribute.TEXTURE, "../wood.png", Path.of("scenes")).refusal().orElseThrow())
+                MaterialEdits.setTexture(scene, "mirror", MaterialAttribute.TEXTURE, "../wood.png", Path.of("scenes")).refusal()
+                        .orElseThrow())
                 .contains("without empty names, . and ..");
     }
 
     @Test
-    void shapeWithoutAMaterial_hasTheDefaultOneWhichAnEditAdds() {
+    void shapeWithoutMaterial_getsDefaultOnEdit() {
         assertThat(MaterialEdits.ofShape(scene, "ball")).contains(Material.DEFAULT);
         assertThat(MaterialEdits.ofShape(scene, "ground")).isEqualTo(scene.material("mirror"));
         assertThat(MaterialEdits.ofShape(scene, "key")).isEmpty();
-        Scene edited = Desk.done(MaterialEdits.set(scene, "default", MaterialAttribute.SHININESS, 5.0));
+        Scene edited = DeskScene.sceneOf(MaterialEdits.set(scene, "default", MaterialAttribute.SHININESS, 5.0));
         assertThat(MaterialEdits.ofShape(edited, "ball")).contains(Material.DEFAULT.withShininess(5));
     }
 
     @Test
-    void edits_areUndoneNamedAndSavedInTheirBlock(@TempDir Path folder) throws Exception {
-        Path file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
+    void edits_areUndoableLabeledAndSaved(@TempDir Path folder) throws Exception {
+        Path file = Files.writeString(folder.resolve("desk.jen"), DeskScene.TEXT);
         OpenDocument document = OpenDocument.open(file);
         document.apply(MaterialEdits.set(document.scene(), "mirror", MaterialAttribute.SHININESS, 5.0));
         assertThat(document.history().undoLabel()).contains("mirror: shininess 16 → 5");
         document.apply(MaterialEdits.set(document.scene(), "default", MaterialAttribute.DIFFUSE, new Rgb(1, 0, 0)));
         assertThat(document.history().undoLabel()).contains("default: diffuse 0.8 0.8 0.8 → 1 0 0");
         document.history().undo();
-        Saves.save(document);
-        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT.replace("0.4 0.4 0.4 }", "0.4 0.4 0.4  shininess 5 }"));
+        TestSaves.save(document);
+        assertThat(Files.readString(file)).isEqualTo(DeskScene.TEXT.replace("0.4 0.4 0.4 }", "0.4 0.4 0.4  shininess 5 }"));
         document.history().undo();
         assertThat(document.scene()).isEqualTo(scene);
     }
 
     @Test
-    void severalProperties_areNamedWithoutTheirValues() {
-        var history = new History(scene);
-        history.edit(Desk.done(MaterialEdits.with(scene, "mirror", m -> m.withShininess(5).withReflective(Rgb.BLACK))));
+    void severalProperties_areLabeledWithoutValues() {
+        var history = new EditHistory(scene);
+        history.edit(DeskScene.sceneOf(MaterialEdits.edit(scene, "mirror", m -> m.withShininess(5).withReflective(Rgb.BLACK))));
         assertThat(history.undoLabel()).contains("mirror: shininess, reflective");
     }
 }

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.Group;
+import lightning.scene.LightRig;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.NodeGroup;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
@@ -24,47 +24,48 @@ class NodeEditsTest {
         return new Shape(Solid.SPHERE, name, Material.DEFAULT.name(), Placement.IDENTITY);
     }
 
-    private static Scene scene(Node... nodes) {
-        return new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, new Stage(List.of(), List.of(nodes)), Rig.DARK);
+    private static Scene scene(SceneNode... nodes) {
+        return new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, new Stage(List.of(), List.of(nodes)), LightRig.EMPTY);
     }
 
-    private static Scene done(Change change) {
+    private static Scene sceneOf(EditOutcome change) {
         assertThat(change.refusal()).isEmpty();
-        return ((Change.To) change).scene();
+        return ((EditOutcome.Applied) change).scene();
     }
 
     @Test
     void copy_hasTheNextFreeNumber() {
-        assertThat(NodeEdits.copyOf(scene(sphere("ball")), "ball")).isEqualTo("ball2");
-        assertThat(NodeEdits.copyOf(scene(sphere("ball"), sphere("ball2"), sphere("ball3")), "ball")).isEqualTo("ball4");
-        assertThat(NodeEdits.copyOf(scene(sphere("ball7")), "ball7")).isEqualTo("ball8");
+        assertThat(NodeEdits.copyName(scene(sphere("ball")), "ball")).isEqualTo("ball2");
+        assertThat(NodeEdits.copyName(scene(sphere("ball"), sphere("ball2"), sphere("ball3")), "ball")).isEqualTo("ball4");
+        assertThat(NodeEdits.copyName(scene(sphere("ball7")), "ball7")).isEqualTo("ball8");
     }
 
     @Test
-    void copyAmongManyThatAreNumbered_hasAFreeName() {
-        Scene scene = scene(IntStream.rangeClosed(1, 1000).mapToObj(i -> sphere("tree" + i)).toArray(Node[]::new));
-        assertThat(NodeEdits.copyOf(scene, "tree3")).isEqualTo("tree1001");
+    void copyAmongManyNumberedNames_hasFreeName() {
+        Scene scene = scene(IntStream.rangeClosed(1, 1000).mapToObj(i -> sphere("tree" + i)).toArray(SceneNode[]::new));
+        assertThat(NodeEdits.copyName(scene, "tree3")).isEqualTo("tree1001");
     }
 
     @Test
-    void duplicatedGroup_standsBesideWithNewNames() {
-        Scene scene = scene(new Group("g", Placement.IDENTITY, List.of(sphere("a"), sphere("a2"))));
-        Group copy = (Group) done(NodeEdits.duplicate(scene, "g")).nodes().getLast();
+    void duplicatedGroup_isOffsetAndHasNewNames() {
+        Scene scene = scene(new NodeGroup("g", Placement.IDENTITY, List.of(sphere("a"), sphere("a2"))));
+        NodeGroup copy = (NodeGroup) sceneOf(NodeEdits.duplicate(scene, "g")).nodes().getLast();
         assertThat(copy.name()).isEqualTo("g2");
-        assertThat(copy.children()).extracting(Node::name).containsExactly("a3", "a4");
-        assertThat(copy.placement().at().x()).isPositive();
+        assertThat(copy.children()).extracting(SceneNode::name).containsExactly("a3", "a4");
+        assertThat(copy.placement().position().x()).isPositive();
         assertThat(copy.children().getFirst().placement()).as("inside, nothing moved").isEqualTo(Placement.IDENTITY);
     }
 
     @Test
-    void editOfAShapeThatIsGone_isRefused() {
-        assertThat(NodeEdits.visible(scene(), "ball", false).refusal()).contains("there is no shape 'ball'");
+    void editOfMissingShape_isRefused() {
+        assertThat(NodeEdits.setVisible(scene(), "ball", false).refusal()).contains("there is no shape 'ball'");
         assertThat(NodeEdits.delete(scene(), "ball").refusal()).contains("there is no shape 'ball'");
     }
 
     @Test
     void placementBeyondTheLimits_isRefused() {
-        assertThat(NodeEdits.placement(scene(sphere("ball")), "ball", p -> new Placement(p.at(), p.rotate(), Vec3.ZERO)).refusal())
+        assertThat(
+                NodeEdits.setPlacement(scene(sphere("ball")), "ball", p -> new Placement(p.position(), p.rotation(), Vec3.ZERO)).refusal())
                 .hasValueSatisfying(reason -> assertThat(reason).startsWith("scale must be at least"));
     }
 }

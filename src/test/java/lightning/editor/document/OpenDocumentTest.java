@@ -32,12 +32,12 @@ class OpenDocumentTest {
 
     @BeforeEach
     void open() throws Exception {
-        file = Files.writeString(folder.resolve("desk.jen"), Desk.TEXT);
+        file = Files.writeString(folder.resolve("desk.jen"), DeskScene.TEXT);
         document = OpenDocument.open(file);
     }
 
-    private void dial(String light, double intensity) {
-        assertThat(document.apply(Desk.dial("intensity").set(document.scene(), light, intensity))).isEmpty();
+    private void setIntensity(String light, double intensity) {
+        assertThat(document.apply(DeskScene.parameter("intensity").set(document.scene(), light, intensity))).isEmpty();
     }
 
     private Scene onDisk(Path place) throws IOException, JenException {
@@ -45,23 +45,23 @@ class OpenDocumentTest {
     }
 
     @Test
-    void openedDocument_isCleanAndNamedByItsFile() {
+    void openedDocument_isCleanAndNamedAfterFile() {
         assertThat(document.isDirty()).isFalse();
         assertThat(document.name()).isEqualTo("desk.jen");
         assertThat(document.selectedLight()).isEmpty();
     }
 
     @Test
-    void edit_makesItDirtyAndUndoCleanAgain() {
-        dial("key", 2);
+    void edit_makesDirtyAndUndoCleans() {
+        setIntensity("key", 2);
         assertThat(document.isDirty()).isTrue();
         document.history().undo();
         assertThat(document.isDirty()).isFalse();
     }
 
     @Test
-    void refusedEdit_givesTheReasonAndChangesNothing() {
-        assertThat(document.apply(Desk.dial("angle").set(document.scene(), "key", 200))).isPresent();
+    void refusedEdit_returnsReasonAndChangesNothing() {
+        assertThat(document.apply(DeskScene.parameter("angle").set(document.scene(), "key", 200))).isPresent();
         assertThat(document.isDirty()).isFalse();
         assertThat(document.history().undoLabel()).isEmpty();
     }
@@ -69,122 +69,122 @@ class OpenDocumentTest {
     @Test
     void gesture_isOneStep() {
         Object drag = new Object();
-        document.apply(Desk.dial("intensity").set(document.scene(), "key", 2), drag);
-        document.apply(Desk.dial("intensity").set(document.scene(), "key", 3), drag);
+        document.apply(DeskScene.parameter("intensity").set(document.scene(), "key", 2), drag);
+        document.apply(DeskScene.parameter("intensity").set(document.scene(), "key", 3), drag);
         document.history().undo();
         assertThat(document.isDirty()).isFalse();
     }
 
     @Test
-    void save_keepsCommentsAndChangesOnlyWhatWasEdited() throws Exception {
-        dial("key", 2);
-        Saves.save(document);
+    void save_keepsCommentsAndUneditedText() throws Exception {
+        setIntensity("key", 2);
+        TestSaves.save(document);
         assertThat(document.isDirty()).isFalse();
-        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT.replace("spot { intensity 1 ", "spot { intensity 2 "));
+        assertThat(Files.readString(file)).isEqualTo(DeskScene.TEXT.replace("spot { intensity 1 ", "spot { intensity 2 "));
     }
 
     @Test
-    void undoAfterSavingADeletion_bringsTheLightBackWithItsKeys() throws Exception {
-        String moving = Desk.TEXT + "\nshot {\n  frames 1 25\n  light key { intensity { 1 0.5  25 2.5 smooth } }\n}\n";
+    void undoAfterSavedDeletion_restoresLightWithKeys() throws Exception {
+        String moving = DeskScene.TEXT + "\nshot {\n  frames 1 25\n  light key { intensity { 1 0.5  25 2.5 smooth } }\n}\n";
         document = OpenDocument.open(Files.writeString(file, moving));
         var before = document.content();
         document.apply(LightEdits.delete(document.scene(), "key"));
-        Saves.save(document);
+        TestSaves.save(document);
         assertThat(JenReader.read(file).shot().stream().flatMap(s -> s.tracks().stream())).isEmpty();
         document.history().undo();
         assertThat(document.content()).isEqualTo(before);
-        Saves.save(document);
-        assertThat(JenReader.read(file).content()).isEqualTo(before);
+        TestSaves.save(document);
+        assertThat(JenReader.read(file).animatedScene()).isEqualTo(before);
     }
 
     @Test
-    void undoAfterSaving_isDirtyAndSavesTheOldTextAgain() throws Exception {
-        dial("key", 2);
-        Saves.save(document);
+    void undoAfterSave_isDirtyAndSavesOldText() throws Exception {
+        setIntensity("key", 2);
+        TestSaves.save(document);
         document.history().undo();
         assertThat(document.isDirty()).isTrue();
-        Saves.save(document);
-        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT);
+        TestSaves.save(document);
+        assertThat(Files.readString(file)).isEqualTo(DeskScene.TEXT);
     }
 
     @Test
-    void saveAs_movesTheDocumentAndLeavesTheOldFile() throws Exception {
-        dial("key", 2);
+    void saveAs_switchesFileAndKeepsOldFile() throws Exception {
+        setIntensity("key", 2);
         Path other = folder.resolve("other.jen");
-        Saves.saveAs(document, other);
+        TestSaves.saveAs(document, other);
         assertThat(document.file()).isEqualTo(other);
         assertThat(document.isDirty()).isFalse();
         assertThat(onDisk(other)).isEqualTo(document.scene());
-        assertThat(Files.readString(file)).isEqualTo(Desk.TEXT);
+        assertThat(Files.readString(file)).isEqualTo(DeskScene.TEXT);
     }
 
     @Test
-    void saveAsAwayFromTheTextures_isRefusedAndChangesNothing() throws Exception {
+    void saveAsWithoutTextures_isRefused() throws Exception {
         Path beside = Files.createDirectories(folder.resolve("a/b/c/d/textured"));
         Files.createDirectory(beside.resolve("textures"));
         Files.copy(Path.of("textures/wood.png"), beside.resolve("textures/wood.png"), StandardCopyOption.REPLACE_EXISTING);
         Path textured = Files.writeString(beside.resolve("t.jen"),
-                Desk.TEXT.replace("material mirror {", "material mirror { texture \"wood.png\" "));
+                DeskScene.TEXT.replace("material mirror {", "material mirror { texture \"wood.png\" "));
         OpenDocument open = OpenDocument.open(textured);
         Path away = folder.resolve("away.jen");
-        assertThatIOException().isThrownBy(() -> Saves.saveAs(open, away))
+        assertThatIOException().isThrownBy(() -> TestSaves.saveAs(open, away))
                 .withMessageStartingWith("the scene cannot be read from there: ").withMessageContaining("wood.png");
         assertThat(open.file()).isEqualTo(textured);
         assertThat(away).doesNotExist();
     }
 
     @Test
-    void failedSave_leavesItDirty() {
-        dial("key", 2);
-        assertThatIOException().isThrownBy(() -> Saves.saveAs(document, folder.resolve("nowhere/desk.jen")));
+    void failedSave_keepsDirty() {
+        setIntensity("key", 2);
+        assertThatIOException().isThrownBy(() -> TestSaves.saveAs(document, folder.resolve("nowhere/desk.jen")));
         assertThat(document.isDirty()).isTrue();
         assertThat(document.file()).isEqualTo(file);
     }
 
     @Test
-    void reload_startsOverAndCanBeUndone() throws Exception {
-        dial("key", 2);
+    void reload_canBeUndone() throws Exception {
+        setIntensity("key", 2);
         Scene edited = document.scene();
-        Saves.reload(document);
-        assertThat(document.scene()).isEqualTo(Desk.scene());
+        TestSaves.reload(document);
+        assertThat(document.scene()).isEqualTo(DeskScene.scene());
         assertThat(document.isDirty()).isFalse();
         document.history().undo();
         assertThat(document.scene()).isEqualTo(edited);
     }
 
     @Test
-    void reloadOfAWrongFile_keepsTheOpenScene() throws Exception {
-        dial("key", 2);
+    void reloadOfInvalidFile_keepsScene() throws Exception {
+        setIntensity("key", 2);
         Scene edited = document.scene();
         Files.writeString(file, "jen 1\nligth");
-        assertThatExceptionOfType(JenException.class).isThrownBy(() -> Saves.reload(document));
+        assertThatExceptionOfType(JenException.class).isThrownBy(() -> TestSaves.reload(document));
         assertThat(document.scene()).isEqualTo(edited);
         assertThat(document.isDirty()).isTrue();
     }
 
     /** What a watch would tell. */
-    private void look() throws IOException {
-        document.hear(new DiskNews(document.file(), document.known(), FileState.of(document.file()), false));
+    private void checkDisk() throws IOException {
+        document.setDiskStatus(new DiskStatus(document.file(), document.knownState(), FileState.of(document.file()), false));
     }
 
     @Test
-    void fileWrittenByOthers_isChangedUntilItIsReadOrWritten() throws Exception {
-        look();
+    void externalChange_isReportedUntilReloadOrSave() throws Exception {
+        checkDisk();
         assertThat(document.isChangedOnDisk()).isFalse();
-        Files.writeString(file, Desk.TEXT + "# his\n");
-        look();
+        Files.writeString(file, DeskScene.TEXT + "# his\n");
+        checkDisk();
         assertThat(document.isChangedOnDisk()).isTrue();
-        Saves.reload(document);
+        TestSaves.reload(document);
         assertThat(document.isChangedOnDisk()).isFalse();
-        dial("key", 2);
-        Saves.save(document);
-        look();
+        setIntensity("key", 2);
+        TestSaves.save(document);
+        checkDisk();
         assertThat(document.isChangedOnDisk()).isFalse();
     }
 
     /** So that undo of that edit does not jump away from what was edited. */
     @Test
-    void neighbourThatIsEdited_staysSelected() {
+    void editedNeighbor_staysSelected() {
         List<String> names = document.scene().lights().stream().map(Light::name).toList();
         document.selectLight(names.getFirst());
         document.apply(LightEdits.delete(document.scene(), names.getFirst()));
@@ -196,78 +196,78 @@ class OpenDocumentTest {
     }
 
     @Test
-    void newsOfBeforeTheLastSave_isNotTaken() throws Exception {
-        DiskNews old = new DiskNews(file, document.known(), FileState.NONE, false);
-        dial("key", 2);
-        Saves.save(document);
-        document.hear(old);
+    void outdatedDiskStatus_isIgnored() throws Exception {
+        DiskStatus old = new DiskStatus(file, document.knownState(), FileState.MISSING, false);
+        setIntensity("key", 2);
+        TestSaves.save(document);
+        document.setDiskStatus(old);
         assertThat(document.isChangedOnDisk()).isFalse();
     }
 
     @Test
-    void save_doesNotOverwriteWhatOthersWroteUnlessItMay() throws Exception {
-        dial("key", 2);
-        Files.writeString(file, Desk.TEXT + "# his\n");
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.save(document));
-        assertThat(file).hasContent(Desk.TEXT + "# his\n");
+    void save_overwritesExternalChangeOnlyIfConfirmed() throws Exception {
+        setIntensity("key", 2);
+        Files.writeString(file, DeskScene.TEXT + "# his\n");
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.save(document));
+        assertThat(file).hasContent(DeskScene.TEXT + "# his\n");
         assertThat(document.isDirty()).isTrue();
-        Saves.save(document, Consent.OVERWRITE_CHANGED);
+        TestSaves.save(document, OverwriteConfirmation.OVERWRITE_CHANGED);
         assertThat(onDisk(file)).isEqualTo(document.scene());
-        dial("key", 3);
-        Saves.save(document);
+        setIntensity("key", 3);
+        TestSaves.save(document);
         assertThat(onDisk(file)).isEqualTo(document.scene());
     }
 
     @Test
-    void saveAsToItsOwnFile_isASave() throws Exception {
-        dial("key", 2);
-        Files.writeString(file, Desk.TEXT + "# his\n");
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.saveAs(document, file));
+    void saveAsToOwnFile_isSave() throws Exception {
+        setIntensity("key", 2);
+        Files.writeString(file, DeskScene.TEXT + "# his\n");
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.saveAs(document, file));
     }
 
     @Test
     @DisabledOnOs(OS.WINDOWS)
-    void readOnlyFile_isReplacedOnlyIfItMay() throws Exception {
-        dial("key", 2);
+    void readOnlyFile_isReplacedOnlyIfConfirmed() throws Exception {
+        setIntensity("key", 2);
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--r--r--"));
-        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> Saves.save(document));
-        assertThat(file).hasContent(Desk.TEXT);
-        Saves.save(document, Consent.REPLACE_READ_ONLY);
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> TestSaves.save(document));
+        assertThat(file).hasContent(DeskScene.TEXT);
+        TestSaves.save(document, OverwriteConfirmation.REPLACE_READ_ONLY);
         assertThat(onDisk(file)).isEqualTo(document.scene());
     }
 
     @Test
-    void fileThatIsGone_leavesTheDocumentUnsavedAndIsWrittenAgain() throws Exception {
+    void deletedFile_makesDirtyAndIsRewritten() throws Exception {
         Files.delete(file);
-        look();
+        checkDisk();
         assertThat(document.isDirty()).isTrue();
-        Saves.save(document);
+        TestSaves.save(document);
         assertThat(document.isDirty()).isFalse();
-        assertThat(file).hasContent(Desk.TEXT);
+        assertThat(file).hasContent(DeskScene.TEXT);
     }
 
     @Test
-    void keptAgainstAnothersText_isUnsavedAndStillAsksBeforeItOverwrites() throws Exception {
-        Files.writeString(file, Desk.TEXT + "# his\n");
-        look();
+    void ignoredDiskChange_isDirtyAndStillNeedsConfirmation() throws Exception {
+        Files.writeString(file, DeskScene.TEXT + "# his\n");
+        checkDisk();
         assertThat(document.isDirty()).isFalse();
-        document.keepAgainstNews();
+        document.ignoreDiskChange();
         assertThat(document.isDirty()).isTrue();
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.save(document));
-        Saves.save(document, Consent.OVERWRITE_CHANGED);
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.save(document));
+        TestSaves.save(document, OverwriteConfirmation.OVERWRITE_CHANGED);
         assertThat(document.isDirty()).isFalse();
     }
 
     @Test
-    void recoveredInPlaceOfAWrongFile_doesNotOverwriteItUnasked() throws Exception {
+    void recoveryOfInvalidFile_needsConfirmationToOverwrite() throws Exception {
         Files.writeString(file, "jen 1\nligth");
-        OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, Desk.TEXT));
-        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> Saves.save(back));
+        OpenDocument back = OpenDocument.recover(new RecoveryFolder.RecoverableScene(folder.resolve("x"), file, DeskScene.TEXT));
+        assertThatExceptionOfType(ChangedFileException.class).isThrownBy(() -> TestSaves.save(back));
         assertThat(file).hasContent("jen 1\nligth");
     }
 
     @Test
-    void selection_isTheLightWhateverItsNameIs() {
+    void selection_survivesRename() {
         document.selectLight("key");
         document.apply(LightEdits.rename(document.scene(), "key", "rim"));
         assertThat(document.selectedLight()).map(Light::name).contains("rim");
@@ -278,24 +278,24 @@ class OpenDocumentTest {
     }
 
     @Test
-    void recovered_theEditsAreOneStepOverTheFile() throws Exception {
-        dial("key", 2);
+    void recoveredEdits_areOneStep() throws Exception {
+        setIntensity("key", 2);
         String kept = document.text(document.content());
-        OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, kept));
+        OpenDocument back = OpenDocument.recover(new RecoveryFolder.RecoverableScene(folder.resolve("x"), file, kept));
         assertThat(back.scene()).isEqualTo(document.scene());
         assertThat(back.isDirty()).isTrue();
         back.history().undo();
-        assertThat(back.scene()).isEqualTo(Desk.scene());
+        assertThat(back.scene()).isEqualTo(DeskScene.scene());
     }
 
     @Test
-    void recoveredWithoutItsFile_isStillUnsaved() throws Exception {
+    void recoveredWithoutFile_isDirty() throws Exception {
         Files.delete(file);
-        OpenDocument back = OpenDocument.recover(new Recovery.Found(folder.resolve("x"), file, Desk.TEXT));
-        assertThat(back.scene()).isEqualTo(Desk.scene());
+        OpenDocument back = OpenDocument.recover(new RecoveryFolder.RecoverableScene(folder.resolve("x"), file, DeskScene.TEXT));
+        assertThat(back.scene()).isEqualTo(DeskScene.scene());
         assertThat(back.isDirty()).isTrue();
-        Saves.save(back);
+        TestSaves.save(back);
         assertThat(back.isDirty()).isFalse();
-        assertThat(onDisk(file)).isEqualTo(Desk.scene());
+        assertThat(onDisk(file)).isEqualTo(DeskScene.scene());
     }
 }

@@ -16,31 +16,31 @@ import org.junit.jupiter.api.Test;
 class TextDifferenceTest {
 
     @Test
-    void changedLine_standsBesideWhatItBecame() {
+    void changedLine_isInOneRow() {
         assertThat(TextDifference.rows("a\nb\nc\n", "a\nx\nc\n")).containsExactly(
                 new Row(1, "a", 1, "a"), new Row(2, "b", 2, "x"), new Row(3, "c", 3, "c"));
     }
 
     @Test
-    void lineOfOneTextAlone_hasNothingBesideIt() {
+    void lineOfOneText_hasEmptyOtherSide() {
         assertThat(TextDifference.rows("a\nc\n", "a\nb\nc\n")).containsExactly(
                 new Row(1, "a", 1, "a"), new Row(0, "", 2, "b"), new Row(2, "c", 3, "c"));
         assertThat(TextDifference.rows("a", "")).containsExactly(new Row(1, "a", 0, ""));
     }
 
     @Test
-    void emptyLine_isNotTheSameAsNone() {
+    void emptyLine_differsFromMissingLine() {
         assertThat(TextDifference.rows("\n", "")).singleElement().matches(row -> !row.isSame());
     }
 
     @Test
-    void movedLines_keepTheLongestCommonRun() {
+    void movedLines_keepLongestCommonRun() {
         List<Row> rows = TextDifference.rows("1\n2\n3\n4\n5", "4\n5\n1\n2\n3");
         assertThat(rows.stream().filter(Row::isSame).map(Row::mine)).containsExactly("1", "2", "3");
     }
 
     @Test
-    void textsTooDifferentToCompare_standSideBySide() {
+    void tooLargeDifference_isShownSideBySide() {
         String mine = numbered(5000, "a");
         String theirs = numbered(5000, "b");
         assertThat(TextDifference.rows("x\n" + mine + "y", "x\n" + theirs + "y")).hasSize(5002)
@@ -52,7 +52,7 @@ class TextDifferenceTest {
     }
 
     @Property
-    void rows_holdBothTextsInTheirOrderWithTheirNumbers(@ForAll("lines") List<String> mine, @ForAll("lines") List<String> theirs) {
+    void rows_containBothTextsInOrderWithNumbers(@ForAll("lines") List<String> mine, @ForAll("lines") List<String> theirs) {
         List<Row> rows = TextDifference.rows(text(mine), text(theirs));
         List<Row> left = rows.stream().filter(r -> r.mineLine() > 0).toList();
         List<Row> right = rows.stream().filter(r -> r.theirsLine() > 0).toList();
@@ -63,7 +63,7 @@ class TextDifferenceTest {
     }
 
     @Property
-    void sameTexts_haveOnlySameRows(@ForAll("lines") List<String> lines) {
+    void equalTexts_haveOnlySameRows(@ForAll("lines") List<String> lines) {
         assertThat(TextDifference.rows(text(lines), text(lines))).hasSize(lines.size()).allMatch(Row::isSame);
     }
 

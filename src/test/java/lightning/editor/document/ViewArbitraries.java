@@ -32,7 +32,7 @@ final class ViewArbitraries {
     }
 
     /** Ways of the mouse, pixels. */
-    static Arbitrary<Double> ways() {
+    static Arbitrary<Double> distances() {
         return Arbitraries.doubles().between(-300, 300).ofScale(1);
     }
 }

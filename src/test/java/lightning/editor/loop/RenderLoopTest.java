@@ -7,31 +7,31 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.base.work.Wait;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.bench.accuracy.Verification;
 import lightning.bench.accuracy.WarmSaving;
-import lightning.editor.document.Desk;
+import lightning.editor.document.DeskScene;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
-import lightning.render.relight.LightShare;
-import lightning.render.relight.MemoryNeed;
-import lightning.render.relight.PictureTooLarge;
+import lightning.render.relight.LightImage;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.PictureTooLargeException;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.ReferenceTracer;
-import lightning.render.shading.TraceCounts;
 import lightning.render.trace.Geometry;
 import lightning.sample.Slow;
-import lightning.scene.Antialias;
-import lightning.scene.Sampling;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.effects.Effect;
+import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -39,11 +39,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class RenderLoopTest {
-    private static final Options OPTIONS = Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1);
+    private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1);
 
-    private final LoopEar ear = new LoopEar();
-    private final RenderLoop loop = new RenderLoop(OPTIONS, ear);
-    private final Scene scene = Desk.scene();
+    private final RecordingRenderListener listener = new RecordingRenderListener();
+    private final RenderLoop loop = new RenderLoop(OPTIONS, listener);
+    private final Scene scene = DeskScene.scene();
 
     @AfterEach
     void close() {
@@ -51,7 +51,7 @@ class RenderLoopTest {
     }
 
     private Scene key(double intensity) {
-        return Desk.done(Desk.dial("intensity").set(scene, "key", intensity));
+        return DeskScene.sceneOf(DeskScene.parameter("intensity").set(scene, "key", intensity));
     }
 
     private static Film reference(Scene scene) {
@@ -59,21 +59,21 @@ class RenderLoopTest {
     }
 
     private static Film stale(Scene scene, Scene mirrored) {
-        try (var workers = new Workers(1)) {
+        try (var workers = new WorkerPool(1)) {
             return new TraditionalTracer(scene, mirrored, new Geometry(scene)).trace(workers, Progress.NONE).film();
         }
     }
 
-    private LoopEar.Shown go(Scene wanted) throws InterruptedException {
-        loop.render(wanted);
-        return finished();
+    private RecordingRenderListener.Shown go(Scene requested) throws InterruptedException {
+        loop.render(requested);
+        return awaitFinished();
     }
 
     /** The next picture with all its samples. */
-    private LoopEar.Shown finished() throws InterruptedException {
-        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
-        while (!shown.frame().finished()) {
-            shown = ear.next(LoopEar.Shown.class);
+    private RecordingRenderListener.Shown awaitFinished() throws InterruptedException {
+        RecordingRenderListener.Shown shown = listener.next(RecordingRenderListener.Shown.class);
+        while (!shown.frame().isFinished()) {
+            shown = listener.next(RecordingRenderListener.Shown.class);
         }
         return shown;
     }
@@ -84,57 +84,57 @@ class RenderLoopTest {
     }
 
     /** The width of the one coarse picture that is told of. */
-    private int lookAt(Scene wanted, Future<Optional<CoarsePicture>> begun) throws Exception {
-        loop.begin(begun);
-        loop.render(wanted);
-        Film seen = ear.next(LoopEar.Coarse.class).film();
-        finished();
-        assertThat(ear.events).noneMatch(LoopEar.Coarse.class::isInstance);
+    private int renderWithPreview(Scene requested, Future<Optional<CoarsePicture>> preview) throws Exception {
+        loop.setStartupPreview(preview);
+        loop.render(requested);
+        Film seen = listener.next(RecordingRenderListener.Coarse.class).film();
+        awaitFinished();
+        assertThat(listener.events).noneMatch(RecordingRenderListener.Coarse.class::isInstance);
         return seen.width();
     }
 
-    private static Future<Optional<CoarsePicture>> look(Scene of) {
+    private static Future<Optional<CoarsePicture>> previewOf(Scene of) {
         return CompletableFuture.completedFuture(Optional.of(new CoarsePicture(of, new Geometry(of), Film.black(3, 2))));
     }
 
     @Test
-    void sceneThatIsLookedAtElsewhere_isNotLookedAtAgain() throws Exception {
+    void startupPreview_isReused() throws Exception {
         Scene wanted = large();
-        assertThat(lookAt(wanted, look(wanted))).isEqualTo(3);
+        assertThat(renderWithPreview(wanted, previewOf(wanted))).isEqualTo(3);
     }
 
     @Test
-    void lookAtAnotherScene_isNone() throws Exception {
-        assertThat(lookAt(large(), look(large()))).isGreaterThan(3);
+    void startupPreviewOfOtherScene_isIgnored() throws Exception {
+        assertThat(renderWithPreview(large(), previewOf(large()))).isGreaterThan(3);
     }
 
     @Test
-    void lookThatFails_isMadeByTheLoop() throws Exception {
-        assertThat(lookAt(large(), CompletableFuture.failedFuture(new OutOfMemoryError()))).isGreaterThan(3);
+    void failedStartupPreview_isRenderedByLoop() throws Exception {
+        assertThat(renderWithPreview(large(), CompletableFuture.failedFuture(new OutOfMemoryError()))).isGreaterThan(3);
     }
 
     @Test
-    void pictureThatIsTooLarge_isNotLookedAt() {
+    void tooLargePicture_hasNoPreview() {
         Scene huge = scene.withPicture(scene.picture().withSize(16_384, 16_384));
         assertThat(CoarsePicture.first(huge, OPTIONS.withMemory(1 << 20))).isEmpty();
     }
 
     @Test
-    void firstPicture_equalsTheReference() throws Exception {
-        LoopEar.Shown shown = go(scene);
-        assertThat(shown.film().sameBits(reference(scene))).isTrue();
+    void firstPicture_equalsReference() throws Exception {
+        RecordingRenderListener.Shown shown = go(scene);
+        assertThat(shown.film().hasSameBits(reference(scene))).isTrue();
         assertThat(shown.frame().scene()).isEqualTo(scene);
         assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.FirstPass.class);
         assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
     }
 
     @Test
-    void planThatIsTold_isTheOneThatIsCarriedOut() throws Exception {
+    void reportedPlan_isExecuted() throws Exception {
         go(scene);
-        ear.events.clear();
+        listener.events.clear();
         loop.render(key(0.3));
-        UpdatePlan told = ear.next(LoopEar.Started.class).plan();
-        assertThat(ear.next(LoopEar.Shown.class).frame().update().plan()).isSameAs(told);
+        UpdatePlan told = listener.next(RecordingRenderListener.Started.class).plan();
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().update().plan()).isSameAs(told);
     }
 
     private static Scene sized(Scene scene, int width, int height) {
@@ -142,161 +142,161 @@ class RenderLoopTest {
     }
 
     /** The loop with so much memory. */
-    private RenderLoop with(long memory) {
-        return new RenderLoop(OPTIONS.withMemory(memory), ear);
+    private RenderLoop loopWithMemory(long memory) {
+        return new RenderLoop(OPTIONS.withMemory(memory), listener);
     }
 
     @Test
-    void pictureThatDoesNotFit_isRefusedBeforeAnyPartOfItIsTraced() throws Exception {
-        try (RenderLoop small = with(50_000_000)) {
+    void tooLargePicture_isRejectedBeforeTracing() throws Exception {
+        try (RenderLoop small = loopWithMemory(50_000_000)) {
             small.render(sized(scene, 2048, 2048));
-            assertThat(ear.events.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isInstanceOf(LoopEar.Started.class);
-            assertThat(ear.events.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isInstanceOf(PictureTooLarge.class);
+            assertThat(listener.events.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isInstanceOf(RecordingRenderListener.Started.class);
+            assertThat(listener.events.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isInstanceOf(PictureTooLargeException.class);
         }
     }
 
     @Test
-    void pictureThatFitsOnlyAlone_takesThePlaceOfTheOneBefore() throws Exception {
+    void pictureFittingOnlyAlone_replacesPreviousPicture() throws Exception {
         Scene first = sized(scene, 256, 192);
         Scene second = sized(scene, 256, 191);
         long each;
         try (Renderer renderer = new Renderer(OPTIONS)) {
             renderer.render(first, Progress.NONE);
-            each = MemoryNeed.of(renderer.cache());
+            each = MemoryEstimate.usedBytes(renderer.cache());
         }
-        try (RenderLoop small = with(each * 3 / 2)) {
+        try (RenderLoop small = loopWithMemory(each * 3 / 2)) {
             small.render(first);
-            ear.next(LoopEar.Shown.class);
+            listener.next(RecordingRenderListener.Shown.class);
             small.render(second);
-            assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(second);
+            assertThat(listener.next(RecordingRenderListener.Shown.class).frame().scene()).isEqualTo(second);
         }
     }
 
     @Test
-    void pictureWithoutEffectsThatDoesNotFitBesideThePicture_isToldAndThePictureIsShown() throws Exception {
+    void effectRenderTooLarge_isReportedAndPictureIsShown() throws Exception {
         Scene first = sized(scene, 256, 192);
         long each;
         try (Renderer renderer = new Renderer(OPTIONS)) {
             renderer.render(first, Progress.NONE);
-            each = MemoryNeed.of(renderer.cache());
+            each = MemoryEstimate.usedBytes(renderer.cache());
         }
-        try (RenderLoop small = with(each * 5 / 4)) {
-            small.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.with(Effect.SPECULAR, false)));
+        try (RenderLoop small = loopWithMemory(each * 5 / 4)) {
+            small.setDisplayMode(DisplayMode.FULL_PICTURE.withEffects(ViewEffects.ALL.with(RenderEffect.SPECULAR, false)));
             small.render(first);
-            LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
-            assertThat(shown.frame().look()).isEqualTo(Look.PLAIN);
-            assertThat(shown.frame().seen().sameBits(reference(first))).isTrue();
-            ear.next(PictureTooLarge.class);
+            RecordingRenderListener.Shown shown = listener.next(RecordingRenderListener.Shown.class);
+            assertThat(shown.frame().displayMode()).isEqualTo(DisplayMode.FULL_PICTURE);
+            assertThat(shown.frame().displayed().hasSameBits(reference(first))).isTrue();
+            listener.next(PictureTooLargeException.class);
         }
     }
 
     @Test
-    void edit_isAnUpdateWithStaleMirrors() throws Exception {
+    void edit_updatesWithStaleMirrors() throws Exception {
         go(scene);
-        LoopEar.Shown shown = go(key(2));
+        RecordingRenderListener.Shown shown = go(key(2));
         assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
-        assertThat(shown.film().sameBits(stale(key(2), scene))).isTrue();
+        assertThat(shown.film().hasSameBits(stale(key(2), scene))).isTrue();
         assertThat(shown.frame().mirrorsAreCurrent()).isFalse();
     }
 
     @Test
-    void updateReflections_givesTheReference() throws Exception {
+    void updateReflections_equalsReference() throws Exception {
         go(scene);
         go(key(2));
         loop.updateReflections();
-        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
-        assertThat(shown.film().sameBits(reference(key(2)))).isTrue();
+        RecordingRenderListener.Shown shown = listener.next(RecordingRenderListener.Shown.class);
+        assertThat(shown.film().hasSameBits(reference(key(2)))).isTrue();
         assertThat(shown.frame().mirrorsAreCurrent()).isTrue();
     }
 
     @Test
-    void work_isFollowedByIdle() throws Exception {
+    void job_isFollowedByIdle() throws Exception {
         go(scene);
-        ear.nextIs(LoopEar.Event.IDLE);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
         assertThat(loop.isBusy()).isFalse();
     }
 
     @Test
-    void editsWhileRendering_onlyTheNewestIsRendered() throws Exception {
+    void editsWhileRendering_renderOnlyNewest() throws Exception {
         go(scene);
-        LoopEar.Hold hold = ear.holdNextTile();
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
         loop.render(key(2));
         hold.awaitReached();
         assertThat(loop.isBusy()).isTrue();
         loop.render(key(3));
         loop.render(key(4));
         hold.release();
-        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(key(2));
-        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(key(4));
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().scene()).isEqualTo(key(2));
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().scene()).isEqualTo(key(4));
     }
 
     @Test
-    void anotherSizeWhileTracing_cancelsTheTrace() throws Exception {
-        LoopEar.Hold hold = ear.holdNextTile();
+    void newSizeWhileTracing_cancelsTrace() throws Exception {
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
         loop.render(scene.withPicture(scene.picture().withSize(200, 200)));
         hold.awaitReached();
         loop.render(scene);
         hold.release();
-        ear.nextIs(LoopEar.Event.CANCELLED);
-        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(scene);
+        listener.expectNext(RecordingRenderListener.Event.CANCELLED);
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().scene()).isEqualTo(scene);
     }
 
     @Test
-    void editWhileMirrorsUpdate_isRenderedFirstAndThenTheMirrors() throws Exception {
+    void editDuringMirrorUpdate_isRenderedBeforeMirrors() throws Exception {
         go(scene);
         go(key(2));
-        LoopEar.Hold hold = ear.holdNextTile();
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
         loop.updateReflections();
         hold.awaitReached();
         loop.render(key(3));
         hold.release();
-        ear.nextIs(LoopEar.Event.CANCELLED);
-        assertThat(ear.next(LoopEar.Shown.class).frame().mirrored()).isEqualTo(scene);
-        assertThat(ear.next(LoopEar.Shown.class).film().sameBits(reference(key(3)))).isTrue();
+        listener.expectNext(RecordingRenderListener.Event.CANCELLED);
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().mirroredScene()).isEqualTo(scene);
+        assertThat(listener.next(RecordingRenderListener.Shown.class).film().hasSameBits(reference(key(3)))).isTrue();
     }
 
     @Test
-    void cancel_keepsTheLastPictureAndForgetsWhatWaits() throws Exception {
+    void cancel_keepsLastPictureAndDropsPendingJobs() throws Exception {
         go(scene);
-        ear.nextIs(LoopEar.Event.IDLE);
-        LoopEar.Hold hold = ear.holdNextTile();
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
         loop.render(key(2));
         hold.awaitReached();
         loop.render(key(3));
         loop.updateReflections();
         loop.cancel();
         hold.release();
-        ear.nextIs(LoopEar.Event.CANCELLED);
-        ear.nextIs(LoopEar.Event.IDLE);
+        listener.expectNext(RecordingRenderListener.Event.CANCELLED);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
         assertThat(loop.isBusy()).isFalse();
-        LoopEar.Shown shown = go(key(4));
-        assertThat(shown.film().sameBits(stale(key(4), scene))).isTrue();
+        RecordingRenderListener.Shown shown = go(key(4));
+        assertThat(shown.film().hasSameBits(stale(key(4), scene))).isTrue();
     }
 
     @Test
-    void undoneEdit_isRenderedForNothing() throws Exception {
+    void undoneEdit_castsNoRay() throws Exception {
         go(scene);
         assertThat(go(scene).frame().update().plan()).isInstanceOf(UpdatePlan.Nothing.class);
     }
 
     @Test
-    void verification_ofCurrentMirrorsFindsNoDifference() throws Exception {
+    void verificationOfCurrentMirrors_findsNoDifference() throws Exception {
         go(scene);
         loop.verify();
-        Verification verification = ear.next(Verification.class);
-        assertThat(verification.current().isNone()).isTrue();
-        assertThat(verification.full().sameBits(reference(scene))).isTrue();
+        Verification verification = listener.next(Verification.class);
+        assertThat(verification.currentDifference().isNone()).isTrue();
+        assertThat(verification.full().hasSameBits(reference(scene))).isTrue();
     }
 
     @Test
-    void verification_ofStaleMirrorsShowsThemAndThatThePromiseIsKept() throws Exception {
+    void verificationOfStaleMirrors_passesAndShowsDifference() throws Exception {
         go(scene);
         go(key(5));
         loop.verify();
-        Verification verification = ear.next(Verification.class);
-        assertThat(verification.current().isNone()).isFalse();
-        assertThat(verification.promised().isNone()).isTrue();
-        assertThat(verification.promise().scenes().scene()).isEqualTo(key(5));
+        Verification verification = listener.next(Verification.class);
+        assertThat(verification.currentDifference().isNone()).isFalse();
+        assertThat(verification.expectedDifference().isNone()).isTrue();
+        assertThat(verification.guarantee().scenes().scene()).isEqualTo(key(5));
     }
 
     private Scene sized(int width, int height) {
@@ -305,86 +305,86 @@ class RenderLoopTest {
 
     @Test
     @Slow
-    void edit_isFollowedByWhatItSaves() throws Exception {
+    void edit_isFollowedByItsSaving() throws Exception {
         go(scene);
         for (int i = 1; i < 3; i++) {
             Frame frame = go(key(i + 1)).frame();
-            assertThat(ear.next(WarmSaving.class).isOf(frame.update())).isTrue();
+            assertThat(listener.next(WarmSaving.class).isOf(frame.update())).isTrue();
         }
         loop.updateReflections();
-        Frame mirrored = ear.next(LoopEar.Shown.class).frame();
-        assertThat(ear.next(WarmSaving.class).isOf(mirrored.update())).isTrue();
+        Frame mirrored = listener.next(RecordingRenderListener.Shown.class).frame();
+        assertThat(listener.next(WarmSaving.class).isOf(mirrored.update())).isTrue();
     }
 
     @Test
     @Slow
-    void firstPictureAndAnotherAccuracy_saveNothing() throws Exception {
+    void firstPictureAndNewAccuracy_haveNoSaving() throws Exception {
         go(scene);
         go(sized(50, 40));
-        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
-        Update converted = ear.next(LoopEar.Shown.class).frame().update();
-        Scene brighter = sized(50, 40).withLight(Desk.light(scene, "key").withIntensity(2));
-        Update edited = go(brighter).frame().update();
-        WarmSaving first = ear.next(WarmSaving.class);
+        loop.changeOptions(OPTIONS.withAccuracy(Accuracy.RATIO));
+        UpdateResult converted = listener.next(RecordingRenderListener.Shown.class).frame().update();
+        Scene brighter = sized(50, 40).withLight(DeskScene.light(scene, "key").withIntensity(2));
+        UpdateResult edited = go(brighter).frame().update();
+        WarmSaving first = listener.next(WarmSaving.class);
         assertThat(first.isOf(converted)).isFalse();
         assertThat(first.isOf(edited)).isTrue();
     }
 
     @Test
     @Slow
-    void workWhileMeasuring_isNotHeldUpAndTheNewerEditIsMeasured() throws Exception {
+    void jobWhileMeasuring_isNotDelayedAndNewestEditIsMeasured() throws Exception {
         go(sized(400, 300));
-        Scene brighter = sized(400, 300).withLight(Desk.light(scene, "key").withIntensity(2));
+        Scene brighter = sized(400, 300).withLight(DeskScene.light(scene, "key").withIntensity(2));
         go(brighter);
-        ear.nextIs(LoopEar.Event.IDLE);
-        Update newer = go(brighter.withLight(Desk.light(scene, "key").withIntensity(3))).frame().update();
-        assertThat(ear.next(WarmSaving.class).isOf(newer)).isTrue();
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        UpdateResult newer = go(brighter.withLight(DeskScene.light(scene, "key").withIntensity(3))).frame().update();
+        assertThat(listener.next(WarmSaving.class).isOf(newer)).isTrue();
     }
 
     @Test
     @Slow
-    void verificationWhileMeasuring_letsItBeginAgain() throws Exception {
+    void verificationWhileMeasuring_restartsMeasurement() throws Exception {
         go(scene);
-        Update update = go(key(2)).frame().update();
-        ear.nextIs(LoopEar.Event.IDLE);
+        UpdateResult update = go(key(2)).frame().update();
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
         loop.verify();
-        ear.next(Verification.class);
-        assertThat(ear.next(WarmSaving.class).isOf(update)).isTrue();
+        listener.next(Verification.class);
+        assertThat(listener.next(WarmSaving.class).isOf(update)).isTrue();
     }
 
     @Test
-    void lookAtOneLight_showsItsShareAndLeavesThePicture() throws Exception {
+    void singleLightMode_showsItsShareAndKeepsPicture() throws Exception {
         go(scene);
         go(key(2));
-        loop.setLook(Look.PLAIN.withLight(Optional.of("key")));
-        Frame frame = ear.next(LoopEar.Shown.class).frame();
-        Film share = new ReferenceTracer(LightShare.scene(key(2), "key"), LightShare.scene(scene, "key")).trace();
-        assertThat(frame.seen().sameBits(share)).isTrue();
-        assertThat(frame.film().sameBits(stale(key(2), scene))).isTrue();
-        assertThat(frame.look().label()).isEqualTo("Only key");
+        loop.setDisplayMode(DisplayMode.FULL_PICTURE.withLight(Optional.of("key")));
+        Frame frame = listener.next(RecordingRenderListener.Shown.class).frame();
+        Film share = new ReferenceTracer(LightImage.scene(key(2), "key"), LightImage.scene(scene, "key")).trace();
+        assertThat(frame.displayed().hasSameBits(share)).isTrue();
+        assertThat(frame.film().hasSameBits(stale(key(2), scene))).isTrue();
+        assertThat(frame.displayMode().label()).isEqualTo("Only key");
         loop.verify();
-        assertThat(ear.next(Verification.class).promised().isNone()).isTrue();
-        assertThat(go(key(3)).frame().seen().sameBits(new ReferenceTracer(LightShare.scene(key(3), "key"),
-                LightShare.scene(scene, "key")).trace())).isTrue();
-        loop.setLook(Look.PLAIN);
-        frame = ear.next(LoopEar.Shown.class).frame();
-        assertThat(frame.seen().sameBits(frame.film())).isTrue();
+        assertThat(listener.next(Verification.class).expectedDifference().isNone()).isTrue();
+        assertThat(go(key(3)).frame().displayed().hasSameBits(new ReferenceTracer(LightImage.scene(key(3), "key"),
+                LightImage.scene(scene, "key")).trace())).isTrue();
+        loop.setDisplayMode(DisplayMode.FULL_PICTURE);
+        frame = listener.next(RecordingRenderListener.Shown.class).frame();
+        assertThat(frame.displayed().hasSameBits(frame.film())).isTrue();
     }
 
     @Test
-    void hiddenEffects_areGoneFromTheLookAlone() throws Exception {
+    void hiddenEffects_areMissingOnlyInDisplay() throws Exception {
         go(scene);
         go(key(2));
-        ViewEffects dull = ViewEffects.ALL.hiding(Set.of(Effect.SHADOWS, Effect.REFLECTION));
-        loop.setLook(Look.PLAIN.withEffects(dull));
-        Frame frame = ear.next(LoopEar.Shown.class).frame();
-        assertThat(frame.seen().sameBits(without(dull, key(2)))).isTrue();
-        assertThat(frame.film().sameBits(stale(key(2), scene))).isTrue();
-        assertThat(frame.look().label()).isEqualTo("No shadows, no reflections");
-        assertThat(go(key(3)).frame().seen().sameBits(without(dull, key(3)))).isTrue();
+        ViewEffects dull = ViewEffects.ALL.withHidden(Set.of(RenderEffect.SHADOWS, RenderEffect.REFLECTION));
+        loop.setDisplayMode(DisplayMode.FULL_PICTURE.withEffects(dull));
+        Frame frame = listener.next(RecordingRenderListener.Shown.class).frame();
+        assertThat(frame.displayed().hasSameBits(referenceWithEffects(dull, key(2)))).isTrue();
+        assertThat(frame.film().hasSameBits(stale(key(2), scene))).isTrue();
+        assertThat(frame.displayMode().label()).isEqualTo("No shadows, no reflections");
+        assertThat(go(key(3)).frame().displayed().hasSameBits(referenceWithEffects(dull, key(3)))).isTrue();
     }
 
-    private static Film without(ViewEffects effects, Scene scene) {
+    private static Film referenceWithEffects(ViewEffects effects, Scene scene) {
         try (Renderer renderer = new Renderer(OPTIONS.withView(effects))) {
             renderer.render(scene, Progress.NONE);
             return renderer.film();
@@ -392,190 +392,195 @@ class RenderLoopTest {
     }
 
     @Test
-    void hiddenShadows_leaveTheMirrorsAsOldAsThePictures() throws Exception {
+    void hiddenShadows_keepMirrorsStale() throws Exception {
         go(scene);
         go(key(2));
-        loop.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.withLitTextures(false)));
-        Frame frame = ear.next(LoopEar.Shown.class).frame();
-        assertThat(frame.seen().sameBits(stale(key(2), scene))).as("there are no textures").isTrue();
+        loop.setDisplayMode(DisplayMode.FULL_PICTURE.withEffects(ViewEffects.ALL.withLitTextures(false)));
+        Frame frame = listener.next(RecordingRenderListener.Shown.class).frame();
+        assertThat(frame.displayed().hasSameBits(stale(key(2), scene))).as("there are no textures").isTrue();
     }
 
     @Test
-    void withoutAPicture_mirrorsAndVerificationDoNothing() throws Exception {
+    void noPicture_mirrorsAndVerificationDoNothing() throws Exception {
         loop.updateReflections();
         loop.verify();
-        ear.nextIs(LoopEar.Event.IDLE);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
         go(scene);
-        assertThat(ear.events).noneMatch(e -> e instanceof Verification || e instanceof Throwable);
+        assertThat(listener.events).noneMatch(e -> e instanceof Verification || e instanceof Throwable);
     }
 
     @Test
-    void anotherAccuracy_keepsWhatIsKnownOfTheScene() throws Exception {
+    void newAccuracy_keepsCache() throws Exception {
         go(scene);
         go(key(2));
-        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
-        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        loop.changeOptions(OPTIONS.withAccuracy(Accuracy.RATIO));
+        RecordingRenderListener.Shown shown = listener.next(RecordingRenderListener.Shown.class);
         assertThat(shown.frame().scene()).isEqualTo(key(2));
-        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
-        loop.reopen(OPTIONS.withReflections(Reflections.CURRENT));
-        shown = ear.next(LoopEar.Shown.class);
-        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
-        assertThat(shown.film().sameBits(reference(key(2)))).isTrue();
-        assertThat(go(key(3)).film().sameBits(reference(key(3)))).isTrue();
+        assertThat(shown.frame().update().rays()).isEqualTo(RayCounts.NONE);
+        loop.changeOptions(OPTIONS.withReflections(ReflectionMode.CURRENT));
+        shown = listener.next(RecordingRenderListener.Shown.class);
+        assertThat(shown.frame().update().rays()).isEqualTo(RayCounts.NONE);
+        assertThat(shown.film().hasSameBits(reference(key(2)))).isTrue();
+        assertThat(go(key(3)).film().hasSameBits(reference(key(3)))).isTrue();
     }
 
     @Test
-    void accuracyAndSceneTogether_areOneUpdate() throws Exception {
+    void accuracyAndScene_areOneUpdate() throws Exception {
         go(scene);
-        LoopEar.Hold hold = ear.holdNextTile();
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
         loop.render(key(2));
         hold.awaitReached();
-        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO));
+        loop.changeOptions(OPTIONS.withAccuracy(Accuracy.RATIO));
         loop.render(key(3));
         hold.release();
-        ear.next(LoopEar.Shown.class);
-        LoopEar.Shown shown = ear.next(LoopEar.Shown.class);
+        listener.next(RecordingRenderListener.Shown.class);
+        RecordingRenderListener.Shown shown = listener.next(RecordingRenderListener.Shown.class);
         assertThat(shown.frame().scene()).isEqualTo(key(3));
         assertThat(shown.frame().update().plan()).isInstanceOf(UpdatePlan.Relight.class);
-        assertThat(shown.frame().update().rays()).isEqualTo(TraceCounts.NONE);
+        assertThat(shown.frame().update().rays()).isEqualTo(RayCounts.NONE);
     }
 
-    private void assertThatTilesAreThoseOf(Film film) {
-        assertThat(ear.tiles).hasSize(film.tileCount());
-        assertThat(ear.tiles).allSatisfy(
+    private void assertTilesEqual(Film film) {
+        assertThat(listener.tiles).hasSize(film.tileCount());
+        assertThat(listener.tiles).allSatisfy(
                 (tile, rgb) -> assertThat(rgb).isDeepEqualTo(new float[][] {film.red(tile), film.green(tile), film.blue(tile)}));
     }
 
     @ParameterizedTest
-    @EnumSource(Antialias.class)
-    void tilesOfAFirstPass_areToldBeforeThePicture(Antialias antialias) throws Exception {
-        Scene sampled = scene.withPicture(scene.picture().withSampling(new Sampling(antialias, 2)));
-        assertThatTilesAreThoseOf(go(sampled).frame().film());
+    @EnumSource(AntialiasMode.class)
+    void firstPassTiles_areReportedBeforePicture(AntialiasMode antialias) throws Exception {
+        Scene sampled = scene.withPicture(scene.picture().withSampling(new SamplingSettings(antialias, 2)));
+        assertTilesEqual(go(sampled).frame().film());
     }
 
-    private static Scene at(Scene scene, Antialias antialias) {
-        return scene.withPicture(scene.picture().withSampling(new Sampling(antialias, 2)));
+    private static Scene withAntialias(Scene scene, AntialiasMode antialias) {
+        return scene.withPicture(scene.picture().withSampling(new SamplingSettings(antialias, 2)));
     }
 
     @Test
     @Slow
-    void editOfAnAntialiasedPicture_showsTheCentresAndThenTheSamples() throws Exception {
-        go(at(scene, Antialias.EDGES));
-        loop.render(at(key(2), Antialias.EDGES));
-        LoopEar.Shown centers = ear.next(LoopEar.Shown.class);
-        assertThat(centers.frame().finished()).isFalse();
-        assertThat(centers.film().sameBits(stale(key(2), scene))).isTrue();
-        assertThat(centers.frame().promise().scenes().scene()).as("what it is equal to").isEqualTo(key(2));
-        LoopEar.Shown samples = ear.next(LoopEar.Shown.class);
-        assertThat(samples.frame().finished()).isTrue();
-        assertThat(samples.film().sameBits(stale(at(key(2), Antialias.EDGES), at(scene, Antialias.EDGES)))).isTrue();
-        assertThat(ear.next(WarmSaving.class).isOf(samples.frame().update())).isTrue();
+    void antialiasedEdit_showsCentersThenSamples() throws Exception {
+        go(withAntialias(scene, AntialiasMode.EDGES));
+        loop.render(withAntialias(key(2), AntialiasMode.EDGES));
+        RecordingRenderListener.Shown centers = listener.next(RecordingRenderListener.Shown.class);
+        assertThat(centers.frame().isFinished()).isFalse();
+        assertThat(centers.film().hasSameBits(stale(key(2), scene))).isTrue();
+        assertThat(centers.frame().guarantee().scenes().scene()).as("what it is equal to").isEqualTo(key(2));
+        RecordingRenderListener.Shown samples = listener.next(RecordingRenderListener.Shown.class);
+        assertThat(samples.frame().isFinished()).isTrue();
+        assertThat(samples.film().hasSameBits(stale(withAntialias(key(2), AntialiasMode.EDGES), withAntialias(scene, AntialiasMode.EDGES))))
+                .isTrue();
+        assertThat(listener.next(WarmSaving.class).isOf(samples.frame().update())).isTrue();
     }
 
     @Test
-    void editWhileSamplesAreMade_isShownBeforeThemAndNobodyHearsOfACancelledWork() throws Exception {
-        go(at(scene, Antialias.EDGES));
-        ear.nextIs(LoopEar.Event.IDLE);
-        LoopEar.Hold centers = ear.holdNextTile();
-        loop.render(at(key(2), Antialias.EDGES));
+    void editDuringSampling_isShownFirstWithoutCancelEvent() throws Exception {
+        go(withAntialias(scene, AntialiasMode.EDGES));
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
+        RecordingRenderListener.Hold centers = listener.holdNextTile();
+        loop.render(withAntialias(key(2), AntialiasMode.EDGES));
         centers.awaitReached();
-        LoopEar.Hold samples = ear.holdAfterNextPicture();
+        RecordingRenderListener.Hold samples = listener.holdAfterNextPicture();
         centers.release();
         samples.awaitReached();
-        loop.render(at(key(3), Antialias.EDGES));
+        loop.render(withAntialias(key(3), AntialiasMode.EDGES));
         samples.release();
-        assertThat(ear.next(LoopEar.Shown.class).frame().scene()).isEqualTo(at(key(2), Antialias.EDGES));
-        Frame newer = ear.next(LoopEar.Shown.class).frame();
-        assertThat(newer.scene()).isEqualTo(at(key(3), Antialias.EDGES));
-        assertThat(newer.finished()).isFalse();
-        LoopEar.Shown last = ear.next(LoopEar.Shown.class);
-        assertThat(last.film().sameBits(stale(at(key(3), Antialias.EDGES), at(scene, Antialias.EDGES)))).isTrue();
-        assertThat(ear.events).doesNotContain(LoopEar.Event.CANCELLED);
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().scene())
+                .isEqualTo(withAntialias(key(2), AntialiasMode.EDGES));
+        Frame newer = listener.next(RecordingRenderListener.Shown.class).frame();
+        assertThat(newer.scene()).isEqualTo(withAntialias(key(3), AntialiasMode.EDGES));
+        assertThat(newer.isFinished()).isFalse();
+        RecordingRenderListener.Shown last = listener.next(RecordingRenderListener.Shown.class);
+        assertThat(last.film().hasSameBits(stale(withAntialias(key(3), AntialiasMode.EDGES), withAntialias(scene, AntialiasMode.EDGES))))
+                .isTrue();
+        assertThat(listener.events).doesNotContain(RecordingRenderListener.Event.CANCELLED);
     }
 
     @Test
-    void samplesThatAreCancelled_leaveTheCentresUntilTheNextGo() throws Exception {
-        Scene sampled = at(scene, Antialias.EDGES);
-        LoopEar.Hold samples = ear.holdAfterNextPicture();
+    void canceledSamples_leaveCentersUntilNextGo() throws Exception {
+        Scene sampled = withAntialias(scene, AntialiasMode.EDGES);
+        RecordingRenderListener.Hold samples = listener.holdAfterNextPicture();
         loop.render(sampled);
         samples.awaitReached();
         loop.cancel();
         samples.release();
-        ear.nextIs(LoopEar.Event.CANCELLED);
-        ear.nextIs(LoopEar.Event.IDLE);
+        listener.expectNext(RecordingRenderListener.Event.CANCELLED);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
         loop.render(sampled);
-        assertThat(ear.next(LoopEar.Shown.class).frame().finished()).isFalse();
-        assertThat(ear.next(LoopEar.Shown.class).film().sameBits(reference(sampled))).isTrue();
+        assertThat(listener.next(RecordingRenderListener.Shown.class).frame().isFinished()).isFalse();
+        assertThat(listener.next(RecordingRenderListener.Shown.class).film().hasSameBits(reference(sampled))).isTrue();
     }
 
     @Test
-    void verificationOfCentres_makesTheSamplesFirst() throws Exception {
-        Scene sampled = at(scene, Antialias.EDGES);
-        LoopEar.Hold samples = ear.holdAfterNextPicture();
+    void verificationOfCenters_rendersSamplesFirst() throws Exception {
+        Scene sampled = withAntialias(scene, AntialiasMode.EDGES);
+        RecordingRenderListener.Hold samples = listener.holdAfterNextPicture();
         loop.render(sampled);
         samples.awaitReached();
         loop.cancel();
         samples.release();
-        ear.nextIs(LoopEar.Event.IDLE);
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
         loop.verify();
-        assertThat(finished().film().sameBits(reference(sampled))).isTrue();
-        assertThat(ear.next(Verification.class).promised().isNone()).isTrue();
+        assertThat(awaitFinished().film().hasSameBits(reference(sampled))).isTrue();
+        assertThat(listener.next(Verification.class).expectedDifference().isNone()).isTrue();
     }
 
     @Test
-    void anotherAccuracyWhileSamplesAreMade_isOfTheFinishedPicture() throws Exception {
-        Scene sampled = at(scene, Antialias.EDGES);
-        LoopEar.Hold samples = ear.holdAfterNextPicture();
+    void newAccuracyDuringSampling_appliesToFinishedPicture() throws Exception {
+        Scene sampled = withAntialias(scene, AntialiasMode.EDGES);
+        RecordingRenderListener.Hold samples = listener.holdAfterNextPicture();
         loop.render(sampled);
         samples.awaitReached();
-        loop.reopen(OPTIONS.withAccuracy(Accuracy.RATIO), sampled);
+        loop.changeOptions(OPTIONS.withAccuracy(Accuracy.RATIO), sampled);
         samples.release();
-        assertThat(finished().film().sameBits(reference(sampled))).isTrue();
-        ear.nextIs(LoopEar.Event.IDLE);
+        assertThat(awaitFinished().film().hasSameBits(reference(sampled))).isTrue();
+        listener.expectNext(RecordingRenderListener.Event.IDLE);
     }
 
     @Test
-    void lookAtOneLight_isOfTheCentresWhileSamplesAreMade() throws Exception {
-        loop.setLook(Look.PLAIN.withLight(Optional.of("key")));
-        loop.render(at(scene, Antialias.EDGES));
-        LoopEar.Shown centers = ear.next(LoopEar.Shown.class);
-        assertThat(centers.frame().finished()).isFalse();
-        assertThat(centers.frame().seen().sameBits(reference(LightShare.scene(scene, "key")))).isTrue();
-        assertThat(finished().frame().look().label()).isEqualTo("Only key");
+    void singleLightMode_showsCentersDuringSampling() throws Exception {
+        loop.setDisplayMode(DisplayMode.FULL_PICTURE.withLight(Optional.of("key")));
+        loop.render(withAntialias(scene, AntialiasMode.EDGES));
+        RecordingRenderListener.Shown centers = listener.next(RecordingRenderListener.Shown.class);
+        assertThat(centers.frame().isFinished()).isFalse();
+        assertThat(centers.frame().displayed().hasSameBits(reference(LightImage.scene(scene, "key")))).isTrue();
+        assertThat(awaitFinished().frame().displayMode().label()).isEqualTo("Only key");
     }
 
     @Test
-    void hiddenEffects_areGoneFromTheCentresToo() throws Exception {
-        loop.setLook(Look.PLAIN.withEffects(ViewEffects.ALL.with(Effect.SHADOWS, false)));
-        loop.render(at(scene, Antialias.EDGES));
-        Frame centers = ear.next(LoopEar.Shown.class).frame();
-        assertThat(centers.finished()).isFalse();
-        assertThat(centers.seen().sameBits(without(centers.look().effects(), scene))).isTrue();
-        Frame last = finished().frame();
-        assertThat(last.seen().sameBits(without(last.look().effects(), at(scene, Antialias.EDGES)))).isTrue();
+    void hiddenEffects_areMissingInCenters() throws Exception {
+        loop.setDisplayMode(DisplayMode.FULL_PICTURE.withEffects(ViewEffects.ALL.with(RenderEffect.SHADOWS, false)));
+        loop.render(withAntialias(scene, AntialiasMode.EDGES));
+        Frame centers = listener.next(RecordingRenderListener.Shown.class).frame();
+        assertThat(centers.isFinished()).isFalse();
+        assertThat(centers.displayed().hasSameBits(referenceWithEffects(centers.displayMode().effects(), scene))).isTrue();
+        Frame last = awaitFinished().frame();
+        assertThat(
+                last.displayed().hasSameBits(referenceWithEffects(last.displayMode().effects(), withAntialias(scene, AntialiasMode.EDGES))))
+                .isTrue();
     }
 
     @Test
-    void tilesOfAnEdit_areNotTold() throws Exception {
+    void editTiles_areNotReported() throws Exception {
         go(scene);
-        ear.tiles.clear();
+        listener.tiles.clear();
         loop.render(key(0.3));
-        ear.next(LoopEar.Shown.class);
-        assertThat(ear.tiles).isEmpty();
+        listener.next(RecordingRenderListener.Shown.class);
+        assertThat(listener.tiles).isEmpty();
     }
 
     @Test
-    void largePicture_hasACoarseOneFirst() throws Exception {
+    void largePicture_showsCoarsePictureFirst() throws Exception {
         loop.render(scene.withPicture(scene.picture().withSize(640, 480).withDepth(0)));
-        Film coarse = ear.next(LoopEar.Coarse.class).film();
+        Film coarse = listener.next(RecordingRenderListener.Coarse.class).film();
         assertThat(coarse.width() * coarse.height()).isBetween(1900, 2000);
-        assertThat(ear.next(LoopEar.Shown.class).film().width()).isEqualTo(640);
+        assertThat(listener.next(RecordingRenderListener.Shown.class).film().width()).isEqualTo(640);
     }
 
     @Test
-    void listenerThatFails_isToldAndTheLoopLivesOn() throws Exception {
+    void failingListener_isReportedAndLoopContinues() throws Exception {
         var failing = new RuntimeException("a window's own error");
-        var events = new LoopEar();
+        var events = new RecordingRenderListener();
         var broken = new RenderListener() {
             @Override
             public void rendered(Frame frame) {
@@ -595,15 +600,15 @@ class RenderLoopTest {
         try (var own = new RenderLoop(OPTIONS, broken)) {
             own.render(scene);
             assertThat(events.next(Throwable.class)).isSameAs(failing);
-            events.nextIs(LoopEar.Event.IDLE);
+            events.expectNext(RecordingRenderListener.Event.IDLE);
             own.render(key(2));
             assertThat(events.next(Throwable.class)).isSameAs(failing);
         }
     }
 
     @Test
-    void closedWhileRendering_endsSoon() throws Exception {
-        LoopEar.Hold hold = ear.holdNextTile();
+    void closeWhileRendering_endsSoon() throws Exception {
+        RecordingRenderListener.Hold hold = listener.holdNextTile();
         loop.render(scene.withPicture(scene.picture().withSize(400, 400)));
         hold.awaitReached();
         assertThat(loop.isAlive()).isTrue();

@@ -1,14 +1,14 @@
 package lightning.editor.loop;
 
-import static lightning.model.Schedules.explore;
-import static lightning.model.Schedules.law;
+import static lightning.modelcheck.ScheduleExplorer.check;
+import static lightning.modelcheck.ScheduleExplorer.explore;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import lightning.editor.document.Desk;
-import lightning.model.Schedules;
-import lightning.render.relight.tile.Options;
+import lightning.editor.document.DeskScene;
+import lightning.modelcheck.ScheduleExplorer;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -16,63 +16,63 @@ import org.junit.jupiter.api.Test;
 /** The queue's laws, whatever threads do when. */
 @Tag("model")
 class RenderQueueModelTest {
-    private static final Scene FIRST = Desk.scene();
-    private static final Scene SECOND = Desk.done(Desk.dial("intensity").set(FIRST, "key", 2));
-    private static final Scene THIRD = Desk.done(Desk.dial("intensity").set(FIRST, "key", 3));
+    private static final Scene FIRST = DeskScene.scene();
+    private static final Scene SECOND = DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST, "key", 2));
+    private static final Scene THIRD = DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST, "key", 3));
     private static final Scene LARGER = FIRST.withPicture(FIRST.picture().withSize(80, 60));
 
     /** A render loop that does nothing with its works but remember them. */
-    private static final class Taker {
+    private static final class QueueConsumer {
         private final RenderQueue queue;
-        private final List<RenderQueue.Work> finished = new ArrayList<>();
-        private volatile boolean cancelled;
-        private boolean begun;
-        private boolean rests;
+        private final List<RenderQueue.RenderJob> finished = new ArrayList<>();
+        private volatile boolean canceled;
+        private boolean started;
+        private boolean isIdle;
         private Scene shown;
 
-        Taker(RenderQueue queue) {
+        QueueConsumer(RenderQueue queue) {
             this.queue = queue;
         }
 
         void run() throws InterruptedException {
             while (true) {
-                var stop = new RenderQueue.Stop((_, _) -> {});
-                RenderQueue.Work work = queue.take(stop);
+                var stop = new RenderQueue.CancelSignal((_, _) -> {});
+                RenderQueue.RenderJob work = queue.take(stop);
                 if (work == null) {
                     return;
                 }
-                boolean late = cancelled;
+                boolean late = canceled;
                 begin();
-                law(!late || stop.isCancelled(), "what was cancelled is not begun");
-                if (!stop.isCancelled()) {
+                check(!late || stop.isCanceled(), "what was cancelled is not begun");
+                if (!stop.isCanceled()) {
                     finish(work);
                 }
-                rests(queue.done(shown));
+                setIdle(queue.finishJob(shown));
             }
         }
 
         private synchronized void begin() {
-            begun = true;
+            started = true;
             notifyAll();
         }
 
         synchronized void awaitBegun() throws InterruptedException {
-            while (!begun) {
+            while (!started) {
                 wait();
             }
         }
 
-        private synchronized void finish(RenderQueue.Work work) {
+        private synchronized void finish(RenderQueue.RenderJob work) {
             finished.add(work);
-            shown = work instanceof RenderQueue.Work.Render(Scene scene) ? scene : shown;
+            shown = work instanceof RenderQueue.RenderJob.Render(Scene scene) ? scene : shown;
         }
 
-        private synchronized void rests(boolean nothingLeft) {
-            rests = nothingLeft;
+        private synchronized void setIdle(boolean nothingLeft) {
+            isIdle = nothingLeft;
             notifyAll();
         }
 
-        synchronized List<RenderQueue.Work> finished() {
+        synchronized List<RenderQueue.RenderJob> finished() {
             return List.copyOf(finished);
         }
 
@@ -81,27 +81,27 @@ class RenderQueueModelTest {
         }
 
         synchronized void awaitRest() throws InterruptedException {
-            while (!rests || queue.isBusy()) {
+            while (!isIdle || queue.isBusy()) {
                 wait();
             }
         }
     }
 
     @Test
-    void lastEditAsked_isRenderedAndNoneAfterIt() {
+    void lastRequestedEdit_isRenderedLast() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
             queue.render(SECOND);
             queue.render(THIRD);
             taker.awaitRest();
-            law(taker.shown() == THIRD, "the last edit asked is rendered last");
+            check(taker.shown() == THIRD, "the last edit asked is rendered last");
             int before = -1;
-            for (RenderQueue.Work work : taker.finished()) {
-                int number = List.of(FIRST, SECOND, THIRD).indexOf(((RenderQueue.Work.Render) work).scene());
-                law(number > before, "no older edit is rendered after a newer one");
+            for (RenderQueue.RenderJob work : taker.finished()) {
+                int number = List.of(FIRST, SECOND, THIRD).indexOf(((RenderQueue.RenderJob.Render) work).scene());
+                check(number > before, "no older edit is rendered after a newer one");
                 before = number;
             }
             queue.close();
@@ -110,128 +110,129 @@ class RenderQueueModelTest {
     }
 
     @Test
-    void workAskedByTwoThreads_isAllDone() {
+    void jobsOfTwoThreads_areAllDone() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
-            Schedules.Beside other = Schedules.beside(() -> {
-                queue.reopen(Options.DEFAULT);
-                queue.verify();
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
+            ScheduleExplorer.ConcurrentRun other = ScheduleExplorer.startConcurrently(() -> {
+                queue.changeOptions(RenderOptions.DEFAULT);
+                queue.requestVerification();
             });
-            queue.reflections();
-            queue.look();
+            queue.requestReflections();
+            queue.requestRedisplay();
             other.end();
             taker.awaitRest();
-            List<RenderQueue.Work> done = taker.finished();
-            law(done.contains(new RenderQueue.Work.Reflections()), "mirrors are not forgotten");
-            law(done.contains(new RenderQueue.Work.Looks()), "a look is not forgotten");
-            law(done.contains(new RenderQueue.Work.Verify()), "a verification is not forgotten");
-            law(done.contains(new RenderQueue.Work.Reopen(Options.DEFAULT, null)), "a way of working is not forgotten");
-            law(done.size() == 4, "nothing is done twice");
+            List<RenderQueue.RenderJob> done = taker.finished();
+            check(done.contains(new RenderQueue.RenderJob.UpdateReflections()), "mirrors are not forgotten");
+            check(done.contains(new RenderQueue.RenderJob.Redisplay()), "a look is not forgotten");
+            check(done.contains(new RenderQueue.RenderJob.Verify()), "a verification is not forgotten");
+            check(done.contains(new RenderQueue.RenderJob.ChangeOptions(RenderOptions.DEFAULT, null)), "a way of working is not forgotten");
+            check(done.size() == 4, "nothing is done twice");
             queue.close();
             loop.end();
         });
     }
 
     @Test
-    void mirrorsThatAnEditStopped_areUpdatedAfterIt() {
+    void mirrorUpdateStoppedByEdit_runsAfterIt() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
-            queue.reflections();
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
+            queue.requestReflections();
             taker.awaitBegun();
             queue.render(FIRST);
             taker.awaitRest();
-            law(taker.finished().contains(new RenderQueue.Work.Reflections()), "the mirrors are still wanted");
-            law(taker.shown() == FIRST, "the edit is rendered");
+            check(taker.finished().contains(new RenderQueue.RenderJob.UpdateReflections()), "the mirrors are still wanted");
+            check(taker.shown() == FIRST, "the edit is rendered");
             queue.close();
             loop.end();
         });
     }
 
     @Test
-    void samplesThatAnEditStops_giveWaySilentlyAndAreMadeAfterIt() {
+    void samplesPreemptedByEdit_areRenderedAfterItWithoutCancelEvent() {
         explore(() -> {
             var queue = new RenderQueue();
             var asked = new CountDownLatch(1);
-            queue.finish();
-            var samples = new RenderQueue.Stop((_, _) -> {});
-            law(queue.take(samples) instanceof RenderQueue.Work.Finish, "samples that nothing comes before are made");
-            Schedules.Beside window = Schedules.beside(() -> {
+            queue.requestSamples();
+            var samples = new RenderQueue.CancelSignal((_, _) -> {});
+            check(queue.take(samples) instanceof RenderQueue.RenderJob.RenderSamples, "samples that nothing comes before are made");
+            ScheduleExplorer.ConcurrentRun window = ScheduleExplorer.startConcurrently(() -> {
                 queue.render(FIRST);
                 asked.countDown();
             });
             asked.await();
-            law(samples.isCancelled() && samples.gaveWay(), "samples give way, and nobody hears of it");
-            law(!queue.done(null), "the edit waits");
-            law(queue.take(new RenderQueue.Stop((_, _) -> {})) instanceof RenderQueue.Work.Render, "the edit comes first");
-            law(!queue.done(FIRST), "the samples are still wanted");
-            law(queue.take(new RenderQueue.Stop((_, _) -> {})) instanceof RenderQueue.Work.Finish, "they come after the edit");
-            law(queue.done(FIRST), "nothing is left");
+            check(samples.isCanceled() && samples.isPreempted(), "samples give way, and nobody hears of it");
+            check(!queue.finishJob(null), "the edit waits");
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.Render, "the edit comes first");
+            check(!queue.finishJob(FIRST), "the samples are still wanted");
+            check(queue.take(new RenderQueue.CancelSignal((_, _) -> {})) instanceof RenderQueue.RenderJob.RenderSamples,
+                    "they come after the edit");
+            check(queue.finishJob(FIRST), "nothing is left");
             window.end();
         });
     }
 
     @Test
-    void samplesThatAreCancelledAfterTheyGaveWay_areToldAsCancelled() {
+    void preemptedSamplesThenCanceled_areReportedAsCanceled() {
         explore(() -> {
             var queue = new RenderQueue();
-            queue.finish();
-            var samples = new RenderQueue.Stop((_, _) -> {});
+            queue.requestSamples();
+            var samples = new RenderQueue.CancelSignal((_, _) -> {});
             queue.take(samples);
-            Schedules.Beside window = Schedules.beside(() -> {
+            ScheduleExplorer.ConcurrentRun window = ScheduleExplorer.startConcurrently(() -> {
                 queue.render(FIRST);
                 queue.cancel();
             });
             window.end();
-            law(samples.isCancelled() && !samples.gaveWay(), "who cancels hears of it");
-            law(queue.done(null), "nothing is begun again");
+            check(samples.isCanceled() && !samples.isPreempted(), "who cancels hears of it");
+            check(queue.finishJob(null), "nothing is begun again");
         });
     }
 
     @Test
-    void samplesThatWait_comeAfterTheEditAndBeforeTheVerification() {
+    void pendingSamples_runAfterEditAndBeforeVerification() {
         explore(() -> {
             var queue = new RenderQueue();
-            queue.verify();
-            queue.finish();
+            queue.requestVerification();
+            queue.requestSamples();
             queue.render(FIRST);
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             taker.awaitRest();
-            law(taker.finished().equals(List.of(new RenderQueue.Work.Render(FIRST), new RenderQueue.Work.Finish(),
-                    new RenderQueue.Work.Verify())), "what is seen first comes first");
+            check(taker.finished().equals(List.of(new RenderQueue.RenderJob.Render(FIRST), new RenderQueue.RenderJob.RenderSamples(),
+                    new RenderQueue.RenderJob.Verify())), "what is seen first comes first");
             queue.close();
             loop.end();
         });
     }
 
     @Test
-    void cancelledWhileSamplesAreMade_areNotMadeAgain() {
+    void samplesCanceledWhileRunning_areNotRepeated() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
-            queue.finish();
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
+            queue.requestSamples();
             taker.awaitBegun();
             queue.cancel();
             taker.awaitRest();
-            law(!queue.isBusy(), "nothing is left to do");
+            check(!queue.isBusy(), "nothing is left to do");
             queue.close();
             loop.end();
         });
     }
 
     @Test
-    void anotherPicture_replacesTheOneThatIsTraced() {
+    void newPicture_replacesTracedOne() {
         explore(() -> {
             var queue = new RenderQueue();
-            var stops = new ArrayList<RenderQueue.Stop>();
-            Schedules.Beside loop = Schedules.beside(() -> {
-                var stop = new RenderQueue.Stop((_, _) -> {});
-                boolean larger = queue.take(stop) instanceof RenderQueue.Work.Render(Scene scene) && scene == LARGER;
+            var stops = new ArrayList<RenderQueue.CancelSignal>();
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
+                var stop = new RenderQueue.CancelSignal((_, _) -> {});
+                boolean larger = queue.take(stop) instanceof RenderQueue.RenderJob.Render(Scene scene) && scene == LARGER;
                 synchronized (stops) {
                     stops.add(larger ? stop : null);
                     stops.notifyAll();
@@ -243,51 +244,51 @@ class RenderQueueModelTest {
                 while (stops.isEmpty()) {
                     stops.wait();
                 }
-                law(stops.getFirst() == null || stops.getFirst().isCancelled(), "a trace that is useless is stopped");
+                check(stops.getFirst() == null || stops.getFirst().isCanceled(), "a trace that is useless is stopped");
             }
             loop.end();
         });
     }
 
     @Test
-    void cancelledWork_isNeitherBegunNorLeftRunning() {
+    void canceledJob_isNeitherStartedNorLeftRunning() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
-            queue.reflections();
+            queue.requestReflections();
             queue.cancel();
-            taker.cancelled = true;
+            taker.canceled = true;
             queue.close();
             loop.end();
         });
     }
 
     @Test
-    void workThatIsAsked_makesItBusyUntilItIsDone() {
+    void requestedJob_makesQueueBusyUntilDone() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
             queue.render(FIRST);
             boolean busy = queue.isBusy();
-            law(busy || taker.shown() == FIRST, "what is asked is waiting, running or done");
-            queue.verify();
+            check(busy || taker.shown() == FIRST, "what is asked is waiting, running or done");
+            queue.requestVerification();
             boolean verifying = queue.isVerifying();
-            law(verifying || taker.finished().contains(new RenderQueue.Work.Verify()), "a verification waits, runs or is done");
+            check(verifying || taker.finished().contains(new RenderQueue.RenderJob.Verify()), "a verification waits, runs or is done");
             queue.close();
             loop.end();
         });
     }
 
     @Test
-    void closed_endsWhoTakes() {
+    void close_endsConsumer() {
         explore(() -> {
             var queue = new RenderQueue();
-            var taker = new Taker(queue);
-            Schedules.Beside loop = Schedules.beside(taker::run);
-            Schedules.Beside other = Schedules.beside(() -> queue.render(FIRST));
+            var taker = new QueueConsumer(queue);
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(taker::run);
+            ScheduleExplorer.ConcurrentRun other = ScheduleExplorer.startConcurrently(() -> queue.render(FIRST));
             queue.close();
             loop.end();
             other.end();

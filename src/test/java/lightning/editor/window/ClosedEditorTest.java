@@ -11,12 +11,12 @@ import javafx.stage.WindowEvent;
 import lightning.editor.document.Command;
 import org.junit.jupiter.api.Test;
 
-class ClosedEditorTest extends EditorDesk {
+class ClosedEditorTest extends EditorFixture {
     private List<WeakReference<?>> before;
 
     /** The toolkit may touch a window once more that its owner took with it. */
     @Test
-    void windowsBesideTheEditors_closeBeforeIt() {
+    void otherWindows_closeBeforeEditor() {
         List<Window> closed = new ArrayList<>();
         robot.interact(() -> {
             model().commands().run(Command.MIXER);
@@ -30,7 +30,7 @@ class ClosedEditorTest extends EditorDesk {
 
     /** Its pictures and caches would stay for as long as the process lives. */
     @Test
-    void closedEditor_isForgotten() throws Exception {
+    void closedEditor_isGarbageCollected() throws Exception {
         before = Stream.of(model(), model().editor(), model().picture().raster()).<WeakReference<?>>map(WeakReference::new).toList();
         close();
         open();

@@ -9,13 +9,13 @@ import java.util.stream.Collectors;
 import javafx.scene.image.ImageView;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
-import lightning.editor.document.Desk;
+import lightning.editor.document.DeskScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A closed panel, and a closed editor, leave no thread. */
-class ClosedPanelTest extends EditorDesk {
+class ClosedPanelTest extends EditorFixture {
 
     private static Set<Thread> threads() {
         return Thread.getAllStackTraces().keySet().stream().filter(t -> t.getName().startsWith("lightning-")).collect(Collectors.toSet());
@@ -35,7 +35,7 @@ class ClosedPanelTest extends EditorDesk {
 
     @ParameterizedTest
     @CsvSource({"MIXER, lightning-mixer", "SCOPES, lightning-scopes", "CONTRIBUTIONS, lightning-contributions"})
-    void closedPanel_endsItsThreadUntilItIsOpenedAgain(Command panel, String thread) {
+    void closedPanel_stopsItsThreadUntilReopened(Command panel, String thread) {
         for (int time = 1; time <= 2; time++) {
             open(panel);
             waitFor("the panel works", () -> runs(thread));
@@ -45,7 +45,7 @@ class ClosedPanelTest extends EditorDesk {
     }
 
     @Test
-    void pointedPixel_isToldByAThreadThatEndsWithThePanel() {
+    void pixelShares_areComputedOnThreadThatEndsWithPanel() {
         open(Command.CONTRIBUTIONS);
         robot.moveTo("#traced-picture");
         waitFor("the pixel is asked", () -> runs("lightning-pixel-share"));
@@ -54,12 +54,12 @@ class ClosedPanelTest extends EditorDesk {
     }
 
     @Test
-    void panelOpenedAgain_showsWhatWasEditedMeanwhile() {
+    void reopenedPanel_showsLaterEdits() {
         open(Command.SCOPES);
         waitFor("it is counted", () -> robot.lookup("#waveform").<ImageView>query().getImage() != null);
         Object before = robot.lookup("#waveform").<ImageView>query().getImage();
         closePanels();
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 3)));
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 3)));
         click("go");
         waitForPicture();
         open(Command.SCOPES);
@@ -67,7 +67,7 @@ class ClosedPanelTest extends EditorDesk {
     }
 
     @Test
-    void closedEditor_endsTheThreadsOfAllPanels() throws Exception {
+    void closedEditor_stopsPanelThreads() throws Exception {
         close();
         waitFor("the first editor's threads have ended",
                 () -> threads().stream().noneMatch(t -> t.getName().startsWith("lightning-render")));

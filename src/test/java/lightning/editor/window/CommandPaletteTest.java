@@ -11,12 +11,12 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCombination;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.AccuracyMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Every command is found by a few letters, and heard by the key that the artist gave it. */
-class CommandPaletteTest extends EditorDesk {
+class CommandPaletteTest extends EditorFixture {
     @AfterEach
     void closeWindows() {
         robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide));
@@ -32,7 +32,7 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     @Test
-    void fewLetters_findTheCommandAndEnterDoesIt() {
+    void fewLetters_findCommandAndEnterRunsIt() {
         find("dup li");
         robot.push(KeyCode.ENTER);
         assertThat(isOpen()).isFalse();
@@ -40,14 +40,14 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     @Test
-    void valueOfACommand_isFoundByItsMenu() {
+    void commandValue_isFoundByItsMenu() {
         find("accuracy ratio");
         robot.push(KeyCode.ENTER);
-        assertThat(model().precisionProperty().get()).isEqualTo(Precision.RATIO);
+        assertThat(model().accuracyModeProperty().get()).isEqualTo(AccuracyMode.RATIO);
     }
 
     @Test
-    void commandThatHasNothingToDo_saysWhyAndStays() {
+    void disabledCommand_showsReasonAndStaysOpen() {
         find("undo");
         assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Not now: there is nothing to undo.");
         robot.push(KeyCode.ENTER);
@@ -57,7 +57,7 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     @Test
-    void longReason_isShownWhole() {
+    void longReason_isShownInFull() {
         find("way keys");
         Label about = robot.lookup("#palette-about").query();
         assertThat(about.getText()).contains("Not now: ");
@@ -78,7 +78,7 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     @Test
-    void keyThatIsGiven_isHeardAtOnceAndTheOldOneNoMore() {
+    void assignedKey_replacesOldKeyImmediately() {
         listenFor(Command.DUPLICATE_LIGHT);
         robot.push(KeyCode.CONTROL, KeyCode.J);
         closeKeys();
@@ -97,24 +97,24 @@ class CommandPaletteTest extends EditorDesk {
     }
 
     @Test
-    void keyOfAnotherCommand_isTakenAtTheSecondPress() {
+    void keyInUse_isReassignedOnSecondPress() {
         listenFor(Command.DUPLICATE_LIGHT);
         robot.push(KeyCode.CONTROL, KeyCode.L);
         assertThat(robot.lookup("Ctrl+L is Add Light's: press again to take it").tryQuery()).isPresent();
-        assertThat(model().commands().keys().isChanged(Command.DUPLICATE_LIGHT)).isFalse();
+        assertThat(model().commands().keyBindings().isChanged(Command.DUPLICATE_LIGHT)).isFalse();
         robot.push(KeyCode.CONTROL, KeyCode.L);
-        assertThat(model().commands().keys().of(Command.DUPLICATE_LIGHT)).contains(KeyCombination.valueOf("Shortcut+L"));
+        assertThat(model().commands().keyBindings().binding(Command.DUPLICATE_LIGHT)).contains(KeyCombination.valueOf("Shortcut+L"));
         assertThat(robot.lookup("#key-add-light").<Button>query().getText()).isEqualTo("none");
         robot.interact(() -> robot.lookup("#reset-keys").<Button>query().fire());
         assertThat(robot.lookup("#key-add-light").<Button>query().getText()).isEqualTo("Ctrl+L");
     }
 
     @Test
-    void letterAlone_isRefusedWithTheReason() {
+    void singleLetterKey_isRefusedWithReason() {
         listenFor(Command.GO);
         robot.push(KeyCode.K);
         assertThat(robot.lookup("K alone types or moves; hold Ctrl or Alt with it, or take a function key").tryQuery()).isPresent();
         robot.push(KeyCode.ESCAPE);
-        assertThat(model().commands().keys().isChanged(Command.GO)).isFalse();
+        assertThat(model().commands().keyBindings().isChanged(Command.GO)).isFalse();
     }
 }

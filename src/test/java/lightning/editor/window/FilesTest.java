@@ -18,40 +18,40 @@ import javafx.scene.control.MenuBar;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 import lightning.editor.document.Command;
-import lightning.editor.document.Desk;
+import lightning.editor.document.DeskScene;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.exr.ExrChannel;
 import lightning.format.exr.ExrReader;
-import lightning.format.gltf.Gltf;
+import lightning.format.gltf.GltfFixtures;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.Problem;
-import lightning.format.picture.PictureFile;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
-class FilesTest extends EditorDesk {
+class FilesTest extends EditorFixture {
 
     private void dim() {
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** Does not wait for the command, which may wait for an answer. */
-    private void begin(Command command) {
+    private void startCommand(Command command) {
         Platform.runLater(() -> model().commands().run(command));
     }
 
-    private boolean says(String text) {
+    private boolean isMessageShown(String text) {
         return robot.lookup(text).tryQuery().isPresent();
     }
 
     @Test
-    void saveScene_writesTheFileAndIsDoneThen() throws IOException, JenException {
+    void saveScene_writesFileAndIsDisabledAfterwards() throws IOException, JenException {
         dim();
         assertThat(stage.getTitle()).startsWith("•");
         click("save-scene");
@@ -62,9 +62,9 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void saveSceneAs_isTheDocumentsFileFromThenOn() {
+    void saveSceneAs_changesDocumentFile() {
         answer = folder.resolve("other");
-        begin(Command.SAVE_SCENE_AS);
+        startCommand(Command.SAVE_SCENE_AS);
         waitFor("it is saved", () -> Files.exists(folder.resolve("other.jen")) && model().editor().document().name().equals("other.jen"));
     }
 
@@ -73,7 +73,7 @@ class FilesTest extends EditorDesk {
         answer = folder.resolve("picture.pfm");
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved picture.pfm"));
-        assertThat(PictureFile.read(answer).sameBits(model().picture().frame().film())).isTrue();
+        assertThat(ImageFile.read(answer).hasSameBits(model().picture().frame().film())).isTrue();
     }
 
     private void export(String title) {
@@ -83,19 +83,19 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void exportedLayers_areOfTheVeryPicture() throws IOException {
+    void exportedLayers_sumToPicture() throws IOException {
         answer = folder.resolve("desk.exr");
         export("Layers as OpenEXR, 32 Bits…");
         waitFor("it is written", () -> text("message").equals("Exported desk.exr"));
-        assertThat(PictureFile.read(answer).sameBits(model().picture().frame().film())).isTrue();
+        assertThat(ImageFile.read(answer).hasSameBits(model().picture().frame().film())).isTrue();
         try (ExrReader reader = new ExrReader(answer)) {
             assertThat(reader.header().channels()).extracting(ExrChannel::name).contains("lamp.diffuse.R", "rounding.B", "shape.id");
         }
-        assertThat(model().fileWork().file()).isNull();
+        assertThat(model().fileActivity().file()).isNull();
     }
 
     @Test
-    void exportWithoutTheEnding_getsIt() throws IOException {
+    void exportWithoutExtension_addsExtension() throws IOException {
         answer = folder.resolve("deep");
         export("Picture as PNG, 16 Bits…");
         waitFor("it is written", () -> text("message").equals("Exported deep.png"));
@@ -103,21 +103,21 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void exportThatCannotBeWritten_isToldInASentence() {
+    void unwritableExport_showsError() {
         answer = folder.resolve("nowhere").resolve("desk.hdr");
         export("Picture as Radiance HDR…");
-        waitFor("it tells", () -> says("The picture could not be exported"));
+        waitFor("it tells", () -> isMessageShown("The picture could not be exported"));
         robot.clickOn("Close");
-        assertThat(model().fileWork().file()).isNull();
+        assertThat(model().fileActivity().file()).isNull();
     }
 
     @Test
-    void pictureSavedWhileStopsAreShown_isThePicture() throws IOException {
+    void saveImage_inFalseColor_savesPicture() throws IOException {
         robot.interact(() -> model().picture().viewProperty().set(model().picture().viewProperty().get().withCurve(DisplayCurve.FALSE)));
         answer = folder.resolve("picture.png");
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved picture.png"));
-        assertThat(ViewTransform.DEFAULT.toPixels(PictureFile.read(answer)))
+        assertThat(ViewTransform.DEFAULT.toPixels(ImageFile.read(answer)))
                 .isEqualTo(ViewTransform.DEFAULT.toPixels(model().picture().frame().film()));
     }
 
@@ -125,8 +125,8 @@ class FilesTest extends EditorDesk {
     void saveImageWithPendingEdits_mentionsThem() {
         dim();
         answer = folder.resolve("picture.png");
-        begin(Command.SAVE_IMAGE);
-        waitFor("it asks", () -> says("The picture does not show the edits since the last Go."));
+        startCommand(Command.SAVE_IMAGE);
+        waitFor("it asks", () -> isMessageShown("The picture does not show the edits since the last Go."));
         robot.clickOn("Save As It Is");
         waitFor("it is written", () -> Files.exists(answer));
         assertThat(isEnabled(Command.GO)).isTrue();
@@ -136,17 +136,17 @@ class FilesTest extends EditorDesk {
     void goFirst_rendersInsteadOfSaving() {
         dim();
         answer = folder.resolve("picture.png");
-        begin(Command.SAVE_IMAGE);
-        waitFor("it asks", () -> says("Go First"));
+        startCommand(Command.SAVE_IMAGE);
+        waitFor("it asks", () -> isMessageShown("Go First"));
         robot.clickOn("Go First");
         waitForPicture();
         assertThat(answer).doesNotExist();
     }
 
     @Test
-    void brokenFile_showsItsProblemsAndTheOpenSceneStays() throws IOException {
+    void brokenFile_showsProblemsAndKeepsScene() throws IOException {
         answer = Files.writeString(folder.resolve("broken.jen"), "jen 1\nlight key spot { intensity -3 }\nsphere { }\n");
-        begin(Command.LOAD_FILE);
+        startCommand(Command.LOAD_FILE);
         waitFor("it tells", () -> robot.lookup("#problems").tryQuery().isPresent());
         List<Problem> problems = robot.lookup("#problems").<ListView<Problem>>query().getItems();
         assertThat(problems).extracting(Problem::line).contains(2, 3);
@@ -155,18 +155,18 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void missingFile_isToldInASentence() {
+    void missingFile_showsError() {
         answer = folder.resolve("nowhere.jen");
-        begin(Command.LOAD_FILE);
-        waitFor("it tells", () -> says(answer + ": there is no such file"));
+        startCommand(Command.LOAD_FILE);
+        waitFor("it tells", () -> isMessageShown(answer + ": there is no such file"));
         robot.clickOn("Close");
     }
 
     @Test
-    void loadedFile_isTracedInPlaceOfTheOldOne() throws IOException {
+    void loadedFile_replacesTracedScene() throws IOException {
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30");
         answer = Files.writeString(folder.resolve("small.jen"), text);
-        begin(Command.LOAD_FILE);
+        startCommand(Command.LOAD_FILE);
         waitFor("it is open", () -> model().editor().document().name().equals("small.jen"));
         waitForPicture();
         assertThat(model().picture().raster().pixels().width()).isEqualTo(40);
@@ -174,10 +174,10 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void anotherScene_isTracedFromNothing() throws IOException {
+    void otherScene_startsWithEmptyPicture() throws IOException {
         String text = Files.readString(folder.resolve("desk.jen")).replace("fov 40", "fov 50");
         answer = Files.writeString(folder.resolve("wide.jen"), text);
-        begin(Command.LOAD_FILE);
+        startCommand(Command.LOAD_FILE);
         waitFor("it is open", () -> model().editor().document().name().equals("wide.jen"));
         waitForPicture();
         assertThat(telemetry()).startsWith("first pass: no picture yet");
@@ -198,7 +198,7 @@ class FilesTest extends EditorDesk {
 
     /** The picture is that of the scene in the title, or none, whichever thread comes first. */
     @Test
-    void titleOfAnotherScene_standsOverNothingOfTheLast() throws Exception {
+    void otherSceneTitle_isNeverShownOverOldPicture() throws Exception {
         OpenDocument opened = large();
         List<String> wrong = new ArrayList<>();
         robot.interact(() -> {
@@ -210,7 +210,7 @@ class FilesTest extends EditorDesk {
             model().open(opened);
         });
         robot.interact(() -> model().commands().run(Command.CANCEL));
-        waitFor("it is stopped", () -> model().picture().renderingProperty().get().cancelled());
+        waitFor("it is stopped", () -> model().picture().renderStateProperty().get().canceled());
         // Its centers may have been there before it was stopped.
         waitFor("the last scene's picture is gone", () -> isShown("waiting") || shownPixels() == 170 * 170);
         assertThat(stage.getTitle()).startsWith("other.jen");
@@ -218,47 +218,47 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void anotherSceneCancelledAtOnce_saysSo() throws Exception {
+    void otherScene_canceledImmediately_showsCanceled() throws Exception {
         OpenDocument opened = large();
         robot.interact(() -> {
             model().open(opened);
             model().commands().run(Command.CANCEL);
         });
-        waitFor("nothing is in work", () -> model().editor().situationProperty().get().inWork().isEmpty());
+        waitFor("nothing is in work", () -> model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
         waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Cancelled. Go traces the picture."));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 
     @Test
-    void droppedScene_isOpenedAndAnythingElseIsNot() throws IOException {
+    void droppedFile_opensOnlyScenes() throws IOException {
         Path small = Files.writeString(folder.resolve("small.jen"),
                 Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 40 30"));
         EditorWindow window = editor.window();
         AtomicBoolean taken = new AtomicBoolean(true);
-        robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile()))));
+        robot.interact(() -> taken.set(window.openDropped(List.of(folder.resolve("a.png").toFile()))));
         assertThat(taken).isFalse();
-        robot.interact(() -> taken.set(window.drop(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
+        robot.interact(() -> taken.set(window.openDropped(List.of(folder.resolve("a.png").toFile(), small.toFile()))));
         assertThat(taken).isTrue();
         waitFor("it is open", () -> model().editor().document().name().equals("small.jen"));
     }
 
     @Test
-    void droppedMesh_becomesASceneBesideIt_andAnotherIsAskedFor() throws IOException {
+    void droppedMesh_createsSceneNextToIt_andAsksBeforeAnother() throws IOException {
         Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
-        robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
+        robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
         waitFor("it is open", () -> model().editor().document().name().equals("tri.jen"));
         waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 kinds of things are left out"));
         String first = Files.readString(folder.resolve("tri.jen"));
         answer = folder.resolve("again.jen");
-        robot.interact(() -> editor.window().drop(List.of(mesh.toFile())));
+        robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
         waitFor("the other is open", () -> model().editor().document().name().equals("again.jen"));
         assertThat(Files.readString(folder.resolve("tri.jen"))).isEqualTo(first);
     }
 
     @Test
-    void fileThatDoesNotSayItsUnits_isShownInAllOfThem_andTheChosenAreKept() throws IOException {
-        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
-        robot.interact(() -> editor.window().drop(List.of(gltf.toFile())));
+    void fileWithoutUnits_offersUnits_andStoresChoice() throws IOException {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), GltfFixtures.text(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
+        robot.interact(() -> editor.window().openDropped(List.of(gltf.toFile())));
         waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
         assertThat(folder.resolve("lit.jen")).doesNotExist();
         click("units-watts");
@@ -269,9 +269,9 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void questionForUnits_canBeCancelled() throws IOException {
-        Path gltf = Files.write(folder.resolve("lit.gltf"), Gltf.text(Gltf.LIT_JSON, Gltf.SQUARE));
-        robot.interact(() -> editor.window().drop(List.of(gltf.toFile())));
+    void unitsDialog_canBeCanceled() throws IOException {
+        Path gltf = Files.write(folder.resolve("lit.gltf"), GltfFixtures.text(GltfFixtures.LIT_JSON, GltfFixtures.SQUARE));
+        robot.interact(() -> editor.window().openDropped(List.of(gltf.toFile())));
         waitFor("it asks", () -> robot.lookup("#units-watts").tryQuery().isPresent());
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
         waitFor("it is gone", () -> robot.lookup("#units-watts").tryQuery().isEmpty());
@@ -281,10 +281,10 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void brokenMesh_isToldAndTheOpenSceneStays() throws IOException {
+    void brokenMesh_showsErrorAndKeepsScene() throws IOException {
         answer = Files.writeString(folder.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
-        begin(Command.LOAD_FILE);
-        waitFor("it tells", () -> says("bad.obj could not be opened"));
+        startCommand(Command.LOAD_FILE);
+        waitFor("it tells", () -> isMessageShown("bad.obj could not be opened"));
         assertThat(robot.lookup(".dialog-pane .label").queryAllAs(Label.class)).extracting(Label::getText)
                 .anyMatch(text -> text.startsWith(folder.resolve("bad.obj") + ": line 2: "));
         assertThat(text("message")).isEmpty();
@@ -294,11 +294,11 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void longSentence_isSaidInTheMiddleOfTheWindow() throws IOException {
+    void longError_isCenteredInWindow() throws IOException {
         Path deep = Files.createDirectories(folder.resolve("a folder of meshes ".repeat(10).strip()));
         answer = Files.writeString(deep.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
-        begin(Command.LOAD_FILE);
-        waitFor("it tells", () -> says("bad.obj could not be opened"));
+        startCommand(Command.LOAD_FILE);
+        waitFor("it tells", () -> isMessageShown("bad.obj could not be opened"));
         Window told = robot.lookup(".dialog-pane").query().getScene().getWindow();
         assertThat(told.getX() + told.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
@@ -307,7 +307,7 @@ class FilesTest extends EditorDesk {
     @Test
     void recentScene_isOpenedFromTheMenu() throws IOException {
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
-        begin(Command.LOAD_FILE);
+        startCommand(Command.LOAD_FILE);
         waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
         waitFor("the first is listed", () -> editor.files().recentItems().stream().anyMatch(i -> i.getText().endsWith("desk.jen")));
         robot.interact(() -> editor.files().recentItems().stream().filter(i -> i.getText().equals(folder.resolve("desk.jen").toString()))
@@ -319,15 +319,15 @@ class FilesTest extends EditorDesk {
     void unsavedEdits_canBeDiscardedForAnotherScene() throws IOException, JenException {
         dim();
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
-        begin(Command.LOAD_FILE);
-        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        startCommand(Command.LOAD_FILE);
+        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
         robot.clickOn("Don't Save");
         waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(1);
     }
 
     @Test
-    void reload_startsOverAndCanBeUndone() {
+    void reload_revertsAndCanBeUndone() {
         dim();
         click("reload");
         waitFor("it is reloaded", () -> light("lamp").intensity() == 1);
@@ -336,17 +336,17 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void closingWithUnsavedEdits_asksAndCancelStays() {
+    void closing_withUnsavedEdits_asksAndCancelKeepsOpen() {
         dim();
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
-        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(stage.isShowing()).isTrue();
         assertThat(model().editor().document().isDirty()).isTrue();
     }
 
     @Test
-    void closingDuringASave_waitsUntilItIsWritten() throws IOException, JenException {
+    void closing_duringSave_waitsForSave() throws IOException, JenException {
         dim();
         robot.interact(() -> {
             model().commands().run(Command.SAVE_SCENE);
@@ -357,20 +357,20 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void editMadeWhileAnotherSceneIsRead_isAskedAbout() throws IOException {
+    void edit_whileLoadingOtherScene_asksBeforeDiscard() throws IOException {
         Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         robot.interact(() -> {
             editor.files().load(other);
-            model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25));
+            model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25));
         });
-        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
     }
 
     @Test
-    void sceneThatIsRead_isNoLongerWantedAfterCancel() throws IOException {
+    void loading_afterCancel_isDiscarded() throws IOException {
         Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         robot.interact(() -> {
             editor.files().load(other);
@@ -385,7 +385,7 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void cancelledReading_leavesNoWordOfHowFarItWas() throws IOException {
+    void canceledLoading_clearsProgress() throws IOException {
         Path other = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         robot.interact(() -> {
             editor.files().load(other);
@@ -396,17 +396,18 @@ class FilesTest extends EditorDesk {
     }
 
     @Test
-    void choiceOfAccuracy_isKeptAtOnce() {
-        robot.interact(() -> model().precisionProperty().set(Precision.RATIO));
+    void accuracyChoice_isSavedImmediately() {
+        robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.RATIO));
         waitFor("it is kept",
-                () -> new Preferences(folder.resolve("own"), Runnable::run).choice("precision", Precision.EXACT) == Precision.RATIO);
+                () -> new Preferences(folder.resolve("own"), Runnable::run).enumValue("precision", AccuracyMode.EXACT)
+                        == AccuracyMode.RATIO);
     }
 
     @Test
     void saveOnClosing_writesTheScene() throws IOException, JenException {
         dim();
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
-        waitFor("it asks", () -> says("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
         robot.clickOn("Save");
         waitFor("it is saved", () -> !model().editor().document().isDirty());
         Path file = folder.resolve("desk.jen");

@@ -13,35 +13,35 @@ import javafx.scene.control.Spinner;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToolBar;
 import javafx.scene.input.KeyCode;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import lightning.bench.accuracy.WarmSaving;
-import lightning.editor.document.Change;
 import lightning.editor.document.Command;
-import lightning.editor.document.Desk;
-import lightning.editor.document.Dial;
+import lightning.editor.document.DeskScene;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
+import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.AccuracyMode;
+import lightning.render.shading.RayCounts;
 import lightning.render.shading.ReferenceTracer;
-import lightning.render.shading.TraceCounts;
-import lightning.sample.ClearScenes;
-import lightning.scene.Antialias;
-import lightning.scene.Sampling;
+import lightning.sample.TransparentScenes;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.effects.Effect;
+import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
-class GoTest extends EditorDesk {
+class GoTest extends EditorFixture {
 
-    private void asIn1998() {
-        robot.interact(() -> model().precisionProperty().set(Precision.ON_DEMAND));
+    private void usePaperAccuracy() {
+        robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.ON_DEMAND));
         waitForPicture();
     }
 
     private void dim() {
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
     /** So many that a large picture takes its time. */
@@ -63,9 +63,9 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void openedScene_isTracedAndLeavesNothingToDo() {
+    void openedScene_isTracedAndGoIsDisabled() {
         assertThat(isEnabled(Command.GO)).isFalse();
-        assertThat(model().commands().reason(Command.GO)).contains("nothing was edited since the last Go");
+        assertThat(model().commands().disabledReason(Command.GO)).contains("nothing was edited since the last Go");
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("first pass").contains("exact");
@@ -80,7 +80,7 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void go_showsTheEditAndWhatItCost() {
+    void go_showsEditAndItsCost() {
         dim();
         click("go");
         waitForPicture();
@@ -88,40 +88,40 @@ class GoTest extends EditorDesk {
         assertThat(isShown("pending")).isFalse();
         assertThat(text("status")).matches("[0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
-        waitFor("its saving is measured", () -> model().picture().renderingProperty().get().saving().isPresent());
+        waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
         // Which of the two it is depends on the machine: the picture is tiny.
         assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
     }
 
     @Test
-    void go_bringsTheEditToTheMirrorsToo() {
+    void go_updatesMirrorsToo() {
         dim();
         click("go");
         waitForPicture();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isShown("mirrors")).isFalse();
-        assertThat(model().commands().reason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
+        assertThat(model().commands().disabledReason(Command.UPDATE_REFLECTIONS)).contains("the mirrors show the picture's lights already");
     }
 
     @Test
-    void antialiasingSwitchedOn_isNotComparedWithTheTimeOfAnotherPicture() {
+    void antialiasingOn_isNotComparedWithOtherTime() {
         dim();
         click("go");
         waitForPicture();
-        waitFor("its saving is measured", () -> model().picture().renderingProperty().get().saving().isPresent());
-        WarmSaving told = model().picture().renderingProperty().get().measured();
-        robot.interact(() -> model().editor().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSampling(
-                new Sampling(Antialias.EDGES, 2))))));
+        waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
+        WarmSaving told = model().picture().renderStateProperty().get().measuredSaving();
+        robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSampling(
+                new SamplingSettings(AntialiasMode.EDGES, 2))))));
         click("go");
-        waitFor("the saving is another", () -> model().picture().renderingProperty().get().measured() != told);
-        assertThat(model().picture().renderingProperty().get().measured().isOf(model().picture().frame().update())).isTrue();
-        assertThat(model().picture().frame().update().plan().text()).contains("samples");
+        waitFor("the saving is another", () -> model().picture().renderStateProperty().get().measuredSaving() != told);
+        assertThat(model().picture().renderStateProperty().get().measuredSaving().isOf(model().picture().frame().update())).isTrue();
+        assertThat(model().picture().frame().update().plan().description()).contains("samples");
     }
 
     @Test
-    void staleGo_showsThePictureOfTheStaleOracle() {
-        asIn1998();
+    void staleGo_matchesStaleReference() {
+        usePaperAccuracy();
         Scene mirrored = model().editor().scene();
         dim();
         click("go");
@@ -132,15 +132,15 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void goAndUpdateReflections_giveThePictureOfAFullTrace() {
-        asIn1998();
+    void goAndUpdateReflections_matchFullTrace() {
+        usePaperAccuracy();
         dim();
         click("go");
         waitForPicture();
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         click("update-reflections");
         waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
-                && model().editor().situationProperty().get().inWork().isEmpty());
+                && model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
@@ -157,7 +157,7 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void shortcut_doesWhatTheButtonDoes() {
+    void shortcut_equalsButton() {
         dim();
         robot.push(KeyCode.F5);
         waitForPicture();
@@ -173,7 +173,7 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void depthSpinner_isAnEditLikeAnyOther() {
+    void depthSpinner_isUndoableEdit() {
         // In a narrow window it is in the tool bar's overflow.
         Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream()
                 .flatMap(item -> item.lookupAll(".spinner").stream()).map(Spinner.class::cast).findFirst().orElseThrow();
@@ -185,7 +185,7 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void anotherSize_isTracedAnew() {
+    void otherSize_isRetraced() {
         size(200, 200);
         waitForPicture();
         assertThat(model().picture().frame().film().width()).isEqualTo(200);
@@ -194,14 +194,14 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void sizes_areOfFourToThreeToo() {
+    void sizes_includeFourToThree() {
         for (String size : new String[] {"320x240", "640x480", "1024x768"}) {
             assertThat(sizeItem("size-" + size)).isNotNull();
         }
     }
 
     @Test
-    void scenesOwnSize_comesBack() {
+    void sceneSize_canBeRestored() {
         assertThat(sizeItem("size-own").getText()).isEqualTo("The scene's own, 64 × 48");
         size(200, 200);
         robot.interact(sizeItem("size-own")::fire);
@@ -219,26 +219,26 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void typedSize_isTracedAnew() {
+    void typedSize_isRetraced() {
         typeSize("50 x 40");
         waitFor("it is traced", () -> model().picture().frame().film().width() == 50);
         assertThat(model().picture().frame().film().height()).isEqualTo(40);
     }
 
     @Test
-    void typedNonsense_isRefusedInASentence() {
+    void typedNonsense_showsError() {
         typeSize("large");
         waitFor("it tells", () -> text("message").contains("640 × 480, was 'large'"));
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
-    void longTrace_showsProgressThatCanBeCancelledWhileTheWindowAnswers() throws Exception {
+    void longTrace_showsCancelableProgressInResponsiveWindow() throws Exception {
         Scene before = model().picture().frame().scene();
         manyLights();
         size(1920, 1080);
         waitFor("progress is shown", () -> isShown("progress"));
-        assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
+        assertThat(WaitForAsyncUtils.asyncFx(() -> true).get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
         robot.interact(robot.lookup("#cancel-progress").<Button>query()::fire);
         waitFor("it is over", () -> !isShown("progress"));
         assertThat(model().picture().frame().scene()).isEqualTo(before);
@@ -246,33 +246,33 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void verify_saysThatThePictureIsAFullTraces() {
+    void verify_confirmsFullTraceEquality() {
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
         assertThat(isShown("difference")).isTrue();
     }
 
     @Test
-    void verifyOfStaleMirrors_saysThatTheyAre() {
-        asIn1998();
+    void verify_withStaleMirrors_reportsThem() {
+        usePaperAccuracy();
         dim();
         click("go");
         waitForPicture();
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace whose mirrors show an older light in every bit")
                 .contains("would change with current mirrors");
     }
 
     @Test
-    void updatedReflections_takeTheVerdictAndTheDifferenceAway() {
-        asIn1998();
+    void updatedReflections_clearVerificationAndDifference() {
+        usePaperAccuracy();
         dim();
         click("go");
         waitForPicture();
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         click("difference");
         Object verified = model().picture().frame();
         click("update-reflections");
@@ -284,18 +284,18 @@ class GoTest extends EditorDesk {
 
     @Test
     void anotherAccuracy_castsNoRay() {
-        for (Precision precision : new Precision[] {Precision.RATIO, Precision.EXACT, Precision.ON_DEMAND}) {
+        for (AccuracyMode precision : new AccuracyMode[] {AccuracyMode.RATIO, AccuracyMode.EXACT, AccuracyMode.ON_DEMAND}) {
             Object before = model().picture().frame();
-            robot.interact(() -> model().precisionProperty().set(precision));
+            robot.interact(() -> model().accuracyModeProperty().set(precision));
             waitFor("it is rendered", () -> model().picture().frame() != before);
-            assertThat(model().picture().frame().update().rays()).as(precision.toString()).isEqualTo(TraceCounts.NONE);
+            assertThat(model().picture().frame().update().rays()).as(precision.toString()).isEqualTo(RayCounts.NONE);
             assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         }
     }
 
     @Test
-    void olderMirrors_areTellingUntilABadgesClickUpdatesThem() {
-        asIn1998();
+    void staleMirrors_showBadgeUntilClickUpdatesThem() {
+        usePaperAccuracy();
         dim();
         click("go");
         waitFor("it is told", () -> isShown("mirrors"));
@@ -307,9 +307,9 @@ class GoTest extends EditorDesk {
 
     /** Hidden reflections leave what is seen through the glass, and that is as old. */
     @Test
-    void oldLightSeenThroughGlass_isToldUntilABadgesClickUpdatesIt() throws Exception {
-        OpenDocument glass = OpenDocument.open(Files.writeString(folder.resolve("glass.jen"), ClearScenes.BALL));
-        asIn1998();
+    void staleGlass_showsBadgeUntilClickUpdatesIt() throws Exception {
+        OpenDocument glass = OpenDocument.open(Files.writeString(folder.resolve("glass.jen"), TransparentScenes.BALL));
+        usePaperAccuracy();
         robot.interact(() -> model().open(glass));
         waitForPicture();
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isFalse();
@@ -318,8 +318,8 @@ class GoTest extends EditorDesk {
         waitForPicture();
         assertThat(text("status")).contains("reflections of an older light");
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
-        robot.interact(() -> model().look().effectsProperty().set(ViewEffects.ALL.with(Effect.REFLECTION, false)));
-        waitFor("the look is shown", () -> !model().picture().frame().look().isPlain());
+        robot.interact(() -> model().pictureDisplay().effectsProperty().set(ViewEffects.ALL.with(RenderEffect.REFLECTION, false)));
+        waitFor("the look is shown", () -> !model().picture().frame().displayMode().isFullPicture());
         waitFor("it is told", () -> isShown("mirrors"));
         click("mirrors");
         waitFor("it is updated", () -> !isShown("mirrors"));
@@ -328,27 +328,27 @@ class GoTest extends EditorDesk {
     }
 
     @Test
-    void mirrorsThatShowLightsThatAreGone_areExplained() {
-        asIn1998();
+    void mirrorsWithDeletedLights_areExplained() {
+        usePaperAccuracy();
         robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().editor().edit(scene -> LightEdits.delete(scene, l))));
         click("go");
         waitFor("it is told", () -> isShown("mirrors"));
         assertThat(text("mirrors")).isEqualTo("No light shines here; the mirrors still show those of before: Update Reflections");
-        robot.interact(() -> model().precisionProperty().set(Precision.EXACT));
+        robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.EXACT));
         waitFor("no ghost is left", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
-    void sceneWithoutMirrors_isNeverBehindInThem() {
-        asIn1998();
-        robot.interact(() -> model().editor().edit(scene -> Dial.DEPTH.set(scene, "", 0)));
+    void sceneWithoutMirrors_neverShowsMirrorBadge() {
+        usePaperAccuracy();
+        robot.interact(() -> model().editor().edit(scene -> NumericParameter.DEPTH.set(scene, "", 0)));
         click("go");
         waitForPicture();
         dim();
         click("go");
         waitForPicture();
-        assertThat(model().editor().situationProperty().get().mirrorsRemark()).isEmpty();
+        assertThat(model().editor().editorStateProperty().get().staleMirrorsMessage()).isEmpty();
         assertThat(text("status")).endsWith("exact");
     }
 }

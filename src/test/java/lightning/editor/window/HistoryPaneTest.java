@@ -10,41 +10,41 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
-import lightning.editor.window.widget.Typing;
+import lightning.editor.window.widget.TextTyping;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** A click in the list of edits goes there. */
-class HistoryPaneTest extends EditorDesk {
+class HistoryPaneTest extends EditorFixture {
     @AfterEach
     void closeWindows() {
         robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide));
     }
 
     private void type(String widget, String text) {
-        Typing.over(robot, robot.lookup("#" + widget + " .number-field").<TextField>query(), text).push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#" + widget + " .number-field").<TextField>query(), text).push(KeyCode.ENTER);
     }
 
-    private List<String> shown(boolean undone) {
+    private List<String> listedTexts(boolean undone) {
         return robot.lookup("#history-list .list-cell").queryAllAs(ListCell.class).stream().filter(c -> !c.isEmpty())
                 .filter(c -> c.getPseudoClassStates().contains(PseudoClass.getPseudoClass("undone")) == undone)
                 .map(c -> c.getText()).toList();
     }
 
     @Test
-    void click_goesToThatEditInPictureAndList() {
+    void click_restoresThatEdit() {
         type("intensity", "2");
         Scene two = model().editor().scene();
         type("intensity", "3");
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
-        assertThat(shown(false)).containsExactly("As it was opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
+        assertThat(listedTexts(false)).containsExactly("As it was opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
                 "ambience 0.2 → 0.5");
         robot.clickOn("lamp: intensity 1 → 2");
         assertThat(model().editor().scene()).isEqualTo(two);
-        assertThat(shown(true)).containsExactly("lamp: intensity 2 → 3", "ambience 0.2 → 0.5");
+        assertThat(listedTexts(true)).containsExactly("lamp: intensity 2 → 3", "ambience 0.2 → 0.5");
         click("go");
         waitForPicture();
         assertCanvasShows(new ReferenceTracer(two).trace());
@@ -54,7 +54,7 @@ class HistoryPaneTest extends EditorDesk {
     }
 
     @Test
-    void clickInTheHistoryOfTheLight_leavesTheOthers() {
+    void clickInLightHistory_keepsOtherLights() {
         type("intensity", "2");
         type("intensity", "3");
         type("ambience", "0.5");
@@ -63,20 +63,20 @@ class HistoryPaneTest extends EditorDesk {
         robot.clickOn("As it first was");
         assertThat(light("lamp").intensity()).isEqualTo(1);
         assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
-        assertThat(shown(true)).containsExactly("lamp: intensity 1 → 2", "lamp: intensity 2 → 3");
+        assertThat(listedTexts(true)).containsExactly("lamp: intensity 1 → 2", "lamp: intensity 2 → 3");
         robot.push(KeyCode.CONTROL, KeyCode.Z);
         assertThat(light("lamp").intensity()).isEqualTo(3);
     }
 
     @Test
-    void status_opensWhatTheLastUpdatesDid() {
+    void status_opensUpdates() {
         type("intensity", "2");
         click("go");
         waitForPicture();
         click("status");
         List<String> told =
                 robot.lookup("#updates-table .table-cell").queryAllAs(TableCell.class).stream().map(TableCell::getText).toList();
-        assertThat(told).contains(model().picture().frame().update().plan().text(), "first pass: no picture yet");
+        assertThat(told).contains(model().picture().frame().update().plan().description(), "first pass: no picture yet");
         assertThat(model().updates().entries()).hasSize(2);
         assertThat(model().updates().entries().getFirst().update()).isSameAs(model().picture().frame().update());
     }

@@ -5,5 +5,5 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 /** The same afternoon where other digits are used. */
 class LightingStoryInEgyptTest extends LightingStoryTest {
     @RegisterExtension
-    static final StoryAbroad ABROAD = new StoryAbroad("ar", "EG");
+    static final DefaultLocaleExtension LOCALE = new DefaultLocaleExtension("ar", "EG");
 }

@@ -5,5 +5,5 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 /** The same afternoon where other letters are used. */
 class LightingStoryInTurkeyTest extends LightingStoryTest {
     @RegisterExtension
-    static final StoryAbroad ABROAD = new StoryAbroad("tr", "TR");
+    static final DefaultLocaleExtension LOCALE = new DefaultLocaleExtension("tr", "TR");
 }

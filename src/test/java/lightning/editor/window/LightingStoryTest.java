@@ -9,7 +9,7 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
-import lightning.editor.window.widget.Typing;
+import lightning.editor.window.widget.TextTyping;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.LightType;
@@ -17,10 +17,10 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
 /** An artist's afternoon as §2.3 of the paper tells it: key light, fill light, rim light, and every second thought. */
-class LightingStoryTest extends EditorDesk {
+class LightingStoryTest extends EditorFixture {
 
     private void type(String dial, String value) {
-        Typing.over(robot, robot.lookup("#" + dial + " .number-field").queryAs(TextField.class), value).push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#" + dial + " .number-field").queryAs(TextField.class), value).push(KeyCode.ENTER);
     }
 
     private void add(int item) {
@@ -29,7 +29,7 @@ class LightingStoryTest extends EditorDesk {
     }
 
     private void rename(String name) {
-        Typing.over(robot, robot.lookup("#light-name").queryAs(TextField.class), name).push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#light-name").queryAs(TextField.class), name).push(KeyCode.ENTER);
     }
 
     private void changeType(LightType type) {
@@ -58,7 +58,7 @@ class LightingStoryTest extends EditorDesk {
     }
 
     @Test
-    void keyFillAndRim_withUndoTypeChangeSaveAndReload() throws Exception {
+    void keyFillAndRim_withUndoTypeChangeSaveAndReload_matchFullTrace() throws Exception {
         // The key light is too weak, then its colour too blue.
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         rename("key");

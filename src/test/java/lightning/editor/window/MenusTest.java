@@ -23,12 +23,12 @@ import javafx.scene.input.MouseButton;
 import javafx.stage.Window;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
-import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.command.CommandMenuItems;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Whatever a menu of the editor offers is a command. */
-class MenusTest extends EditorDesk {
+class MenusTest extends EditorFixture {
     @AfterEach
     void closeWindows() {
         robot.interact(() -> List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide));
@@ -76,12 +76,12 @@ class MenusTest extends EditorDesk {
 
     /** Those of a shape's menu, and those that are there with every tab and window open. */
     private List<MenuItem> allItems() {
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
-        robot.clickOn(inPreview(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
+        robot.clickOn(toScreen(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
         waitFor("the shape's menu is open", () -> items().stream().anyMatch(i -> "Edit Material matt of ball".equals(i.getText())));
         List<MenuItem> all = new ArrayList<>();
         robot.interact(() -> all.addAll(items()));
-        robot.interact(() -> model().editor().materialInFrontProperty().set(false));
+        robot.interact(() -> model().editor().materialShownProperty().set(false));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.interact(() -> {
             all.addAll(items());
@@ -92,27 +92,27 @@ class MenusTest extends EditorDesk {
     }
 
     @Test
-    void everyItem_isMadeOfACommand() {
+    void everyItem_hasCommand() {
         assertThat(allItems()).hasSizeGreaterThan(100)
-                .allSatisfy(item -> assertThat(CommandItems.command(item)).as("the command of %s", item.getText()).isPresent());
+                .allSatisfy(item -> assertThat(CommandMenuItems.command(item)).as("the command of %s", item.getText()).isPresent());
     }
 
     @Test
     void everyCommand_isInAMenuOfTheEditor() {
         Set<Command> offered = EnumSet.noneOf(Command.class);
-        allItems().forEach(item -> CommandItems.command(item).ifPresent(offered::add));
+        allItems().forEach(item -> CommandMenuItems.command(item).ifPresent(offered::add));
         // Of the light's type there is a choice of its own, among its properties.
         offered.add(Command.CHANGE_TYPE);
         assertThat(offered).containsExactlyInAnyOrder(Command.values());
     }
 
     @Test
-    void menuMadeAhead_opensWithTheLinesThatAreThereAndTheirLooks() {
+    void preloadedMenu_opensWithCurrentStyledItems() {
         List<Menu> menus = robot.lookup(".menu-bar").<MenuBar>query().getMenus();
         Set<Double> notMadeAhead = heights(opened(menus.get(1)));
         ContextMenu window = window(menus.get(2));
         assertThat(window.getSkin()).isNull();
-        robot.interact(() -> editor.window().ahead().forEach(Runnable::run));
+        robot.interact(() -> editor.window().preloadSteps().forEach(Runnable::run));
         assertThat(window.isShowing()).isFalse();
         Node made = window.getSkin().getNode();
         Node seen = opened(menus.get(2));
@@ -137,25 +137,25 @@ class MenusTest extends EditorDesk {
     }
 
     @Test
-    void item_isDisabledExactlyWhileItsCommandIs() {
+    void item_isDisabledWithItsCommand() {
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         robot.interact(() -> {
             for (MenuItem item : items()) {
                 boolean empty = "None yet".equals(item.getText());
                 assertThat(item.isDisable()).as(item.getText())
-                        .isEqualTo(empty || !model().commands().isEnabled(CommandItems.command(item).orElseThrow()));
+                        .isEqualTo(empty || !model().commands().isEnabled(CommandMenuItems.command(item).orElseThrow()));
             }
         });
     }
 
     @Test
-    void keys_areOfOneCommandEach() {
+    void keys_areUnique() {
         List<String> keys = Arrays.stream(Command.values()).map(Command::shortcut).filter(k -> !k.isEmpty()).toList();
         assertThat(keys).doesNotHaveDuplicates();
     }
 
     @Test
-    void itemThatSwitchesSomething_isMarkedWhileItIsOn() {
+    void toggleItem_isCheckedWhileOn() {
         MenuItem live = items().stream().filter(i -> "menu-live".equals(i.getId())).findFirst().orElseThrow();
         assertThat(((CheckMenuItem) live).isSelected()).isFalse();
         robot.interact(live::fire);

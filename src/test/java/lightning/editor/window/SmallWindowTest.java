@@ -19,13 +19,13 @@ import javafx.scene.text.Text;
 import javafx.stage.Stage;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.model.Precision;
-import lightning.editor.window.widget.OnScreen;
+import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.widget.WindowPlacement;
 import org.junit.jupiter.api.Test;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** On a small screen, or a large one at twice the scale, nothing is out of reach. */
-class SmallWindowTest extends EditorDesk {
+class SmallWindowTest extends EditorFixture {
 
     private void resize(double width, double height) {
         robot.interact(() -> {
@@ -34,15 +34,15 @@ class SmallWindowTest extends EditorDesk {
         });
         // The window hears of its size a little later.
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == width && stage.getScene().getHeight() == height);
-        QuickRobot.settle();
+        FastRobot.settle();
     }
 
-    private static Bounds onScreen(Node node) {
+    private static Bounds screenBounds(Node node) {
         return node.localToScreen(node.getBoundsInLocal());
     }
 
     private Bounds window() {
-        return onScreen(stage.getScene().getRoot());
+        return screenBounds(stage.getScene().getRoot());
     }
 
     private List<Region> panes() {
@@ -50,43 +50,43 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
-    void everyPane_isWhollyInTheWindow() {
+    void everyPane_fitsInWindow() {
         resize(960, 540);
         for (Region pane : panes()) {
-            assertThat(window().contains(onScreen(pane))).as(pane.getId()).isTrue();
+            assertThat(window().contains(screenBounds(pane))).as(pane.getId()).isTrue();
             assertThat(pane.getWidth()).as(pane.getId()).isGreaterThan(150);
             assertThat(pane.getHeight()).as(pane.getId()).isGreaterThan(80);
         }
     }
 
     @Test
-    void everyControlOfAPanesHeader_isInThePane() {
+    void headerControls_fitInPane() {
         resize(960, 540);
         for (String pane : new String[] {"#traced", "#preview"}) {
-            Bounds all = onScreen(robot.lookup(pane).query());
+            Bounds all = screenBounds(robot.lookup(pane).query());
             Set<Node> controls = robot.from(robot.lookup(pane + " .pane-header").<Node>query()).lookup(Node::isFocusTraversable).queryAll();
             assertThat(controls).hasSizeGreaterThan(4);
-            assertThat(controls.stream().filter(c -> c.isVisible() && !all.contains(onScreen(c))).map(Node::getId)).isEmpty();
+            assertThat(controls.stream().filter(c -> c.isVisible() && !all.contains(screenBounds(c))).map(Node::getId)).isEmpty();
         }
     }
 
     @Test
-    void pixelUnderTheMouse_isToldWithoutACut() {
+    void pixelReport_isNotClipped() {
         resize(960, 540);
         Label line = robot.lookup("#pixel").query();
         robot.moveTo("#traced-picture");
         waitFor("it tells", () -> line.getText().contains("normal"));
-        QuickRobot.settle();
+        FastRobot.settle();
         assertThat(robot.from(line).lookup(".text").<Text>query().getText()).isEqualTo(line.getText());
     }
 
     @Test
-    void lineOfAPixel_staysWhileTheMouseIsOverIt() {
+    void pixelLine_whileHovered_stays() {
         Label line = robot.lookup("#pixel").query();
         robot.moveTo("#traced-picture");
         waitFor("it tells", () -> line.getText().contains("normal"));
         robot.moveTo("#pixel");
-        QuickRobot.settle();
+        FastRobot.settle();
         assertThat(line.getText()).contains("normal");
         assertThat(line.getTooltip().getText()).isEqualTo(line.getText());
         robot.moveTo("#lights");
@@ -95,23 +95,23 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
-    void lastProperty_isReachedByScrolling() {
+    void lastProperty_isReachableByScrolling() {
         resize(960, 540);
         ScrollPane scroll = robot.lookup("#properties .scroll-pane").query();
         robot.interact(() -> scroll.setVvalue(1));
-        QuickRobot.settle();
+        FastRobot.settle();
         Node last = robot.lookup("#environment-softness").query();
-        assertThat(onScreen(scroll)).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
-        assertThat(window()).as(onScreen(last) + " is in it").matches(b -> b.contains(onScreen(last)));
+        assertThat(screenBounds(scroll)).as(screenBounds(last) + " is in it").matches(b -> b.contains(screenBounds(last)));
+        assertThat(window()).as(screenBounds(last) + " is in it").matches(b -> b.contains(screenBounds(last)));
     }
 
     @Test
-    void toolBar_keepsWhatHasNoRoomInItsOverflow() {
+    void toolBar_movesExcessToOverflow() {
         resize(860, 540);
         Node overflow = robot.lookup("#toolbar .tool-bar-overflow-button").query();
         waitFor("the tool bar has an overflow", overflow::isVisible);
-        assertThat(window()).as(onScreen(overflow) + " is in it").matches(b -> b.contains(onScreen(overflow)));
-        assertThat(onScreen(overflow).getWidth()).isGreaterThan(8);
+        assertThat(window()).as(screenBounds(overflow) + " is in it").matches(b -> b.contains(screenBounds(overflow)));
+        assertThat(screenBounds(overflow).getWidth()).isGreaterThan(8);
         robot.clickOn(overflow);
         // Whenever the bar is laid out, it takes its buttons out of the menu and puts them back: only the window's thread sees them for sure.
         waitFor("its menu shows what has no room", () -> robot.lookup("#effects-panel").tryQuery().isPresent());
@@ -119,29 +119,29 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
-    void nameOfAControlInTheToolBar_isWhereTheControlIs() {
+    void toolBarLabel_staysWithItsControl() {
         for (double width : new double[] {860, 960, 1300}) {
             resize(width, 540);
-            QuickRobot.settle();
+            FastRobot.settle();
             Node bar = robot.lookup("#toolbar").query();
-            boolean named = robot.from(bar).lookup("Depth").tryQuery().filter(SmallWindowTest::isSeen).isPresent();
-            boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isSeen).isPresent();
+            boolean named = robot.from(bar).lookup("Depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
+            boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
             assertThat(named).as("the name beside the control, at " + width).isEqualTo(there);
         }
     }
 
     /** Whether it and all that it is in are visible. */
-    private static boolean isSeen(Node node) {
-        return node == null || node.isVisible() && isSeen(node.getParent());
+    private static boolean isVisible(Node node) {
+        return node == null || node.isVisible() && isVisible(node.getParent());
     }
 
     @Test
-    void growingBack_restoresEveryPane() {
+    void enlarging_restoresEveryPane() {
         resize(1000, 700);
-        List<Bounds> before = panes().stream().map(SmallWindowTest::onScreen).toList();
+        List<Bounds> before = panes().stream().map(SmallWindowTest::screenBounds).toList();
         resize(860, 500);
         resize(1000, 700);
-        List<Bounds> after = panes().stream().map(SmallWindowTest::onScreen).toList();
+        List<Bounds> after = panes().stream().map(SmallWindowTest::screenBounds).toList();
         for (int i = 0; i < before.size(); i++) {
             assertThat(after.get(i).getWidth()).as(panes().get(i).getId()).isCloseTo(before.get(i).getWidth(), within(2.0));
             assertThat(after.get(i).getHeight()).as(panes().get(i).getId()).isCloseTo(before.get(i).getHeight(), within(2.0));
@@ -149,37 +149,38 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
-    void window_hasASmallestSize() {
+    void window_hasMinimumSize() {
         assertThat(stage.getMinWidth()).isBetween(600.0, 960.0);
         assertThat(stage.getMinHeight()).isBetween(300.0, 540.0);
         assertThat(robot.lookup(".split-pane").queryAllAs(SplitPane.class)).isNotEmpty();
     }
 
     @Test
-    void noLabelOfAHeader_isCut() {
+    void headerLabels_areNotClipped() {
         for (double width : new double[] {1000, 960}) {
             resize(width, 540);
             robot.interact(() -> model().commands().run(Command.VERIFY));
             waitFor("it is verified", () -> isShown("difference"));
-            QuickRobot.settle();
+            FastRobot.settle();
             Set<String> cut = robot.lookup(n -> n instanceof Labeled && isIn(n, "pane-header", "tool-bar", "lights-tools"))
-                    .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut).map(Labeled::getText).collect(Collectors.toSet());
+                    .queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isClipped).map(Labeled::getText)
+                    .collect(Collectors.toSet());
             assertThat(cut).isEmpty();
         }
     }
 
     @Test
-    void badge_isReadInFull() {
+    void badge_isNotClipped() {
         resize(860, 540);
         robot.interact(() -> {
-            model().precisionProperty().set(Precision.ON_DEMAND);
-            model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5)));
+            model().accuracyModeProperty().set(AccuracyMode.ON_DEMAND);
+            model().editor().edit(scene -> LightEdits.edit(scene, "lamp", l -> l.withIntensity(0.5)));
             model().editor().go();
         });
         waitFor("mirrors are older", () -> isShown("mirrors"));
-        QuickRobot.settle();
+        FastRobot.settle();
         Labeled badge = robot.lookup("#mirrors").query();
-        assertThat(onScreen(robot.lookup("#traced").query()).contains(onScreen(badge))).isTrue();
+        assertThat(screenBounds(robot.lookup("#traced").query()).contains(screenBounds(badge))).isTrue();
         assertThat(textOf(badge)).isEqualToIgnoringWhitespace(badge.getText());
     }
 
@@ -190,10 +191,10 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
-    void everyAccuracy_isReadInFull() {
-        for (Precision precision : Precision.values()) {
-            robot.interact(() -> model().precisionProperty().set(precision));
-            Set<String> cut = robot.lookup("#precision .label").queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isCut)
+    void accuracyNames_areNotClipped() {
+        for (AccuracyMode precision : AccuracyMode.values()) {
+            robot.interact(() -> model().accuracyModeProperty().set(precision));
+            Set<String> cut = robot.lookup("#precision .label").queryAllAs(Labeled.class).stream().filter(SmallWindowTest::isClipped)
                     .map(Labeled::getText).collect(Collectors.toSet());
             assertThat(cut).isEmpty();
         }
@@ -209,15 +210,15 @@ class SmallWindowTest extends EditorDesk {
     }
 
     /** The text that is drawn is shorter than what it should be. */
-    private static boolean isCut(Labeled labeled) {
+    private static boolean isClipped(Labeled labeled) {
         return labeled.isVisible() && labeled.getText() != null && labeled.getChildrenUnmodifiable().stream()
                 .anyMatch(n -> n instanceof Text t && !(n instanceof FontIcon) && !t.getText().equals(labeled.getText()));
     }
 
     @Test
-    void windowBesideTheEditors_isWhollyOnTheScreenAndScrolled() {
+    void panelWindow_fitsOnScreenAndScrolls() {
         robot.push(KeyCode.F1);
-        QuickRobot.settle();
+        FastRobot.settle();
         Node keys = robot.lookup("#keys").query();
         Stage window = (Stage) keys.getScene().getWindow();
         assertThat(window.getX()).isGreaterThanOrEqualTo(0);
@@ -228,10 +229,10 @@ class SmallWindowTest extends EditorDesk {
     }
 
     @Test
-    void windowBeyondTheScreen_comesBack() {
+    void windowOffScreen_isMovedBack() {
         var screen = new Rectangle2D(100, 50, 960, 540);
-        assertThat(OnScreen.within(screen, new Rectangle2D(900, -200, 400, 300))).isEqualTo(new Rectangle2D(660, 50, 400, 300));
-        assertThat(OnScreen.within(screen, new Rectangle2D(0, 400, 1600, 300))).isEqualTo(new Rectangle2D(100, 290, 960, 300));
-        assertThat(OnScreen.within(screen, new Rectangle2D(200, 100, 400, 300))).isEqualTo(new Rectangle2D(200, 100, 400, 300));
+        assertThat(WindowPlacement.clampTo(screen, new Rectangle2D(900, -200, 400, 300))).isEqualTo(new Rectangle2D(660, 50, 400, 300));
+        assertThat(WindowPlacement.clampTo(screen, new Rectangle2D(0, 400, 1600, 300))).isEqualTo(new Rectangle2D(100, 290, 960, 300));
+        assertThat(WindowPlacement.clampTo(screen, new Rectangle2D(200, 100, 400, 300))).isEqualTo(new Rectangle2D(200, 100, 400, 300));
     }
 }

@@ -2,21 +2,21 @@ package lightning.editor.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import lightning.editor.document.Change;
 import lightning.editor.document.Command;
-import lightning.scene.Antialias;
-import lightning.scene.Picture;
-import lightning.scene.Sampling;
+import lightning.editor.document.EditOutcome;
+import lightning.scene.AntialiasMode;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
 /** A picture that no memory holds, asked for in the editor. */
-class TooLargeWindowTest extends EditorDesk {
+class TooLargeWindowTest extends EditorFixture {
     @Test
-    void refusal_isInTheStatusWithoutOptionsOfTheCommandLine() {
-        Picture huge = new Picture(16384, 16384, 2).withSampling(new Sampling(Antialias.EVERY, 8));
+    void memoryError_inStatus_omitsCommandLineOptions() {
+        PictureSettings huge = new PictureSettings(16384, 16384, 2).withSampling(new SamplingSettings(AntialiasMode.EVERY, 8));
         WaitForAsyncUtils.asyncFx(() -> {
-            model().editor().edit(scene -> new Change.To(scene.withPicture(huge)));
+            model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(huge)));
             model().commands().run(Command.GO);
         });
         waitFor("the refusal is told", () -> text("status").startsWith("This is too large"));

@@ -7,23 +7,23 @@ import javafx.scene.Node;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
-import lightning.editor.document.Desk;
-import lightning.editor.window.widget.Typing;
+import lightning.editor.document.DeskScene;
+import lightning.editor.window.widget.TextTyping;
 import org.junit.jupiter.api.Test;
 
 /** Undo is where the hands are: in a number field too. */
-class UndoKeysTest extends EditorDesk {
+class UndoKeysTest extends EditorFixture {
 
     private TextField field(String query) {
         return robot.lookup(query).query();
     }
 
     private void enter(String query, String text) {
-        Typing.over(robot, field(query), text).push(KeyCode.ENTER);
+        TextTyping.replace(robot, field(query), text).push(KeyCode.ENTER);
     }
 
     @Test
-    void inANumberFieldThatIsSet_takeBackTheDocumentsLastEdit() {
+    void undo_inCommittedNumberField_undoesDocumentEdit() {
         enter("#intensity .number-field", "4");
         robot.push(KeyCode.CONTROL, KeyCode.Z);
         assertThat(light("lamp").intensity()).isEqualTo(1);
@@ -33,7 +33,7 @@ class UndoKeysTest extends EditorDesk {
     }
 
     @Test
-    void controlY_isRedoToo() {
+    void controlY_redoes() {
         enter("#intensity .number-field", "4");
         robot.push(KeyCode.CONTROL, KeyCode.Z).push(KeyCode.CONTROL, KeyCode.Y);
         assertThat(light("lamp").intensity()).isEqualTo(4);
@@ -43,9 +43,9 @@ class UndoKeysTest extends EditorDesk {
     }
 
     @Test
-    void whatIsTypedAndNotSet_isTakenBackFirst() {
+    void undo_ofUncommittedText_comesFirst() {
         enter("#intensity .number-field", "4");
-        Typing.over(robot, field("#intensity .number-field"), "7");
+        TextTyping.replace(robot, field("#intensity .number-field"), "7");
         robot.push(KeyCode.CONTROL, KeyCode.Z);
         assertThat(field("#intensity .number-field").getText()).isEqualTo("4");
         assertThat(light("lamp").intensity()).isEqualTo(4);
@@ -56,7 +56,7 @@ class UndoKeysTest extends EditorDesk {
     }
 
     @Test
-    void inEveryTextOfTheWindow_reachTheDocument() {
+    void undo_inAnyTextField_reachesDocument() {
         robot.interact(() -> robot.lookup("#side").<TabPane>query().getSelectionModel().select(1));
         robot.interact(() -> robot.lookup("#side").<TabPane>query().getSelectionModel().select(0));
         List<TextField> all = robot.lookup(n -> n instanceof TextField t && !t.isDisabled() && t.isEditable() && n.isFocusTraversable())
@@ -64,15 +64,15 @@ class UndoKeysTest extends EditorDesk {
         assertThat(all).hasSizeGreaterThan(20);
         for (TextField text : all) {
             robot.interact(() -> {
-                model().editor().edit(scene -> Desk.dial("intensity").set(scene, "sun", 3));
+                model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "sun", 3));
                 text.requestFocus();
             });
             robot.push(KeyCode.CONTROL, KeyCode.Z);
-            assertThat(light("sun").intensity()).as(named(text)).isEqualTo(0.4);
+            assertThat(light("sun").intensity()).as(describe(text)).isEqualTo(0.4);
         }
     }
 
-    private static String named(Node node) {
+    private static String describe(Node node) {
         return node.getAccessibleText();
     }
 }

@@ -13,14 +13,14 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
 import lightning.format.mesh.MeshException;
-import lightning.format.nff.Databases;
+import lightning.format.nff.SpdScenes;
 import lightning.format.nff.Teapot;
-import lightning.scene.Clarity;
 import lightning.scene.Light;
 import lightning.scene.PlacedShape;
 import lightning.scene.Scene;
-import lightning.scene.ShadowsThrown;
+import lightning.scene.ShadowCasting;
 import lightning.scene.Solid;
+import lightning.scene.Transmission;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
@@ -37,57 +37,58 @@ class NffImportTest {
 
     static Stream<Arguments> databases() {
         // Balls, tubes and triangles by the databases' definitions.
-        return Stream.of(Arguments.of("balls", Databases.balls(2), 1 + 9 + 81, 0, 2),
-                Arguments.of("gears", Databases.gears(9), 0, 0, 2 * 34 + 2 * 36),
-                Arguments.of("mountain", Databases.mountain(4), 4, 0, 2 * 16 * 16),
-                Arguments.of("rings", Databases.rings(), 20, 30, 2),
-                Arguments.of("tetra", Databases.tetra(3), 0, 0, 4 * 64),
-                Arguments.of("tree", Databases.tree(3), 1 + 3 + 9 + 27, 1 + 3 + 9 + 27, 2),
+        return Stream.of(Arguments.of("balls", SpdScenes.balls(2), 1 + 9 + 81, 0, 2),
+                Arguments.of("gears", SpdScenes.gears(9), 0, 0, 2 * 34 + 2 * 36),
+                Arguments.of("mountain", SpdScenes.mountain(4), 4, 0, 2 * 16 * 16),
+                Arguments.of("rings", SpdScenes.rings(), 20, 30, 2),
+                Arguments.of("tetra", SpdScenes.tetra(3), 0, 0, 4 * 64),
+                Arguments.of("tree", SpdScenes.tree(3), 1 + 3 + 9 + 27, 1 + 3 + 9 + 27, 2),
                 Arguments.of("teapot", Teapot.text(4), 0, 0, 32 * 2 * 16));
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("databases")
-    void standardDatabase_isReadWhole(String name, String text, int balls, int tubes, int triangles) throws Exception {
-        Import read = read(name, text);
-        read.write();
+    void standardScene_isImportedCompletely(String name, String text, int spheres, int cones, int triangles) throws Exception {
+        ImportedScene imported = read(name, text);
+        imported.write();
         Scene scene = JenReader.read(folder.resolve(name + ".jen")).scene();
         List<Solid> solids = scene.placedShapes().stream().map(shape -> shape.shape().solid()).toList();
-        assertThat(solids).filteredOn(Solid.Sphere.class::isInstance).hasSize(balls);
-        assertThat(solids).filteredOn(s -> s instanceof Solid.Frustum || s instanceof Solid.Cylinder).hasSize(tubes);
-        assertThat(solids.stream().mapToInt(s -> s instanceof Solid.Triangles t ? t.mesh().triangleCount() : 0).sum()).isEqualTo(triangles);
-        assertThat(read.notes().keySet()).allMatch(note -> note.startsWith("materials that light goes through"));
+        assertThat(solids).filteredOn(Solid.Sphere.class::isInstance).hasSize(spheres);
+        assertThat(solids).filteredOn(s -> s instanceof Solid.Frustum || s instanceof Solid.Cylinder).hasSize(cones);
+        assertThat(solids.stream().mapToInt(s -> s instanceof Solid.TriangleMesh t ? t.mesh().triangleCount() : 0).sum())
+                .isEqualTo(triangles);
+        assertThat(imported.notes().keySet()).allMatch(note -> note.startsWith("materials that light goes through"));
     }
 
     @Property
-    void tube_standsBetweenItsEnds(@ForAll @DoubleRange(min = -10, max = 10) double x, @ForAll @DoubleRange(min = -10, max = 10) double y,
+    void cone_spansItsEnds(@ForAll @DoubleRange(min = -10, max = 10) double x, @ForAll @DoubleRange(min = -10, max = 10) double y,
             @ForAll @DoubleRange(min = -10, max = 10) double z, @ForAll @DoubleRange(min = 0.01, max = 10) double r,
             @ForAll @DoubleRange(min = 0, max = 10) double s) throws Exception {
         Vec3 base = new Vec3(1, 2, 3);
         Vec3 apex = base.plus(new Vec3(x, y, z).maxAbs() < 0.1 ? Vec3.Y : new Vec3(x, y, z));
-        Path here = Files.createTempDirectory("nff");
+        Path scene = Files.createTempDirectory("nff");
         try {
-            Path file = Files.writeString(here.resolve("a.nff"), String.format(Locale.ROOT, "c%n1 2 3 %.17g%n%.17g %.17g %.17g %.17g%n",
+            Path file = Files.writeString(scene.resolve("a.nff"), String.format(Locale.ROOT, "c%n1 2 3 %.17g%n%.17g %.17g %.17g %.17g%n",
                     r, apex.x(), apex.y(), apex.z(), s));
-            PlacedShape tube =
-                    Importer.read(file, here.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE).scene().placedShapes().getFirst();
-            Vec3 wide = s > r ? apex : base;
-            Vec3 narrow = s > r ? base : apex;
-            assertNear(tube.toWorld().point(Vec3.ZERO), wide);
-            assertNear(tube.toWorld().point(Vec3.Y), narrow);
-            Vec3 out = tube.toWorld().vector(new Vec3(0.6, 0, 0.8));
-            assertThat(Math.abs(out.length() - Math.max(r, s))).isLessThan(1e-7);
-            assertThat(Math.abs(out.dot(narrow.minus(wide)))).isLessThan(1e-6);
-            double top = tube.shape().solid() instanceof Solid.Frustum f ? f.top() : tube.shape().solid() instanceof Solid.Cone ? 0 : 1;
+            PlacedShape cone =
+                    SceneImporter.read(file, scene.resolve("a.jen"), LightUnits.CANDELA, Progress.NONE).scene().placedShapes().getFirst();
+            Vec3 wideEnd = s > r ? apex : base;
+            Vec3 narrowEnd = s > r ? base : apex;
+            assertNear(cone.toWorld().transformPoint(Vec3.ZERO), wideEnd);
+            assertNear(cone.toWorld().transformPoint(Vec3.Y), narrowEnd);
+            Vec3 outside = cone.toWorld().transformVector(new Vec3(0.6, 0, 0.8));
+            assertThat(Math.abs(outside.length() - Math.max(r, s))).isLessThan(1e-7);
+            assertThat(Math.abs(outside.dot(narrowEnd.minus(wideEnd)))).isLessThan(1e-6);
+            double top = cone.shape().solid() instanceof Solid.Frustum f ? f.top() : cone.shape().solid() instanceof Solid.Cone ? 0 : 1;
             assertThat(Math.abs(top * Math.max(r, s) - Math.min(r, s))).isLessThan(1e-7);
         } finally {
-            Files.deleteIfExists(here.resolve("a.nff"));
-            Files.delete(here);
+            Files.deleteIfExists(scene.resolve("a.nff"));
+            Files.delete(scene);
         }
     }
 
     @Test
-    void lightsWithoutColor_shareTheirStrength() throws Exception {
+    void lightsWithoutColor_shareIntensity() throws Exception {
         Scene scene = read("a", "l 1 2 3\nl 4 5 6\nl 7 8 9 0.5 0.25 0\nl 0 0 9\ns 0 0 0 1\n").scene();
         assertThat(scene.lights()).extracting(Light::intensity).containsExactly(0.5, 0.5, 1.0, 0.5);
         assertThat(scene.lights().get(2).color()).isEqualTo(new Rgb(0.5, 0.25, 0));
@@ -95,44 +96,44 @@ class NffImportTest {
     }
 
     @Test
-    void fill_mirrorsByItsSpecularShare() throws Exception {
-        Import read = read("a", "f 1 0.5 0 0.4 0.5 20 0 1.5\ns 0 0 0 1\n");
-        assertThat(read.scene().materials().getFirst()).satisfies(m -> {
+    void specularFill_isReflective() throws Exception {
+        ImportedScene imported = read("a", "f 1 0.5 0 0.4 0.5 20 0 1.5\ns 0 0 0 1\n");
+        assertThat(imported.scene().materials().getFirst()).satisfies(m -> {
             // 0.4 of the colour are seen where half of all diffuse light is mirrored away.
             assertThat(m.diffuse()).isEqualTo(new Rgb(0.8, 0.4, 0));
-            assertThat(m.reflective()).isEqualTo(Rgb.grey(0.5));
-            assertThat(m.specular()).isEqualTo(Rgb.grey(0.5));
+            assertThat(m.reflective()).isEqualTo(Rgb.gray(0.5));
+            assertThat(m.specular()).isEqualTo(Rgb.gray(0.5));
             assertThat(m.shininess()).isEqualTo(20);
-            assertThat(m.clarity()).isEqualTo(Clarity.NONE);
+            assertThat(m.transmission()).isEqualTo(Transmission.NONE);
         });
     }
 
     @Test
-    void fill_letsItsShareThrough() throws Exception {
-        Import read = read("a", "f 1 0.5 0 0.2 0 20 0.75 1.33\ns 0 0 0 1\n");
-        assertThat(read.scene().materials().getFirst()).satisfies(m -> {
+    void transmittingFill_isTransparent() throws Exception {
+        ImportedScene imported = read("a", "f 1 0.5 0 0.2 0 20 0.75 1.33\ns 0 0 0 1\n");
+        assertThat(imported.scene().materials().getFirst()).satisfies(m -> {
             assertThat(m.diffuse()).as("a quarter of it is seen").isEqualTo(new Rgb(0.8, 0.4, 0));
-            assertThat(m.clarity().clear()).isEqualTo(Rgb.grey(0.75));
-            assertThat(m.clarity().ior()).isEqualTo(1.33);
-            assertThat(m.clarity().thin()).isFalse();
-            assertThat(m.clarity().shadows()).isEqualTo(ShadowsThrown.TINTED);
+            assertThat(m.transmission().color()).isEqualTo(Rgb.gray(0.75));
+            assertThat(m.transmission().ior()).isEqualTo(1.33);
+            assertThat(m.transmission().thin()).isFalse();
+            assertThat(m.transmission().shadows()).isEqualTo(ShadowCasting.TINTED);
         });
-        assertThat(read.scene().picture().depth()).isEqualTo(6);
+        assertThat(imported.scene().picture().depth()).isEqualTo(6);
     }
 
     @Test
-    void flatShapes_areToldAndLeftOut() throws Exception {
-        Import read = read("a", "s 0 0 0 0\nc 0 0 0 1 0 0 0 1\nc 0 0 0 0 1 0 0 0\ns 0 0 0 1\n");
-        assertThat(read.scene().placedShapes()).hasSize(1);
-        assertThat(read.notes()).containsEntry("shapes that are flat, too small or too large", 3);
+    void flatShapes_areSkippedAndNoted() throws Exception {
+        ImportedScene imported = read("a", "s 0 0 0 0\nc 0 0 0 1 0 0 0 1\nc 0 0 0 0 1 0 0 0\ns 0 0 0 1\n");
+        assertThat(imported.scene().placedShapes()).hasSize(1);
+        assertThat(imported.notes()).containsEntry("shapes that are flat, too small or too large", 3);
     }
 
     private static void assertNear(Vec3 actual, Vec3 expected) {
         assertThat(actual.minus(expected).maxAbs()).as("%s, expected %s", actual, expected).isLessThan(1e-7);
     }
 
-    private Import read(String name, String text) throws IOException, MeshException {
+    private ImportedScene read(String name, String text) throws IOException, MeshException {
         Path file = Files.writeString(folder.resolve(name + ".nff"), text);
-        return Importer.read(file, folder.resolve(name + ".jen"), LightUnits.CANDELA, Progress.NONE);
+        return SceneImporter.read(file, folder.resolve(name + ".jen"), LightUnits.CANDELA, Progress.NONE);
     }
 }

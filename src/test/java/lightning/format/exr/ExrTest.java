@@ -11,7 +11,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -23,7 +23,7 @@ class ExrTest {
     private static final List<ExrChannel> CHANNELS = List.of(new ExrChannel("Z", ExrType.FLOAT), new ExrChannel("id", ExrType.UINT),
             new ExrChannel("a.G", ExrType.HALF));
     /** A picture of 2 × 17 pixels that the OpenEXR library 3.4 wrote: R = x + 2y as float, A = y / 4 as half, by ZIP. */
-    private static final String OF_THE_LIBRARY =
+    private static final String OPENEXR_SAMPLE =
             "di8xAQIAAABjaGFubmVscwBjaGxpc3QAJQAAAEEAAQAAAAAAAAABAAAAAQAAAFIAAgAAAAAAAAABAAAAAQAAAABjb21wcmVzc2lvbgBjb21wcm"
                     + "Vzc2lvbgABAAAAA2RhdGFXaW5kb3cAYm94MmkAEAAAAAAAAAAAAAAAAQAAABAAAABkaXNwbGF5V2luZG93AGJveDJpABAAAAAAAAAAAAAAAAEA"
                     + "AAAQAAAAbGluZU9yZGVyAGxpbmVPcmRlcgABAAAAAHBpeGVsQXNwZWN0UmF0aW8AZmxvYXQABAAAAAAAgD9zY3JlZW5XaW5kb3dDZW50ZXIAdj"
@@ -36,25 +36,25 @@ class ExrTest {
     private Path folder;
 
     @Property(tries = 30)
-    void numbers_areReadAsTheyWereWritten(@ForAll @IntRange(min = 1, max = 40) int width, @ForAll @IntRange(min = 1, max = 40) int height,
+    void values_areReadAsWritten(@ForAll @IntRange(min = 1, max = 40) int width, @ForAll @IntRange(min = 1, max = 40) int height,
             @ForAll long seed, @ForAll boolean noise) throws IOException {
         float[][] values = values(width * height, seed, noise);
         Path file = Files.createTempFile("a", ".exr");
         try {
             write(file, width, height, values);
-            float[][] read = new float[3][width * height];
+            float[][] result = new float[3][width * height];
             try (ExrReader reader = new ExrReader(file)) {
-                assertThat(reader.header().texts()).containsEntry("who", "Ä");
+                assertThat(reader.header().attributes()).containsEntry("who", "Ä");
                 reader.read(List.of("Z", "id", "a.G"), (x, y, numbers) -> {
                     for (int c = 0; c < 3; c++) {
-                        read[c][y * width + x] = numbers[c];
+                        result[c][y * width + x] = numbers[c];
                     }
                 });
             }
             for (int i = 0; i < width * height; i++) {
-                assertThat(Float.floatToRawIntBits(read[0][i])).isEqualTo(Float.floatToRawIntBits(values[0][i]));
-                assertThat(read[1][i]).isEqualTo(values[1][i]);
-                assertThat(read[2][i]).isEqualTo(Float.float16ToFloat(Float.floatToFloat16(values[2][i])));
+                assertThat(Float.floatToRawIntBits(result[0][i])).isEqualTo(Float.floatToRawIntBits(values[0][i]));
+                assertThat(result[1][i]).isEqualTo(values[1][i]);
+                assertThat(result[2][i]).isEqualTo(Float.float16ToFloat(Float.floatToFloat16(values[2][i])));
             }
         } finally {
             Files.delete(file);
@@ -74,34 +74,36 @@ class ExrTest {
 
     private static void write(Path file, int width, int height, float[][] values) throws IOException {
         ExrHeader header = new ExrHeader(width, height, CHANNELS, Map.of("who", "Ä"));
-        SafeFile.at(file).writeAnywhere(to -> {
-            ExrWriter writer = new ExrWriter(to, header);
+        AtomicFile.of(file).writeRandomAccess(channel -> {
+            ExrWriter writer = new ExrWriter(channel, header);
             // From the bottom, as threads may.
-            for (int c = header.chunks() - 1; c >= 0; c--) {
+            for (int c = header.chunkCount() - 1; c >= 0; c--) {
                 ExrChunk chunk = new ExrChunk(header, c);
-                for (int i = c * ExrHeader.LINES * width; i < (c * ExrHeader.LINES + header.lines(c)) * width; i++) {
+                for (int i = c * ExrHeader.LINES_PER_CHUNK * width; i < (c * ExrHeader.LINES_PER_CHUNK + header.lineCount(c)) * width;
+                        i++) {
                     for (int k = 0; k < 3; k++) {
-                        chunk.put(header.channels().indexOf(CHANNELS.get(k)), i % width, i / width - c * ExrHeader.LINES, values[k][i]);
+                        chunk.put(header.channels().indexOf(CHANNELS.get(k)), i % width, i / width - c * ExrHeader.LINES_PER_CHUNK,
+                                values[k][i]);
                     }
                 }
-                writer.put(c, chunk.packed());
+                writer.writeChunk(c, chunk.compress());
             }
             writer.finish();
         });
     }
 
     @Test
-    void pictureOfAnotherProgram_isRead() throws IOException {
-        Path file = Files.write(folder.resolve("library.exr"), Base64.getDecoder().decode(OF_THE_LIBRARY));
-        List<String> read = new ArrayList<>();
+    void fileFromOpenExrLibrary_isRead() throws IOException {
+        Path file = Files.write(folder.resolve("library.exr"), Base64.getDecoder().decode(OPENEXR_SAMPLE));
+        List<String> values = new ArrayList<>();
         try (ExrReader reader = new ExrReader(file)) {
-            reader.read(List.of("R", "A"), (x, y, v) -> read.add(v[0] + " " + v[1]));
+            reader.read(List.of("R", "A"), (x, y, v) -> values.add(v[0] + " " + v[1]));
         }
-        assertThat(read).hasSize(34).startsWith("0.0 0.0", "1.0 0.0", "2.0 0.25").endsWith("33.0 4.0");
+        assertThat(values).hasSize(34).startsWith("0.0 0.0", "1.0 0.0", "2.0 0.25").endsWith("33.0 4.0");
     }
 
     @Test
-    void largeNumber_isTheLargestHalfAndNoInfinity() {
+    void tooLargeValue_becomesMaxHalf() {
         ExrHeader header = new ExrHeader(1, 1, List.of(new ExrChannel("R", ExrType.HALF)), Map.of());
         ExrChunk chunk = new ExrChunk(header, 0);
         chunk.put(0, 0, 0, 1e9f);
@@ -109,12 +111,12 @@ class ExrTest {
     }
 
     @Test
-    void namesOfMoreThan31Bytes_areToldInTheVersion() throws IOException {
+    void longNames_setTheVersionFlag() throws IOException {
         Path file = folder.resolve("long.exr");
         ExrHeader header = new ExrHeader(1, 1, List.of(new ExrChannel("a".repeat(40), ExrType.FLOAT)), Map.of());
-        SafeFile.at(file).writeAnywhere(to -> {
-            ExrWriter writer = new ExrWriter(to, header);
-            writer.put(0, new ExrChunk(header, 0).packed());
+        AtomicFile.of(file).writeRandomAccess(channel -> {
+            ExrWriter writer = new ExrWriter(channel, header);
+            writer.writeChunk(0, new ExrChunk(header, 0).compress());
             writer.finish();
         });
         assertThat(Files.readAllBytes(file)[5]).isEqualTo((byte) 4);
@@ -124,14 +126,14 @@ class ExrTest {
     }
 
     @Test
-    void fileOfAnotherFormat_isRefused() throws IOException {
+    void otherFormat_isRejected() throws IOException {
         Path file = Files.write(folder.resolve("a.exr"), new byte[100]);
         assertThatIOException().isThrownBy(() -> new ExrReader(file).close()).withMessageContaining("is no OpenEXR picture");
     }
 
     /** Any byte that is another, or missing. */
     @Property(tries = 400)
-    void damagedFile_isReadOrRefusedWithASentence(@ForAll long seed) throws IOException {
+    void damagedFile_isReadOrRejectedWithMessage(@ForAll long seed) throws IOException {
         Random random = new Random(seed);
         Path file = Files.createTempFile("a", ".exr");
         try {

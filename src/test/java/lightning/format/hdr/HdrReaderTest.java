@@ -9,8 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import lightning.format.mesh.MeshException;
-import lightning.scene.Limits;
-import lightning.scene.Sky;
+import lightning.scene.EnvironmentMap;
+import lightning.scene.SceneLimits;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class HdrReaderTest {
     private static final String HEADER = "#?RADIANCE\n# by hand\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
     /** 1, 2, 4 and black. */
-    private static final byte[] TWO = {(byte) 128, 64, 32, (byte) 129, 9, 9, 9, 0};
+    private static final byte[] TWO_PIXELS = {(byte) 128, 64, 32, (byte) 129, 9, 9, 9, 0};
 
     @TempDir
     private Path folder;
@@ -35,36 +35,37 @@ class HdrReaderTest {
         return out.toByteArray();
     }
 
-    private Sky read(String header, byte[] pixels) throws Exception {
+    private EnvironmentMap read(String header, byte[] pixels) throws Exception {
         return HdrReader.read(Files.write(folder.resolve("x.hdr"), file(header, pixels)));
     }
 
     @Test
-    void plainPixels_areMantissasTimesTwoToTheSharedExponent() throws Exception {
-        Sky sky = read(HEADER, TWO);
-        assertThat(new float[] {sky.channel(0, 0, 0), sky.channel(0, 0, 1), sky.channel(0, 0, 2)}).containsExactly(1, 0.5f, 0.25f);
-        assertThat(sky.channel(1, 0, 0)).isZero();
+    void uncompressedPixels_areDecoded() throws Exception {
+        EnvironmentMap environment = read(HEADER, TWO_PIXELS);
+        assertThat(new float[] {environment.channel(0, 0, 0), environment.channel(0, 0, 1), environment.channel(0, 0, 2)})
+                .containsExactly(1, 0.5f, 0.25f);
+        assertThat(environment.channel(1, 0, 0)).isZero();
     }
 
     @Test
-    void exposure_isTakenOut() throws Exception {
-        assertThat(read(HEADER.replace("# by hand", "EXPOSURE=2\nEXPOSURE= 0.25"), TWO).channel(0, 0, 0)).isEqualTo(2);
+    void exposure_isDividedOut() throws Exception {
+        assertThat(read(HEADER.replace("# by hand", "EXPOSURE=2\nEXPOSURE= 0.25"), TWO_PIXELS).channel(0, 0, 0)).isEqualTo(2);
     }
 
     @Test
-    void runs_areFilled() throws Exception {
+    void runs_areExpanded() throws Exception {
         byte[] runs = {2, 2, 0, 9, (byte) (128 + 9), (byte) 128, (byte) (128 + 8), 64, 1, 32, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0,
             (byte) (128 + 9), (byte) 129};
-        Sky sky = read(HEADER.replace("+X 2", "+X 9"), runs);
-        assertThat(sky.channel(8, 0, 0)).isEqualTo(1);
-        assertThat(sky.channel(7, 0, 1)).isEqualTo(0.5f);
-        assertThat(sky.channel(8, 0, 1)).isEqualTo(0.25f);
-        assertThat(sky.channel(3, 0, 2)).isZero();
+        EnvironmentMap environment = read(HEADER.replace("+X 2", "+X 9"), runs);
+        assertThat(environment.channel(8, 0, 0)).isEqualTo(1);
+        assertThat(environment.channel(7, 0, 1)).isEqualTo(0.5f);
+        assertThat(environment.channel(8, 0, 1)).isEqualTo(0.25f);
+        assertThat(environment.channel(3, 0, 2)).isZero();
     }
 
     @Test
-    void brightestPixel_isHeldToTheLimit() throws Exception {
-        assertThat(read(HEADER, new byte[] {-1, -1, -1, -1, 0, 0, 0, 0}).channel(0, 0, 0)).isEqualTo((float) Limits.MAX_EMISSION);
+    void brightestPixel_isClamped() throws Exception {
+        assertThat(read(HEADER, new byte[] {-1, -1, -1, -1, 0, 0, 0, 0}).channel(0, 0, 0)).isEqualTo((float) SceneLimits.MAX_EMISSION);
     }
 
     @ParameterizedTest
@@ -80,12 +81,13 @@ class HdrReaderTest {
         "-Y 1 +X 2 | -Y 1 +X 1 | expected nothing behind the last of 1 lines, found 4 bytes",
         "# by hand | EXPOSURE=0 | line 2: an exposure must be a number from 1e-30 to 1e30, was '0'",
         "# by hand | EXPOSURE=nan | line 2: an exposure must be a number above 0, was 'nan'"})
-    void lies_areToldWithTheirPlace(String right, String wrong, String message) {
-        assertThatThrownBy(() -> read(HEADER.replace(right, wrong), TWO)).isInstanceOf(MeshException.class).hasMessageEndingWith(message);
+    void invalidFile_isReportedWithLocation(String valid, String invalid, String message) {
+        assertThatThrownBy(() -> read(HEADER.replace(valid, invalid), TWO_PIXELS)).isInstanceOf(MeshException.class)
+                .hasMessageEndingWith(message);
     }
 
     @Test
-    void runBeyondALine_isRefused() {
+    void runBeyondScanline_isRejected() {
         byte[] runs = new byte[40];
         Arrays.fill(runs, (byte) 2);
         runs[2] = 0;
@@ -96,30 +98,31 @@ class HdrReaderTest {
     }
 
     @Test
-    void skyOfTheTextures_isThatOfTheMaker() {
-        assertThat(Path.of("textures/evening_sky.hdr")).hasBinaryContent(SkyMaker.evening());
+    void texturesFolder_hasTheGeneratedEnvironment() {
+        assertThat(Path.of("textures/evening_sky.hdr")).hasBinaryContent(EnvironmentMaker.evening());
     }
 
     @Test
-    void oldRuns_areRefused() {
+    void oldRunLengthEncoding_isRejected() {
         assertThatThrownBy(() -> read(HEADER, new byte[] {9, 9, 9, 9, 1, 1, 1, 1}))
                 .hasMessageEndingWith("row 1: runs of pixels that are the same are not read");
     }
 
     /** Whatever is written over a picture, it is read, finite and not negative, or refused in a sentence. */
     @Property
-    void damage_isReadOrTold(@ForAll @IntRange(max = 100) int at, @ForAll @IntRange(max = 255) int there,
-            @ForAll @IntRange(max = 9) int cut)
+    void damagedFile_isReadOrReported(@ForAll @IntRange(max = 100) int index, @ForAll @IntRange(max = 255) int newByte,
+            @ForAll @IntRange(max = 9) int length)
             throws Exception {
         byte[] runs =
                 {2, 2, 0, 9, (byte) (128 + 9), 3, (byte) (128 + 8), 64, 1, 32, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, (byte) (128 + 9), (byte) 129};
         byte[] bytes = file(HEADER.replace("+X 2", "+X 9"), runs);
-        bytes[at % bytes.length] = (byte) there;
+        bytes[index % bytes.length] = (byte) newByte;
         Path file = Files.createTempFile("damaged", ".hdr");
         try {
-            Sky sky = HdrReader.read(Files.write(file, Arrays.copyOf(bytes, bytes.length - cut)));
-            for (int i = 0; i < 3 * sky.width() * sky.height(); i++) {
-                assertThat(sky.channel(i / 3 % sky.width(), i / 3 / sky.width(), i % 3)).isBetween(0f, (float) Limits.MAX_EMISSION);
+            EnvironmentMap environment = HdrReader.read(Files.write(file, Arrays.copyOf(bytes, bytes.length - length)));
+            for (int i = 0; i < 3 * environment.width() * environment.height(); i++) {
+                assertThat(environment.channel(i / 3 % environment.width(), i / 3 / environment.width(), i % 3)).isBetween(0f,
+                        (float) SceneLimits.MAX_EMISSION);
             }
         } catch (MeshException e) {
             assertThat(e.getMessage()).doesNotContain("\n").contains(":");

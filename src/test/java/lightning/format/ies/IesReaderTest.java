@@ -36,44 +36,44 @@ class IesReaderTest {
     @ParameterizedTest
     @ValueSource(strings = {"", "IESNA91\n[TEST] 1\n[MANUFAC] nobody\n", "IESNA:LM-63-1995\n[TEST]\n", "IESNA:LM-63-2002\r\n[TEST] 1\r\n",
         "IES:LM-63-2019\n[TEST] 1\n[MORE] caf\u00e9\n", "a label\nanother\n"})
-    void everyYear_isRead(String header) throws Exception {
+    void everyFormatYear_isRead(String header) throws Exception {
         Photometry p = read(header + PLAIN);
-        assertThat(p.at(0, 0)).isEqualTo(0.5);
-        assertThat(p.at(0, 90)).isEqualTo(1);
-        assertThat(p.at(22.5, 45)).isEqualTo((75 + 150) / 2.0 / 200, within(1e-7));
-        assertThat(p.at(90.5, 0)).isZero();
+        assertThat(p.sample(0, 0)).isEqualTo(0.5);
+        assertThat(p.sample(0, 90)).isEqualTo(1);
+        assertThat(p.sample(22.5, 45)).isEqualTo((75 + 150) / 2.0 / 200, within(1e-7));
+        assertThat(p.sample(90.5, 0)).isZero();
     }
 
     @Test
-    void lightOfOneQuarter_isMirroredToAll() throws Exception {
+    void oneQuadrant_isMirroredToAllFour() throws Exception {
         Photometry p = read(PLAIN);
-        for (double around : new double[] {30, 150, 210, 330}) {
-            assertThat(p.at(45, around)).isEqualTo(p.at(45, 30)).isNotZero();
+        for (double angle : new double[] {30, 150, 210, 330}) {
+            assertThat(p.sample(45, angle)).isEqualTo(p.sample(45, 30)).isNotZero();
         }
     }
 
     @Test
-    void lightOfOneHalf_isMirrored() throws Exception {
+    void oneHalf_isMirrored() throws Exception {
         Photometry sides = read("TILT=NONE\n1 1 1 1 3 1 2 0 0 0 1 1 1 0 0 90 180 1 2 4");
-        assertThat(sides.at(0, 225)).isEqualTo(sides.at(0, 135)).isEqualTo(0.75);
+        assertThat(sides.sample(0, 225)).isEqualTo(sides.sample(0, 135)).isEqualTo(0.75);
         Photometry ends = read("TILT=NONE\n1 1 1 1 3 1 2 0 0 0 1 1 1 0 90 180 270 1 2 4");
-        assertThat(ends.at(0, 45)).isEqualTo(ends.at(0, 135)).isEqualTo(0.375);
-        assertThat(ends.at(0, 315)).isEqualTo(ends.at(0, 225)).isEqualTo(0.75);
-        assertThat(ends.at(0, 0)).isEqualTo(0.5);
+        assertThat(ends.sample(0, 45)).isEqualTo(ends.sample(0, 135)).isEqualTo(0.375);
+        assertThat(ends.sample(0, 315)).isEqualTo(ends.sample(0, 225)).isEqualTo(0.75);
+        assertThat(ends.sample(0, 0)).isEqualTo(0.5);
     }
 
     @Test
-    void tiltsCommasAndAnOldEnd_arePassedOver() throws Exception {
+    void tiltsCommasAndEndOfFileCharacter_areSkipped() throws Exception {
         Photometry p = read("TILT=INCLUDE\n1\n2\n0 90\n1 0.8\n1,1000,1,2,1,1,1,0,0,0\n1 1 1\n0,90\n0\n3,1\n\u001a");
-        assertThat(p.at(45, 200)).isEqualTo(2 / 3.0, within(1e-7));
+        assertThat(p.sample(45, 200)).isEqualTo(2 / 3.0, within(1e-7));
     }
 
     @Test
-    void typeB_isMirroredWhereItBeginsAtZero() throws Exception {
+    void typeBFromZero_isMirrored() throws Exception {
         Photometry p = read(PLAIN.replace("3 2 1 2", "3 2 2 2"));
         assertThat(p.type()).isEqualTo(Photometry.Type.B);
-        assertThat(p.at(-45, -45)).isEqualTo(p.at(45, 45)).isEqualTo(75 / 200.0, within(1e-7));
-        assertThat(p.at(0, 91)).isZero();
+        assertThat(p.sample(-45, -45)).isEqualTo(p.sample(45, 45)).isEqualTo(75 / 200.0, within(1e-7));
+        assertThat(p.sample(0, 91)).isZero();
     }
 
     @ParameterizedTest
@@ -90,46 +90,47 @@ class IesReaderTest {
         "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '-50' | 100 -50 0",
         "100 50 0 | line 6: intensity must be a number from 0 to 1e12, was '1e999' | 100 1e999 0",
         "0 90 | line 5: horizontal angles must go from 0 to 0, 90, 180 or 360, or from 90 to 270, went from 0.0 to 80.0 | 0 80"})
-    void lies_areToldWithTheirLine(String right, String message, String wrong) {
+    void invalidValue_isReportedWithItsLine(String valid, String message, String invalid) {
         String text =
-                right.equals("0 90") ? PLAIN.replace("\n0 90\n", "\n" + wrong + "\n") : PLAIN.replace(right, wrong == null ? "" : wrong);
+                valid.equals("0 90") ? PLAIN.replace("\n0 90\n", "\n" + invalid + "\n")
+                        : PLAIN.replace(valid, invalid == null ? "" : invalid);
         assertThatThrownBy(() -> read(text)).isInstanceOf(MeshException.class)
                 .hasMessageEndingWith(message);
     }
 
     @Test
-    void filesOfTheTextures_areThoseOfTheMaker() throws Exception {
+    void texturesFolder_hasTheGeneratedProfiles() throws Exception {
         assertThat(Path.of("textures/downlight.ies")).hasContent(ProfileMaker.downlight());
         assertThat(Path.of("textures/wall_washer.ies")).hasContent(ProfileMaker.wallWasher());
-        assertThat(IesReader.read(Path.of("textures/wall_washer.ies")).at(30, 0)).isEqualTo(1);
+        assertThat(IesReader.read(Path.of("textures/wall_washer.ies")).sample(30, 0)).isEqualTo(1);
     }
 
     @Test
-    void darkness_isRefused() {
+    void allZeroIntensities_areRejected() {
         assertThatThrownBy(() -> read(PLAIN.replace("100 50 0\n200 100 10", "0 0 0 0 0 0")))
                 .hasMessageEndingWith("one intensity must be above 0, found none");
     }
 
     @Test
-    void largeFile_isNotRead() throws Exception {
-        Path file = Files.write(folder.resolve("large.ies"), new byte[IesReader.BYTES + 1]);
+    void tooLargeFile_isRejected() throws Exception {
+        Path file = Files.write(folder.resolve("large.ies"), new byte[IesReader.MAX_BYTES + 1]);
         assertThatThrownBy(() -> IesReader.read(file)).hasMessageEndingWith("must have at most 1048576 bytes, has 1048577");
     }
 
     /** Whatever is written over a file, it is read, with shares from 0 to 1, or refused in a sentence. */
     @Property
-    void damage_isReadOrTold(@ForAll @IntRange(max = 80) int at, @ForAll @IntRange(max = 255) int byteThere,
-            @ForAll @IntRange(max = 9) int cut)
+    void damagedFile_isReadOrReported(@ForAll @IntRange(max = 80) int index, @ForAll @IntRange(max = 255) int newByte,
+            @ForAll @IntRange(max = 9) int length)
             throws Exception {
         byte[] bytes = PLAIN.getBytes(StandardCharsets.ISO_8859_1);
-        bytes[at % bytes.length] = (byte) byteThere;
+        bytes[index % bytes.length] = (byte) newByte;
         Path file = Files.createTempFile("damaged", ".ies");
         try {
-            Files.write(file, java.util.Arrays.copyOf(bytes, bytes.length - cut));
+            Files.write(file, java.util.Arrays.copyOf(bytes, bytes.length - length));
             Photometry p = IesReader.read(file);
             for (int v = -180; v <= 180; v += 15) {
                 for (int h = 0; h <= 360; h += 15) {
-                    assertThat(p.at(v, h)).isBetween(0.0, 1.0);
+                    assertThat(p.sample(v, h)).isBetween(0.0, 1.0);
                 }
             }
         } catch (MeshException e) {

@@ -27,9 +27,9 @@ public final class ProfileMaker {
     /** Most of its light goes forwards and out, at 30 degrees, next to none behind it. */
     static String wallWasher() {
         return file("a wall washer", 5, 90, new int[] {0, 30, 60, 90, 120, 150, 180}, (v, h) -> {
-            double forwards = Math.cos(Math.toRadians(h));
-            double off = (v - 30 * Math.max(forwards, 0)) / (18 + 14 * Math.max(forwards, 0));
-            return 900 * Math.exp(-off * off) * (0.6 + 0.4 * forwards);
+            double forward = Math.cos(Math.toRadians(h));
+            double deviation = (v - 30 * Math.max(forward, 0)) / (18 + 14 * Math.max(forward, 0));
+            return 900 * Math.exp(-deviation * deviation) * (0.6 + 0.4 * forward);
         });
     }
 

@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
-import lightning.base.text.Visible;
-import lightning.sample.Fuzz;
+import lightning.base.text.PrintableText;
+import lightning.sample.ByteFuzzer;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 /** Edits in words with a few mistakes: each gives a scene that a file can say, or a refusal in one visible line. */
 @Slow
 class EditFuzzTest {
-    private static final int TRIES = Fuzz.tries(60_000);
+    private static final int TRIES = ByteFuzzer.tryCount(60_000);
     private static final String TEXT = """
             jen 1
             material "old oak" { shininess 3 }
@@ -31,51 +31,52 @@ class EditFuzzTest {
                     "material:\"old oak\".shininess=30", "material:m.diffuse=1 0 0", "picture.size=640 480", "world.ambience=0.1",
                     "fill.type=spot", "fill.name=\"rim light\"", "\"b.1\".material=m", "g.scale=1 2 1", "old oak.texture=none",
                     "m.texture=\"a.png\"");
-    private static final List<byte[]> ADDED = bytes("\"rim light\" spot angle=20 at=0 1 2", "rim point", "light rim point { intensity 2 }",
-            "light \"rim { light\" spot {}");
+    private static final List<byte[]> ADDITIONS =
+            bytes("\"rim light\" spot angle=20 at=0 1 2", "rim point", "light rim point { intensity 2 }",
+                    "light \"rim { light\" spot {}");
     private static final List<byte[]> NAMES = bytes("fill", "\"key light\"", "key light", "\"a=b\\\"\"");
-    private static final List<byte[]> BITS =
+    private static final List<byte[]> INSERTIONS =
             bytes("\"", "\\", ".", "=", " ", "material:", "picture", "{", "}", "#", "\n", "1e999", "-1", "0x1p3",
                     "\u001B[31m", "\u202E", "\u2028", "𝐀".repeat(60), "none");
 
     /** What a try does with its words. */
-    private interface Way {
-        Scene of(Scene scene, String words);
+    private interface EditOperation {
+        Scene apply(Scene scene, String arguments);
     }
 
     @Test
-    void assignment_givesASceneOrARefusal() throws JenException {
-        tries(EDITS, PropertyEdit::apply, 0.02);
+    void assignment_yieldsSceneOrError() throws JenException {
+        runTries(EDITS, PropertyEdit::apply, 0.02);
     }
 
     @Test
-    void addition_givesASceneOrARefusal() throws JenException {
-        tries(ADDED, PropertyEdit::add, 0.02);
+    void addition_yieldsSceneOrError() throws JenException {
+        runTries(ADDITIONS, PropertyEdit::add, 0.02);
     }
 
     @Test
-    void deletion_givesASceneOrARefusal() throws JenException {
-        tries(NAMES, PropertyEdit::delete, 0.001);
+    void deletion_yieldsSceneOrError() throws JenException {
+        runTries(NAMES, PropertyEdit::delete, 0.001);
     }
 
-    private static void tries(List<byte[]> pool, Way way, double leastRight) throws JenException {
+    private static void runTries(List<byte[]> pool, EditOperation operation, double minSuccessRate) throws JenException {
         JenDocument document = JenReader.read(TEXT, "e.jen", Path.of(""));
-        int right = 0;
+        int successes = 0;
         for (int i = 0; i < TRIES / 3; i++) {
-            SplittableRandom random = Fuzz.random(i);
-            String words = new String(Fuzz.mutated(pool, random, BITS), StandardCharsets.UTF_8);
+            SplittableRandom random = ByteFuzzer.random(i);
+            String arguments = new String(ByteFuzzer.mutate(pool, random, INSERTIONS), StandardCharsets.UTF_8);
             try {
-                Scene edited = way.of(document.scene(), words);
-                assertThat(JenReader.read(document.with(edited).text(), "saved", Path.of("")).scene()).isEqualTo(edited);
-                right++;
+                Scene edited = operation.apply(document.scene(), arguments);
+                assertThat(JenReader.read(document.withScene(edited).text(), "saved", Path.of("")).scene()).isEqualTo(edited);
+                successes++;
             } catch (IllegalArgumentException e) {
-                assertThat(e.getMessage()).as("try " + i + ": " + words).isNotBlank().matches(Visible::is, "is visible")
+                assertThat(e.getMessage()).as("try " + i + ": " + arguments).isNotBlank().matches(PrintableText::isPrintable, "is visible")
                         .hasSizeLessThan(2000);
             } catch (JenException | RuntimeException | AssertionError e) {
-                throw new AssertionError("try " + i + ": " + words, e);
+                throw new AssertionError("try " + i + ": " + arguments, e);
             }
         }
-        assertThat(right).isBetween((int) (leastRight * TRIES / 3), TRIES / 3 - 1);
+        assertThat(successes).isBetween((int) (minSuccessRate * TRIES / 3), TRIES / 3 - 1);
     }
 
     private static List<byte[]> bytes(String... texts) {

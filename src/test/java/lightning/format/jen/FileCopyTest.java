@@ -41,59 +41,60 @@ class FileCopyTest {
     }
 
     @Test
-    void picture_isCopiedIntoTheTexturesBesideTheScene() throws IOException {
-        assertThat(FileCopy.bring(FileKind.TEXTURE, picture("wood.png", "a"), scene, false)).isEqualTo(new FileCopy.Brought("wood.png"));
+    void image_isCopiedIntoTexturesNextToScene() throws IOException {
+        assertThat(FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.png", "a"), scene, false))
+                .isEqualTo(new FileCopy.Copied("wood.png"));
         assertThat(scene.resolve("textures/wood.png")).hasBinaryContent(bytes("a"));
-        assertThat(FileKind.TEXTURE.names(scene)).containsExactly("wood.png");
+        assertThat(FileKind.TEXTURE.fileNames(scene)).containsExactly("wood.png");
     }
 
     @Test
-    void texturesOfAFolderAbove_areThoseThatGetIt() throws IOException {
+    void parentTexturesFolder_receivesTheCopy() throws IOException {
         Path textures = Files.createDirectories(scene.resolveSibling("textures"));
-        FileCopy.bring(FileKind.TEXTURE, picture("wood.jpg", "a"), scene, false);
+        FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.jpg", "a"), scene, false);
         assertThat(textures.resolve("wood.jpg")).hasBinaryContent(bytes("a"));
         assertThat(scene.resolve("textures")).as("another such folder would hide the first").doesNotExist();
     }
 
     @Test
-    void anotherPictureOfThatName_isWrittenOverOnlyWhereThatIsAllowed() throws IOException {
-        FileCopy.bring(FileKind.TEXTURE, picture("wood.png", "a"), scene, false);
+    void differentFile_isOverwrittenOnlyIfAllowed() throws IOException {
+        FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.png", "a"), scene, false);
         Path other = picture("wood.png", "b");
-        assertThat(FileCopy.bring(FileKind.TEXTURE, other, scene, false)).isEqualTo(new FileCopy.Taken("wood.png"));
+        assertThat(FileCopy.copyToScene(FileKind.TEXTURE, other, scene, false)).isEqualTo(new FileCopy.NameConflict("wood.png"));
         assertThat(scene.resolve("textures/wood.png")).hasBinaryContent(bytes("a"));
-        assertThat(FileCopy.bring(FileKind.TEXTURE, other, scene, true)).isEqualTo(new FileCopy.Brought("wood.png"));
+        assertThat(FileCopy.copyToScene(FileKind.TEXTURE, other, scene, true)).isEqualTo(new FileCopy.Copied("wood.png"));
         assertThat(scene.resolve("textures/wood.png")).hasBinaryContent(bytes("b"));
     }
 
     @Test
-    void pictureThatTheSceneFindsAlready_staysWhereItIs() throws IOException {
-        Path there = Files.write(scene.resolve("wood.png"), bytes("a"));
-        assertThat(FileCopy.bring(FileKind.TEXTURE, there, scene, false)).isEqualTo(new FileCopy.Brought("wood.png"));
+    void alreadyFoundImage_isNotCopied() throws IOException {
+        Path existing = Files.write(scene.resolve("wood.png"), bytes("a"));
+        assertThat(FileCopy.copyToScene(FileKind.TEXTURE, existing, scene, false)).isEqualTo(new FileCopy.Copied("wood.png"));
         assertThat(scene.resolve("textures/wood.png")).doesNotExist();
     }
 
     @Test
-    void whatNoSceneCouldRead_isRefusedAndNothingIsWritten() throws IOException {
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.TEXTURE, picture("wood.txt", "a"), scene, true))
+    void unreadableFile_isRejectedWithoutWriting() throws IOException {
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.txt", "a"), scene, true))
                 .withMessage("a texture must be a PNG or JPEG file, was 'wood.txt'");
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.TEXTURE, picture("w#od.png", "a"), scene, true))
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("w#od.png", "a"), scene, true))
                 .withMessageStartingWith("texture must be a file name of 1 to 200 letters");
         assertThat(scene.resolve("textures")).doesNotExist();
     }
 
     @Test
-    void damagedFile_isRefusedAndNothingIsWritten() throws IOException {
-        byte[] whole = bytes("a");
-        Path torn = Files.write(elsewhere.resolve("torn.png"), Arrays.copyOf(whole, whole.length / 2));
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.TEXTURE, torn, scene, true))
+    void damagedFile_isRejectedWithoutWriting() throws IOException {
+        byte[] valid = bytes("a");
+        Path truncated = Files.write(elsewhere.resolve("torn.png"), Arrays.copyOf(valid, valid.length / 2));
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, truncated, scene, true))
                 .withMessageStartingWith("texture 'torn.png' cannot be decoded");
-        Path sky = Files.writeString(elsewhere.resolve("sky.hdr"), "#?RADIANCE\n");
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.ENVIRONMENT, sky, scene, true))
+        Path environment = Files.writeString(elsewhere.resolve("sky.hdr"), "#?RADIANCE\n");
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.ENVIRONMENT, environment, scene, true))
                 .withMessageContaining("expected the end of the header, found the end of the file");
         Path profile = Files.writeString(elsewhere.resolve("lamp.ies"), "no such thing");
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.PROFILE, profile, scene, true))
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.PROFILE, profile, scene, true))
                 .withMessageContaining("lamp.ies");
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.ENVIRONMENT, torn, scene, true))
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.ENVIRONMENT, truncated, scene, true))
                 .withMessage("an environment must be a Radiance HDR file, was 'torn.png'");
         assertThat(scene.resolve("textures")).doesNotExist();
     }
@@ -102,12 +103,12 @@ class FileCopyTest {
     void linkOutOfTheFolder_isNotFollowed() throws IOException {
         Path outside = Files.createDirectories(root.resolve("outside"));
         Files.createSymbolicLink(scene.resolve("textures"), outside);
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.TEXTURE, picture("wood.png", "a"), scene, true))
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.png", "a"), scene, true))
                 .withMessageStartingWith("the folder of textures must be no link");
         Files.delete(scene.resolve("textures"));
         Path victim = Files.writeString(outside.resolve("victim.png"), "v");
         Files.createSymbolicLink(Files.createDirectories(scene.resolve("textures")).resolve("wood.png"), victim);
-        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.bring(FileKind.TEXTURE, picture("wood.png", "a"), scene, true))
+        assertThatIllegalArgumentException().isThrownBy(() -> FileCopy.copyToScene(FileKind.TEXTURE, picture("wood.png", "a"), scene, true))
                 .withMessageContaining("is a link");
         assertThat(victim).hasContent("v");
     }

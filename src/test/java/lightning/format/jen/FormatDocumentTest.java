@@ -10,10 +10,10 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightType;
-import lightning.scene.Limits;
+import lightning.scene.SceneLimits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,14 +31,14 @@ class FormatDocumentTest {
     }
 
     static Stream<BlockType<?>> blocks() {
-        return BlocksTest.types();
+        return BlockTypesTest.types();
     }
 
     @ParameterizedTest
     @MethodSource("examples")
-    void everyExample_isReadAndWrittenBack(String example) throws Exception {
+    void everyExample_roundTrips(String example) throws Exception {
         ImageIO.write(new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB), "png", folder.resolve("wood.png").toFile());
-        Files.writeString(folder.resolve("statue.ply"), MeshTextTest.TRIANGLE);
+        Files.writeString(folder.resolve("statue.ply"), MeshBlockTest.TRIANGLE);
         String text = example.startsWith("jen") ? example : "jen 1\n" + example;
         JenDocument document = JenReader.read(text, "docs/jen-format.md", folder);
         assertThat(document.text()).isEqualTo(text);
@@ -53,45 +53,47 @@ class FormatDocumentTest {
 
     @ParameterizedTest
     @MethodSource("blocks")
-    void everyProperty_isInATableWithDefaultRangeAndUnit(BlockType<?> type) throws IOException {
+    void everyProperty_isDocumented(BlockType<?> type) throws IOException {
         assertThat(page().lines()).containsAll(type.properties().stream().map(FormatDocumentTest::row).toList());
     }
 
     @Test
-    void everyLightType_isInATableWithWhatItActsBy() throws IOException {
+    void everyLightType_isDocumentedWithItsAttributes() throws IOException {
         for (LightType type : LightType.values()) {
             List<String> acting = LightAttribute.ALL.stream().filter(a -> a.term(type).isPresent()).map(a -> "`" + a.name() + "`").toList();
-            boolean all = LightAttribute.ALL.stream().allMatch(a -> a.acts(type));
+            boolean all = LightAttribute.ALL.stream().allMatch(a -> a.appliesTo(type));
             assertThat(page()).contains(
-                    "| `" + LightAttribute.TYPE.kind().text(type) + "` | " + (all ? "all of them" : String.join(", ", acting)) + " |");
+                    "| `" + LightAttribute.TYPE.kind().format(type) + "` | " + (all ? "all of them" : String.join(", ", acting)) + " |");
         }
     }
 
     @Test
-    void everyLimit_isStated() throws IOException {
+    void everyLimit_isDocumented() throws IOException {
         for (int limit : List.of(JenLimits.MESHES, JenLimits.TRIANGLES, JenLimits.TOKENS, JenLimits.TOKEN_LENGTH, JenLimits.PROBLEMS,
                 JenLimits.TEXTURES,
-                JenLimits.TEXTURE_SIDE, Limits.MAX_LIGHTS, Limits.MAX_SHAPES, Limits.MAX_MATERIALS, Limits.MAX_NESTING)) {
+                JenLimits.TEXTURE_SIDE, SceneLimits.MAX_LIGHTS, SceneLimits.MAX_SHAPES, SceneLimits.MAX_MATERIALS,
+                SceneLimits.MAX_NESTING)) {
             assertThat(page()).contains("| " + limit + " |");
         }
         assertThat(page()).contains("| " + (JenLimits.FILE_BYTES >> 20) + " MiB |",
                 "| " + (JenLimits.TEXTURE_BYTES >> 20) + " MiB |", "| " + (JenLimits.TEXTURE_PIXELS >> 20) + " Mi |",
-                "| " + (JenLimits.ALL_TEXTURE_PIXELS >> 20) + " Mi |");
+                "| " + (JenLimits.TOTAL_TEXTURE_PIXELS >> 20) + " Mi |");
     }
 
     /** The line of a property in the page's tables. */
     static String row(Property<?> p) {
         String initial = p.initial() instanceof Value.Absent ? "none" : "`" + p.initial().text() + "`";
         String value = switch (p.form()) {
-            case NUMBERS -> (p.count() == 1 ? "" : p.count() + " ") + (p.whole() ? "whole " : "") + (p.count() == 1 ? "number" : "numbers:"
-                    + String.join(",", p.labels()));
+            case NUMBERS ->
+                    (p.count() == 1 ? "" : p.count() + " ") + (p.isInteger() ? "whole " : "") + (p.count() == 1 ? "number" : "numbers:"
+                            + String.join(",", p.labels()));
             case LINKS -> "`all`, `none`, or `only` or `except` and names in quotes";
             case WORD -> "`" + String.join("`, `", p.choices()) + "`";
             case NAME -> "name";
             case QUOTED -> "file name in quotes";
         };
         String range = p.form() == Property.Form.NUMBERS
-                ? Decimal.text(p.min()) + " … " + Decimal.text(p.max()) : "";
+                ? DecimalNumber.format(p.min()) + " … " + DecimalNumber.format(p.max()) : "";
         return ("| `" + p.name() + "` | " + value + " | " + initial + " | " + range + " | " + p.unit() + " |").replaceAll(" +", " ");
     }
 

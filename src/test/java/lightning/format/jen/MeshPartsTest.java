@@ -23,7 +23,7 @@ class MeshPartsTest {
     }
 
     @Test
-    void partsOfAFile_areFoundWithoutLookingAtTheOthers() throws UnusableFileException {
+    void part_isFoundWithoutScanningOthers() throws UnusableFileException {
         var parts = new MeshParts(new AbstractList<>() {
             @Override
             public NamedMesh get(int index) {
@@ -37,7 +37,7 @@ class MeshPartsTest {
             }
         });
         for (NamedMesh mesh : meshes) {
-            assertThat(parts.named(mesh.name(), "a.glb")).isSameAs(mesh.mesh());
+            assertThat(parts.part(mesh.name(), "a.glb")).isSameAs(mesh.mesh());
         }
         assertThat(steps).isLessThanOrEqualTo(PARTS);
     }

@@ -8,12 +8,12 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Attenuation;
-import lightning.scene.Bank;
-import lightning.scene.Group;
 import lightning.scene.Light;
+import lightning.scene.LightGroup;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.NodeGroup;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import org.junit.jupiter.api.Test;
@@ -31,21 +31,21 @@ class PropertyEditTest {
     private final Light key = scene.light("key").orElseThrow();
 
     @Test
-    void banks_areAddedMasteredRenamedAndTakenAway() {
-        Scene banked = PropertyEdit.set(PropertyEdit.add(scene, "bank left { intensity 0.5 }"), "key", "bank", "left");
-        assertThat(banked.rig().banks()).containsExactly(Bank.of("left").withIntensity(0.5));
-        assertThat(banked.light("key").orElseThrow()).isEqualTo(key.withBank("left"));
-        assertThat(PropertyEdit.apply(banked, "left.on=no").rig().bank("left").orElseThrow().on()).isFalse();
-        Scene renamed = PropertyEdit.apply(banked, "left.name=right");
-        assertThat(renamed.light("key").orElseThrow().bank()).isEqualTo("right");
-        assertThat(PropertyEdit.add(banked, "rim spot bank=left").lights().getLast().bank()).isEqualTo("left");
-        assertThat(PropertyEdit.delete(banked, "left")).isEqualTo(scene);
-        assertThat(PropertyEdit.apply(banked, "key.bank=none")).isEqualTo(PropertyEdit.add(scene, "bank left { intensity 0.5 }"));
-        assertThatThrownBy(() -> PropertyEdit.apply(banked, "key.bank=lefd")).hasMessageContaining("there is no bank 'lefd'");
+    void lightGroups_areAddedEditedRenamedAndDeleted() {
+        Scene grouped = PropertyEdit.set(PropertyEdit.add(scene, "bank left { intensity 0.5 }"), "key", "bank", "left");
+        assertThat(grouped.rig().lightGroups()).containsExactly(LightGroup.of("left").withIntensity(0.5));
+        assertThat(grouped.light("key").orElseThrow()).isEqualTo(key.withLightGroup("left"));
+        assertThat(PropertyEdit.apply(grouped, "left.on=no").rig().lightGroup("left").orElseThrow().on()).isFalse();
+        Scene renamed = PropertyEdit.apply(grouped, "left.name=right");
+        assertThat(renamed.light("key").orElseThrow().lightGroup()).isEqualTo("right");
+        assertThat(PropertyEdit.add(grouped, "rim spot bank=left").lights().getLast().lightGroup()).isEqualTo("left");
+        assertThat(PropertyEdit.delete(grouped, "left")).isEqualTo(scene);
+        assertThat(PropertyEdit.apply(grouped, "key.bank=none")).isEqualTo(PropertyEdit.add(scene, "bank left { intensity 0.5 }"));
+        assertThatThrownBy(() -> PropertyEdit.apply(grouped, "key.bank=lefd")).hasMessageContaining("there is no bank 'lefd'");
     }
 
     @Test
-    void everyPropertyOfALight_canBeSet() {
+    void everyLightProperty_canBeSet() {
         assertThat(key("intensity=0.4")).isEqualTo(key.withIntensity(0.4));
         assertThat(key("color=1 0.9 0.8")).isEqualTo(key.withColor(new Rgb(1, 0.9, 0.8)));
         assertThat(key("at=1 2 -3")).isEqualTo(key.withPosition(new Vec3(1, 2, -3)));
@@ -59,23 +59,23 @@ class PropertyEditTest {
     }
 
     @Test
-    void name_renamesTheLightInItsPlace() {
+    void name_renamesTheLightInPlace() {
         assertThat(PropertyEdit.apply(scene, "key.name=rim").lights()).containsExactly(key.withName("rim"), scene.lights().get(1));
     }
 
     @Test
     void pictureCameraAndWorld_canBeSet() {
         assertThat(PropertyEdit.apply(scene, "picture.size=640 480").picture())
-                .isEqualTo(Picture.DEFAULT.withSize(640, 480));
-        assertThat(PropertyEdit.apply(scene, "picture.depth=5").picture()).isEqualTo(Picture.DEFAULT.withDepth(5));
+                .isEqualTo(PictureSettings.DEFAULT.withSize(640, 480));
+        assertThat(PropertyEdit.apply(scene, "picture.depth=5").picture()).isEqualTo(PictureSettings.DEFAULT.withDepth(5));
         assertThat(PropertyEdit.apply(scene, "camera.from=1 2 3").camera().from()).isEqualTo(new Vec3(1, 2, 3));
         assertThat(PropertyEdit.apply(scene, "world.ambience=0.1").world().ambience()).isEqualTo(0.1);
     }
 
     @Test
-    void shapesInGroupsAndMaterials_canBeSet() {
-        Group g = (Group) PropertyEdit.apply(scene, "ball.at=1 2 3").nodes().getFirst();
-        assertThat(((Shape) g.children().getFirst()).placement().at()).isEqualTo(new Vec3(1, 2, 3));
+    void groupedShapesAndMaterials_canBeSet() {
+        NodeGroup g = (NodeGroup) PropertyEdit.apply(scene, "ball.at=1 2 3").nodes().getFirst();
+        assertThat(((Shape) g.children().getFirst()).placement().position()).isEqualTo(new Vec3(1, 2, 3));
         assertThat(PropertyEdit.apply(scene, "g.scale=1 2 1").nodes().getFirst().placement().scale()).isEqualTo(new Vec3(1, 2, 1));
         assertThat(PropertyEdit.apply(scene, "g.visible=no").placedShapes()).isEmpty();
         assertThat(PropertyEdit.apply(scene, "ball.visible=no").stage().node("ball").orElseThrow().visible()).isFalse();
@@ -83,24 +83,24 @@ class PropertyEditTest {
     }
 
     @Test
-    void everyPropertyOfAMaterial_canBeSet() {
+    void everyMaterialProperty_canBeSet() {
         Material floor = scene.materials().getFirst();
         assertThat(floor("ambient=1 2 3")).isEqualTo(floor.withAmbient(new Rgb(1, 2, 3)));
         assertThat(floor("diffuse=1 0.5 0")).isEqualTo(floor.withDiffuse(new Rgb(1, 0.5, 0)));
         assertThat(floor("specular=0.1 0.2 0.3")).isEqualTo(floor.withSpecular(new Rgb(0.1, 0.2, 0.3)));
         assertThat(floor("shininess=30")).isEqualTo(floor.withShininess(30));
-        assertThat(floor("reflective=0.5 0.5 0.5")).isEqualTo(floor.withReflective(Rgb.grey(0.5)));
+        assertThat(floor("reflective=0.5 0.5 0.5")).isEqualTo(floor.withReflective(Rgb.gray(0.5)));
     }
 
     @Test
-    void prefix_meansTheMaterialWhereALightHasItsName() {
+    void prefix_selectsTheMaterialOverALight() {
         Scene twins = scene.withLights(List.of(key.withName("floor")));
         assertThat(PropertyEdit.apply(twins, "material:floor.shininess=7").materials().getFirst().shininess()).isEqualTo(7);
         assertThat(PropertyEdit.apply(twins, "floor.intensity=7").lights().getFirst().intensity()).isEqualTo(7);
     }
 
     @Test
-    void textures_comeFromTheFolderRepeatAndGo() {
+    void textures_areSetRepeatedAndRemoved() {
         Scene wood = PropertyEdit.apply(scene, "material:floor.texture=\"wood.png\"", Path.of("scenes"));
         assertThat(wood.materials().getFirst().texture().orElseThrow().file()).isEqualTo("wood.png");
         Scene repeated = PropertyEdit.apply(wood, "material:floor.repeat=2 -3");
@@ -113,14 +113,14 @@ class PropertyEditTest {
     }
 
     @Test
-    void theDefaultMaterial_isWrittenOnceItIsEdited() {
+    void editedDefaultMaterial_isWritten() {
         Scene edited = PropertyEdit.apply(scene, "material:default.diffuse=1 0 0");
         assertThat(edited.materials()).endsWith(Material.DEFAULT.withDiffuse(new Rgb(1, 0, 0)));
-        assertThat(JenDocument.of(scene).with(edited).text()).contains("material default { diffuse 1 0 0 }");
+        assertThat(JenDocument.of(scene).withScene(edited).text()).contains("material default { diffuse 1 0 0 }");
     }
 
     @Test
-    void lightIsAdded_fromBothForms() {
+    void light_isAddedFromBothForms() {
         Light rim = Light.of("rim", LightType.POINT).withIntensity(0.5).withPosition(new Vec3(0, 1, 2));
         assertThat(PropertyEdit.add(scene, "rim point intensity=0.5 at=0 1 2").lights()).endsWith(rim).hasSize(3);
         assertThat(PropertyEdit.add(scene, "light rim point { intensity 0.5 at 0 1 2 }").lights()).endsWith(rim).hasSize(3);
@@ -128,7 +128,7 @@ class PropertyEditTest {
     }
 
     @Test
-    void lightIsDeleted_byName() {
+    void light_isDeletedByName() {
         assertThat(PropertyEdit.delete(scene, "key").lights()).extracting(Light::name).containsExactly("fill");
         assertThatThrownBy(() -> PropertyEdit.delete(scene, "fil")).isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("there is no light 'fil', did you mean 'fill'?");
@@ -167,7 +167,7 @@ class PropertyEditTest {
         "camera.from=0 0 0 | camera: from and to must be two different points",
         "picture.depth=1.5 | picture: depth must be a whole number, was 1.5",
     })
-    void wrongEdit_saysWhatIsWrong(String edit, String message) {
+    void invalidEdit_isReported(String edit, String message) {
         assertThatThrownBy(() -> PropertyEdit.apply(scene, edit)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);
     }
 
@@ -180,18 +180,18 @@ class PropertyEditTest {
         "sphere s { } | expected one light, as in 'fill point intensity=0.5', found 'sphere s { }'",
         "light a point {} light b point {} | expected one light, as in 'fill point intensity=0.5', found 'light a point {} light b point {}'",
     })
-    void wrongNewLight_saysWhatIsWrong(String light, String message) {
+    void invalidNewLight_isReported(String light, String message) {
         assertThatThrownBy(() -> PropertyEdit.add(scene, light)).isInstanceOf(IllegalArgumentException.class).hasMessage(message);
     }
 
     @Test
-    void aValue_mayBeWrittenAsTheFileWritesIt() {
-        for (Property<Light> p : Blocks.LIGHT.properties()) {
-            Value now = p.get().apply(key);
-            String value = now instanceof Value.Absent ? "none" : now.text();
+    void value_isAcceptedInFileSyntax() {
+        for (Property<Light> p : BlockTypes.LIGHT.properties()) {
+            Value current = p.getter().apply(key);
+            String value = current instanceof Value.Absent ? "none" : current.text();
             assertThat(PropertyEdit.set(scene, "key", p.name(), value)).as(p.name()).isEqualTo(scene);
         }
-        assertThat(List.of("color", "at", "solo")).isSubsetOf(Blocks.LIGHT.propertyNames());
+        assertThat(List.of("color", "at", "solo")).isSubsetOf(BlockTypes.LIGHT.propertyNames());
     }
 
     private Material floor(String edit) {

@@ -11,8 +11,8 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.Notes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -20,10 +20,10 @@ import org.junit.jupiter.api.io.TempDir;
 class NffReaderTest {
     @TempDir
     private Path folder;
-    private final Notes notes = new Notes();
+    private final ConversionNotes notes = new ConversionNotes();
 
     @Test
-    void view_isWhatTheFileSays() throws Exception {
+    void view_matchesTheFile() throws Exception {
         NffFile file =
                 read("v\nfrom 1 2 3\nat 4 5 6 # a remark\nup 0 0 1\nangle 30\nhither 1\nresolution 512 256\nb 0.1 0.2 0.3\ns 0 0 0 1\n");
         assertThat(file.view()).contains(new NffFile.View(new Vec3(1, 2, 3), new Vec3(4, 5, 6), new Vec3(0, 0, 1), 30, 512, 256));
@@ -31,25 +31,25 @@ class NffReaderTest {
     }
 
     @Test
-    void light_mayHaveAColor() throws Exception {
+    void lightColor_isOptional() throws Exception {
         assertThat(read("l 1 2 3\nl 4 5 6 0.5 0.25 0 # last\ns 0 0 0 1\n").lights()).containsExactly(
                 new NffFile.Light(new Vec3(1, 2, 3), Optional.empty()),
                 new NffFile.Light(new Vec3(4, 5, 6), Optional.of(new Rgb(0.5, 0.25, 0))));
     }
 
     @Test
-    void fill_holdsForWhatFollowsIt() throws Exception {
+    void fill_appliesToFollowingShapes() throws Exception {
         NffFile file = read(
                 "s 0 0 0 1\nf 1 0 0 0.5 0.25 8 0.9 1.5\ns 0 0 0 2\nf 0 1 0 1 0 1 0 1\nc\n0 0 0 1\n0 1 0 0.5\nf 1 0 0 0.5 0.25 8 0.9 1.5\n"
                         + "s 0 0 0 3\n");
         assertThat(file.fills()).containsExactly(new NffFile.Fill(new Rgb(1, 0, 0), 0.5, 0.25, 8, 0.9, 1.5),
                 new NffFile.Fill(new Rgb(0, 1, 0), 1, 0, 1, 0, 1));
-        assertThat(file.solids()).containsExactly(new NffSolid.Ball(-1, Vec3.ZERO, 1), new NffSolid.Ball(0, Vec3.ZERO, 2),
-                new NffSolid.Tube(1, Vec3.ZERO, 1, Vec3.Y, 0.5), new NffSolid.Ball(0, Vec3.ZERO, 3));
+        assertThat(file.solids()).containsExactly(new NffSolid.Sphere(-1, Vec3.ZERO, 1), new NffSolid.Sphere(0, Vec3.ZERO, 2),
+                new NffSolid.Cone(1, Vec3.ZERO, 1, Vec3.Y, 0.5), new NffSolid.Sphere(0, Vec3.ZERO, 3));
     }
 
     @Test
-    void polygonsOfOneFill_areOneMesh_andShareCorners() throws Exception {
+    void polygonsWithOneFill_shareOneMesh() throws Exception {
         NffFile file = read("p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\np 3\n1 1 0 1 0 -0 2 0 0\n");
         assertThat(file.meshes()).hasSize(1);
         assertThat(file.meshes().getFirst().mesh().triangleCount()).isEqualTo(3);
@@ -58,31 +58,31 @@ class NffReaderTest {
     }
 
     @Test
-    void patches_haveNormalsOfLength1() throws Exception {
+    void patchNormals_areNormalized() throws Exception {
         NffFile file = read("pp 3\n0 0 0 0 0 2\n1 0 0 0 3 0\n0 1 0 0 0 0\n");
         assertThat(file.meshes().getFirst().name()).isEqualTo("patches");
         assertThat(file.meshes().getFirst().mesh().normals()).containsExactly(0, 0, 1, 0, 1, 0, 0, 0, 1);
     }
 
     @Test
-    void otherDialects_arePassedOverAndTold() throws Exception {
+    void otherDialects_areSkippedAndNoted() throws Exception {
         NffFile file = read("tess 4\nf 0.3 0.3 0.3 1 1\ns 0 0 0 -5\nf 1 1 1 1 0 1 0 1 earth.png\nl 0 0 0 shadows\n");
-        assertThat(file.solids()).containsExactly(new NffSolid.Ball(0, Vec3.ZERO, 5));
+        assertThat(file.solids()).containsExactly(new NffSolid.Sphere(0, Vec3.ZERO, 5));
         assertThat(notes.counts()).containsEntry("entities tess", 1).containsEntry("fills with fewer than eight numbers", 1)
                 .containsEntry("words behind fills, of another dialect", 1).containsEntry("words behind lights, of another dialect", 1)
                 .containsEntry("shapes of which only the inside is to be seen", 1);
     }
 
     @Test
-    void damage_isToldWithItsLine() {
-        assertRefused("s 0 0 0 1\ns 1 2 x 4\n", "line 2: a number of s must be a decimal number, was 'x'");
-        assertRefused("p 1000000000\n0 0 0\n", "line 3: expected a number of p, found the end of the file");
-        assertRefused("p -3\n0 0 0\n", "line 1: a number of p must be a whole number from 0 to 2147483647, was '-3'");
-        assertRefused("s 1e13 0 0 1\n", "line 1: a coordinate must be at most 1e12 in absolute value, was 1e13");
-        assertRefused("tet 0 0 0 5\n", "must have shapes (c, s, p or pp): without them there is nothing to light");
+    void invalidFile_isReportedWithLine() {
+        assertRejected("s 0 0 0 1\ns 1 2 x 4\n", "line 2: a number of s must be a decimal number, was 'x'");
+        assertRejected("p 1000000000\n0 0 0\n", "line 3: expected a number of p, found the end of the file");
+        assertRejected("p -3\n0 0 0\n", "line 1: a number of p must be a whole number from 0 to 2147483647, was '-3'");
+        assertRejected("s 1e13 0 0 1\n", "line 1: a coordinate must be at most 1e12 in absolute value, was 1e13");
+        assertRejected("tet 0 0 0 5\n", "must have shapes (c, s, p or pp): without them there is nothing to light");
     }
 
-    private void assertRefused(String text, String message) {
+    private void assertRejected(String text, String message) {
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(text)).withMessageEndingWith("a.nff: " + message);
     }
 

@@ -9,18 +9,18 @@ import lightning.base.math.Vec3;
  */
 public final class Teapot {
     /** The control points' radius and height along a quarter's edge: lid in two parts, rim, body in two parts, bottom. */
-    private static final double[][] ROUND = {
+    private static final double[][] ROTATED_PROFILES = {
         {0, 3.15, 0.8, 3.15, 0, 2.85, 0.2, 2.7}, {0.2, 2.7, 0.4, 2.55, 1.3, 2.55, 1.3, 2.4},
         {1.4, 2.4, 1.3375, 2.53125, 1.4375, 2.53125, 1.5, 2.4}, {1.5, 2.4, 1.75, 1.875, 2, 1.35, 2, 0.9},
         {2, 0.9, 2, 0.45, 1.5, 0.225, 1.5, 0.15}, {1.5, 0.15, 1.5, 0.075, 1.425, 0, 0, 0}};
     /** Four edges of each half patch, four points each: x and z inside, half a width y, x and z outside. */
-    private static final double[][] HALVES = {
+    private static final double[][] HALF_PROFILES = {
         {-1.6, 2.025, 0.3, -1.5, 2.25, -2.3, 2.025, 0.3, -2.5, 2.25, -2.7, 2.025, 0.3, -3, 2.25, -2.7, 1.8, 0.3, -3, 1.8},
         {-2.7, 1.8, 0.3, -3, 1.8, -2.7, 1.575, 0.3, -3, 1.35, -2.5, 1.125, 0.3, -2.65, 0.9375, -2, 0.9, 0.3, -1.9, 0.6},
         {1.7, 1.425, 0.66, 1.7, 0.6, 2.6, 1.425, 0.66, 3.1, 0.825, 2.3, 2.1, 0.25, 2.4, 2.025, 2.7, 2.4, 0.25, 3.3, 2.4},
         {2.7, 2.4, 0.25, 3.3, 2.4, 2.8, 2.475, 0.25, 3.525, 2.49375, 2.9, 2.475, 0.15, 3.45, 2.5125, 2.8, 2.4, 0.15, 3.2, 2.4}};
     /** How far the inner control points of a quarter circle lie along its tangents, as the teapot has them. */
-    private static final double ROUNDNESS = 0.56;
+    private static final double CIRCLE_TANGENT = 0.56;
 
     private final StringBuilder out = new StringBuilder();
     private final int steps;
@@ -30,28 +30,28 @@ public final class Teapot {
     }
 
     public static String text(int steps) {
-        var made = new Teapot(steps);
-        made.out.append("v\nfrom 4.86 7.2 5.4\nat 0 0 1.2\nup 0 0 1\nangle 45\nhither 1\nresolution 64 64\nb 0.078 0.361 0.753\n")
+        var teapot = new Teapot(steps);
+        teapot.out.append("v\nfrom 4.86 7.2 5.4\nat 0 0 1.2\nup 0 0 1\nangle 45\nhither 1\nresolution 64 64\nb 0.078 0.361 0.753\n")
                 .append("l -3.1 9.8 12.1\nl 11.3 5.1 8.8\nf 1 0.75 0.33 0.8 0.2 20 0 0\n");
-        for (double[] profile : ROUND) {
+        for (double[] profile : ROTATED_PROFILES) {
             for (int quarter = 0; quarter < 4; quarter++) {
-                made.patches(round(profile, quarter));
+                teapot.appendPatches(rotatedPatches(profile, quarter));
             }
         }
-        for (double[] half : HALVES) {
-            made.patches(half(half, 1));
-            made.patches(half(half, -1));
+        for (double[] half : HALF_PROFILES) {
+            teapot.appendPatches(mirroredPatches(half, 1));
+            teapot.appendPatches(mirroredPatches(half, -1));
         }
-        return made.out.toString();
+        return teapot.out.toString();
     }
 
-    private static Vec3[][] round(double[] profile, int quarter) {
-        double[] across = {1, 1, ROUNDNESS, 0};
+    private static Vec3[][] rotatedPatches(double[] profile, int quarter) {
+        double[] radius = {1, 1, CIRCLE_TANGENT, 0};
         Vec3[][] points = new Vec3[4][4];
         for (int i = 0; i < 4; i++) {
             for (int j = 0; j < 4; j++) {
-                double x = profile[2 * i] * across[j];
-                double y = profile[2 * i] * across[3 - j];
+                double x = profile[2 * i] * radius[j];
+                double y = profile[2 * i] * radius[3 - j];
                 points[i][j] = switch (quarter) {
                     case 0 -> new Vec3(x, y, profile[2 * i + 1]);
                     case 1 -> new Vec3(-y, x, profile[2 * i + 1]);
@@ -63,7 +63,7 @@ public final class Teapot {
         return points;
     }
 
-    private static Vec3[][] half(double[] edges, int side) {
+    private static Vec3[][] mirroredPatches(double[] edges, int side) {
         Vec3[][] points = new Vec3[4][4];
         for (int i = 0; i < 4; i++) {
             int e = 5 * i;
@@ -74,7 +74,7 @@ public final class Teapot {
         return points;
     }
 
-    private void patches(Vec3[][] points) {
+    private void appendPatches(Vec3[][] points) {
         for (int i = 0; i < steps; i++) {
             for (int j = 0; j < steps; j++) {
                 out.append("pp 4\n");
@@ -90,12 +90,12 @@ public final class Teapot {
     private void corner(Vec3[][] points, int i, int j) {
         double[] u = weights((double) i / steps);
         double[] v = weights((double) j / steps);
-        Vec3 p = sum(points, u, v);
-        Vec3 n = sum(points, slopes((double) i / steps), v).cross(sum(points, u, slopes((double) j / steps)));
+        Vec3 p = evaluate(points, u, v);
+        Vec3 n = evaluate(points, derivatives((double) i / steps), v).cross(evaluate(points, u, derivatives((double) j / steps)));
         out.append(String.format(Locale.ROOT, "%.6f %.6f %.6f %.6f %.6f %.6f%n", p.x(), p.y(), p.z(), n.x(), n.y(), n.z()));
     }
 
-    private static Vec3 sum(Vec3[][] points, double[] u, double[] v) {
+    private static Vec3 evaluate(Vec3[][] points, double[] u, double[] v) {
         Vec3 sum = Vec3.ZERO;
         for (int i = 0; i < 4; i++) {
             for (int j = 0; j < 4; j++) {
@@ -110,7 +110,7 @@ public final class Teapot {
         return new double[] {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
     }
 
-    private static double[] slopes(double t) {
+    private static double[] derivatives(double t) {
         double s = 1 - t;
         return new double[] {-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
     }

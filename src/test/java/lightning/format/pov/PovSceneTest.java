@@ -15,19 +15,19 @@ import javax.imageio.ImageIO;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.format.jen.JenReader;
-import lightning.sample.Meshes;
+import lightning.sample.SampleMeshes;
 import lightning.sample.SceneArbitraries;
 import lightning.scene.Attenuation;
+import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Panorama;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Relief;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
-import lightning.scene.Sky;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -51,24 +51,24 @@ class PovSceneTest {
     }
 
     @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-    void text_hasEveryShapeAndEveryLightThatIsOn(@ForAll("scenes") Scene scene) {
+    void text_hasEveryShapeAndActiveLight(@ForAll("scenes") Scene scene) {
         String text = PovScene.of(scene, "x").text();
         assertThat(text.chars().filter(c -> c == '{').count()).isEqualTo(text.chars().filter(c -> c == '}').count());
         assertThat(text).doesNotContain("NaN", "Infinity");
         assertThat(text.lines().filter(line -> line.startsWith("light_source"))).hasSize(
-                (int) scene.rig().actingLights().stream().filter(scene::shines).count());
+                (int) scene.rig().effectiveLights().stream().filter(scene::isActive).count());
         assertThat(text.lines().filter(line -> line.startsWith("  matrix"))).hasSize(scene.placedShapes().size());
     }
 
     @Test
-    void losses_standInTheHeadOfTheFile() throws Exception {
+    void warnings_areInTheFileHeader() throws Exception {
         PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "x");
         assertThat(pov.losses()).isNotEmpty();
-        pov.losses().forEach(loss -> assertThat(pov.text()).contains("// Not as in the scene: " + loss + "\n"));
+        pov.losses().forEach(warning -> assertThat(pov.text()).contains("// Not as in the scene: " + warning + "\n"));
     }
 
     @Test
-    void namesOfAnyCharacters_stayInTheirComments() throws Exception {
+    void names_stayInsideComments() throws Exception {
         Scene scene = JenReader.read("""
                 jen 1
                 material "*/ } oak" { specular 1 0 0 }
@@ -85,36 +85,37 @@ class PovSceneTest {
     }
 
     @Test
-    void nameOfTheFile_isInNoWayPartOfTheSyntax() throws Exception {
+    void fileName_isEscaped() throws Exception {
         PovScene pov = PovScene.of(JenReader.read(Path.of("scenes/bird.jen")).scene(), "a\"b\\c\nd");
         assertThat(pov.text()).doesNotContain("a\"b", "\\c");
     }
 
     /** POV-Ray 3.7's manual, "map_type 1": the picture begins at x, and goes about y towards z. */
     @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
-    void environment_isTurnedToWhereItIsSeen(@ForAll @DoubleRange(min = -360, max = 360) double rotation) {
-        Sky sky = new Sky(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
-        World world = World.DEFAULT.withEnvironment(Optional.of(new Panorama("a\"b.hdr", sky))).withRotation(rotation);
-        String text = PovScene.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
+    void environment_isRotatedAsRendered(@ForAll @DoubleRange(min = -360, max = 360) double rotation) {
+        EnvironmentMap environment = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("a\"b.hdr", environment))).withRotation(rotation);
+        String text = PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, List.of(), List.of(), List.of()), "x").text();
         assertThat(text).contains("hdr \"a\\\"b.hdr\" map_type 1");
-        Matcher turn = Pattern.compile("sky_sphere[^r]*rotate <0, (.*), 0>").matcher(text.replace("hdr", "").replace("interpolate", ""));
-        assertThat(turn.find()).isTrue();
+        Matcher rotationText =
+                Pattern.compile("sky_sphere[^r]*rotate <0, (.*), 0>").matcher(text.replace("hdr", "").replace("interpolate", ""));
+        assertThat(rotationText.find()).isTrue();
         for (int column = 0; column < 4; column++) {
             // A turn by +90 degrees about y takes z to x in POV-Ray, and an angle from x towards z becomes smaller.
-            double angle = Math.toRadians(360 * (column + 0.5) / 4 - Double.parseDouble(turn.group(1)));
-            double[] seen = new double[3];
-            sky.radiance(Math.cos(angle), 0, Math.sin(angle), rotation, seen);
-            assertThat(seen[0]).isEqualTo(column + 1, within(1e-9));
+            double angle = Math.toRadians(360 * (column + 0.5) / 4 - Double.parseDouble(rotationText.group(1)));
+            double[] direction = new double[3];
+            environment.radiance(Math.cos(angle), 0, Math.sin(angle), rotation, direction);
+            assertThat(direction[0]).isEqualTo(column + 1, within(1e-9));
         }
     }
 
     @Test
     void meshes_areDeclaredOnce() {
-        Solid.Triangles cube = Meshes.solid(Meshes.cube());
-        List<Node> nodes =
+        Solid.TriangleMesh cube = SampleMeshes.solid(SampleMeshes.cube());
+        List<SceneNode> nodes =
                 List.of(new Shape(cube, "one", "default", Placement.IDENTITY), new Shape(cube, "two", "default", Placement.IDENTITY),
-                        new Shape(Meshes.solid(Meshes.ball(3, 4, true)), "three", "default", Placement.IDENTITY));
-        PovScene pov = PovScene.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), nodes, List.of()), "x");
+                        new Shape(SampleMeshes.solid(SampleMeshes.ball(3, 4, true)), "three", "default", Placement.IDENTITY));
+        PovScene pov = PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), nodes, List.of()), "x");
         assertThat(pov.text()).containsOnlyOnce("#declare mesh_0 = mesh2 {\n  vertex_vectors { 8,\n    <-1.0,-1.0,-1.0>,")
                 .containsOnlyOnce("  face_indices { 12,\n    <0,2,1>,").containsOnlyOnce("normal_vectors { 10,")
                 .contains("// two\nobject { mesh_0\n", "// three\nobject { mesh_1\n");
@@ -122,7 +123,7 @@ class PovSceneTest {
     }
 
     @Test
-    void clearMaterials_haveTheirIndexTheirShareAndTheirTint() throws Exception {
+    void transparentMaterials_haveIorTransmissionAndTint() throws Exception {
         PovScene pov = PovScene.of(JenReader.read("""
                 jen 1
                 material glass { diffuse 0 0 0  clear 0.5 1 1  ior 1.4  tint 0.5 1 1  tint_distance 2  shadows none }
@@ -139,7 +140,7 @@ class PovSceneTest {
     }
 
     @Test
-    void bumpMaps_arePatternsOfTheirHeights() throws Exception {
+    void bumpMaps_becomeHeightPatterns() throws Exception {
         Path textures = Path.of("textures").toAbsolutePath();
         Files.copy(textures.resolve("brick.png"), folder.resolve("brick.png"));
         Scene scene = JenReader.read("""
@@ -152,20 +153,21 @@ class PovSceneTest {
         assertThat(pov.text()).contains("normal { pigment_pattern { image_map { png \"x-bump-brick_png.png\" gamma 1.0 map_type 0 ",
                 " } } 1.5 no_bump_scale accuracy ", " scale <0.25, 0.5, 1> rotate");
         pov.write(folder.resolve("p.pov"));
-        Texture heights = scene.materials().getLast().relief().bump().orElseThrow().image();
+        Texture heights = scene.materials().getLast().bumpMapping().bump().orElseThrow().image();
         BufferedImage written = ImageIO.read(folder.resolve("x-bump-brick_png.png").toFile());
         assertThat(written.getRaster().getSample(7, 5, 1)).isEqualTo((int) Math.round(65535 * heights.luminance(7, 5, 7, 5, 0, 0)));
     }
 
     @Test
-    void reliefsThatPovRayLacks_areToldByTheirMaterial() {
+    void unsupportedRelief_isReportedByMaterial() {
         var image = new TextureMap("a.png", 1, 1, new Texture(1, 1, new float[3]));
-        Material bumpy = Material.of("bumpy").withRelief(Relief.NONE.withBump(Optional.of(image)));
-        Material leaning = Material.of("leaning").withRelief(Relief.NONE.withNormals(Optional.of(image)));
-        List<Node> nodes = List.of(new Shape(Meshes.solid(Meshes.cube()), "one", "bumpy", Placement.IDENTITY),
+        Material bumpy = Material.of("bumpy").withBumpMapping(BumpMapping.NONE.withBump(Optional.of(image)));
+        Material leaning = Material.of("leaning").withBumpMapping(BumpMapping.NONE.withNormalMap(Optional.of(image)));
+        List<SceneNode> nodes = List.of(new Shape(SampleMeshes.solid(SampleMeshes.cube()), "one", "bumpy", Placement.IDENTITY),
                 new Shape(Solid.PLANE, "two", "leaning", Placement.IDENTITY));
         PovScene pov =
-                PovScene.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(bumpy, leaning), nodes, List.of()), "x");
+                PovScene.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(bumpy, leaning), nodes, List.of()),
+                        "x");
         assertThat(pov.losses()).containsExactly(
                 "material bumpy: its bump map is left out on meshes, on which POV-Ray knows no slopes of pictures",
                 "material leaning: its normal map is left out, POV-Ray has none");
@@ -173,7 +175,7 @@ class PovSceneTest {
     }
 
     @Test
-    void frustumsAndMissingCaps_areConesAndCylindersThatAreOpen() throws Exception {
+    void frustumsAndUncappedSolids_becomeOpenConesAndCylinders() throws Exception {
         String text = PovScene.of(JenReader.read("jen 1 frustum f { top 0.25 } frustum g { caps no } cylinder c { caps no }", "f.jen",
                 Path.of(".")).scene(), "f").text();
         assertThat(text).contains("cone { <0, 0, 0>, 1, <0, 1, 0>, 0.25\n", "cone { <0, 0, 0>, 1, <0, 1, 0>, 0.5 open\n",
@@ -181,10 +183,10 @@ class PovSceneTest {
     }
 
     @Test
-    void matrix_mapsPointsAsTheTransformDoes() {
+    void matrix_equalsTheTransform() {
         Transform transform = Transform.translation(new Vec3(1, 2, 3)).times(Transform.rotation(new Vec3(10, 20, 30)))
                 .times(Transform.scaling(new Vec3(2, 3, 4)));
-        Matcher numbers = Pattern.compile("<(.*)>").matcher(PovText.matrix(transform));
+        Matcher numbers = Pattern.compile("<(.*)>").matcher(PovFormat.matrix(transform));
         assertThat(numbers.find()).isTrue();
         double[] m = Arrays.stream(numbers.group(1).split(", ")).mapToDouble(Double::parseDouble).toArray();
         Vec3 p = new Vec3(0.3, -0.7, 0.9);
@@ -193,37 +195,37 @@ class PovSceneTest {
                 m[0] * p.x() + m[3] * p.y() + m[6] * p.z() + m[9],
                 m[1] * p.x() + m[4] * p.y() + m[7] * p.z() + m[10],
                 m[2] * p.x() + m[5] * p.y() + m[8] * p.z() + m[11]);
-        assertThat(mapped.minus(transform.point(p)).maxAbs()).isLessThan(1e-12);
+        assertThat(mapped.minus(transform.transformPoint(p)).maxAbs()).isLessThan(1e-12);
     }
 
     @Property(tries = 200)
-    void fadeOfOneTerm_isOursBeyondTheLimit(@ForAll @DoubleRange(min = 1, max = 5) double constant,
+    void singleTermFade_isExactBeyondTheLimit(@ForAll @DoubleRange(min = 1, max = 5) double constant,
             @ForAll @DoubleRange(min = 0.01, max = 4) double factor, @ForAll boolean quadratic,
             @ForAll @DoubleRange(min = 0, max = 30) double distance) {
         var attenuation = new Attenuation(constant, quadratic ? 0 : factor, quadratic ? factor : 0);
         PovFade fade = PovFade.of(attenuation, 1, 10);
-        double ours = 1 / (constant + factor * (quadratic ? distance * distance : distance));
-        assertThat(fade.exact()).isTrue();
-        assertThat(fade.factor(distance)).isCloseTo(ours, within(1e-9));
+        double expected = 1 / (constant + factor * (quadratic ? distance * distance : distance));
+        assertThat(fade.isExact()).isTrue();
+        assertThat(fade.factor(distance)).isCloseTo(expected, within(1e-9));
     }
 
     @Property(tries = 200)
-    void fadeOfAllTerms_isNearOurs(@ForAll @DoubleRange(min = 0, max = 2) double constant,
+    void mixedFade_isClose(@ForAll @DoubleRange(min = 0, max = 2) double constant,
             @ForAll @DoubleRange(min = 0.1, max = 2) double linear, @ForAll @DoubleRange(min = 0.1, max = 2) double quadratic,
             @ForAll @DoubleRange(min = 3, max = 9) double distance) {
         var attenuation = new Attenuation(constant, linear, quadratic);
         PovFade fade = PovFade.of(attenuation, 3, 9);
-        double ours = 1 / (constant + linear * distance + quadratic * distance * distance);
-        assertThat(fade.factor(distance) / Math.min(ours, 1)).isBetween(0.9, 1.1);
+        double expected = 1 / (constant + linear * distance + quadratic * distance * distance);
+        assertThat(fade.factor(distance) / Math.min(expected, 1)).isBetween(0.9, 1.1);
     }
 
     @Test
-    void fadingThatTheLimitHides_isNoFading() {
+    void fadeHiddenByTheLimit_isOmitted() {
         assertThat(PovFade.of(new Attenuation(0.1, 0.1, 0.1), 0.5, 2).distance()).isZero();
     }
 
     @Test
-    void noFading_isNoFading() {
+    void noAttenuation_hasNoFade() {
         assertThat(PovFade.of(Attenuation.NONE, 1, 10)).isEqualTo(new PovFade(1, 0, 0, true));
         assertThat(PovFade.of(new Attenuation(2, 0, 0), 1, 10).factor(7)).isEqualTo(0.5);
     }

@@ -14,23 +14,23 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.LightRows;
 import lightning.sample.Slow;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
-import lightning.scene.Clarity;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.ShadowsThrown;
+import lightning.scene.ShadowCasting;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.scene.Transmission;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
@@ -45,10 +45,10 @@ class CacheMemoryTest {
     private static final int STATES = 4;
 
     /** A mirroring, shining, textured floor that fills the picture, lit everywhere by {@code lights} spots. */
-    private static Scene everything(int lights) {
+    private static Scene sceneWithAllFeatures(int lights) {
         Texture texture = new Texture(1, 1, new float[] {1, 0.5f, 0.25f});
-        Material material = Material.of("floor").withAmbient(Rgb.grey(0.1)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.grey(0.5))
-                .withShininess(8).withReflective(Rgb.grey(0.5)).withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture)));
+        Material material = Material.of("floor").withAmbient(Rgb.gray(0.1)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.gray(0.5))
+                .withShininess(8).withReflective(Rgb.gray(0.5)).withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture)));
         return scene(material, lights, LightType.SPOT);
     }
 
@@ -58,28 +58,28 @@ class CacheMemoryTest {
             all.add(Light.of("l" + i, type).withPosition(new Vec3(i, 3, 0)).withAngle(89)
                     .withAttenuation(type.hasPosition() ? new Attenuation(0.1, 1, 0.1) : Attenuation.NONE));
         }
-        return new Scene(new Picture(SIZE, SIZE, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 40),
+        return new Scene(new PictureSettings(SIZE, SIZE, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 40),
                 World.DEFAULT, List.of(material),
                 List.of(new Shape(Solid.PLANE, "floor", "floor", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(50, 1, 50)))), all);
     }
 
     private static PixelCache cache(Scene scene, Accuracy accuracy) {
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1).withAccuracy(accuracy))) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1).withAccuracy(accuracy))) {
             renderer.render(scene, Progress.NONE);
             return renderer.cache();
         }
     }
 
     @Test
-    void exact_takes94BytesARowWhereFourLightsShineOnAllOfAPlane() {
-        PixelCache cache = cache(everything(4), Accuracy.EXACT);
+    void exactCache_fourLightsOnPlane_takes94BytesPerRow() {
+        PixelCache cache = cache(sceneWithAllFeatures(4), Accuracy.EXACT);
         assertThat(cache.rowCount()).isEqualTo(PIXELS);
         assertThat(cache.bytes()).isEqualTo((114L - STATES - PLANE) * PIXELS).isLessThanOrEqualTo(125L * PIXELS);
     }
 
     @Test
-    void rowsWithoutHighlight_keepNoColumnOfIt() {
-        Material polished = everything(1).materials().getFirst().withShininess(100_000);
+    void rowsWithoutHighlight_storeNoSpecularColumn() {
+        Material polished = sceneWithAllFeatures(1).materials().getFirst().withShininess(100_000);
         // Below lights of a direction of its own a mirror shows the eye a single place of the floor, if any.
         PixelCache cache = cache(scene(polished, 2, LightType.DIRECTIONAL), Accuracy.EXACT);
         long withColumn = cache(scene(polished.withShininess(1), 2, LightType.DIRECTIONAL), Accuracy.EXACT).bytes();
@@ -87,7 +87,7 @@ class CacheMemoryTest {
     }
 
     @Test
-    void rowsOfOneState_shareTheirStates() {
+    void rowsWithOneState_shareStateColumn() {
         Material matt = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1);
         PixelCache cache = cache(scene(matt, 1, LightType.DIRECTIONAL), Accuracy.EXACT);
         byte[] first = ((LightRows) cache.tile(0).levels[0].layers()[0]).state;
@@ -95,7 +95,7 @@ class CacheMemoryTest {
     }
 
     @Test
-    void columnsThatNoRowNeeds_takeNothing() {
+    void unneededColumns_takeNoMemory() {
         Material matt = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1);
         PixelCache cache = cache(scene(matt, 4, LightType.DIRECTIONAL), Accuracy.EXACT);
         // No texture, no mirror; of each layer the state and the cosine, which all rows share.
@@ -104,23 +104,23 @@ class CacheMemoryTest {
 
     /** The point behind and the way inside of each row, and what its two rays bring; nothing is followed here. */
     @Test
-    void rowsOfAClearMaterial_take40BytesMore() {
+    void clearMaterialRows_take40MoreBytes() {
         Material glass = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1)
-                .withClarity(Clarity.NONE.withClear(Rgb.WHITE).withShadows(ShadowsThrown.NONE));
+                .withTransmission(Transmission.NONE.withColor(Rgb.WHITE).withShadows(ShadowCasting.NONE));
         PixelCache cache = cache(scene(glass, 4, LightType.DIRECTIONAL), Accuracy.EXACT);
         assertThat(cache.rowCount()).isEqualTo(PIXELS);
         assertThat(cache.bytes()).isEqualTo((38L - PLANE + 16 + 24) * PIXELS);
     }
 
     @Test
-    void ratio_storesContributionsOf24BytesALight() {
-        PixelCache cache = cache(everything(4), Accuracy.RATIO);
+    void ratioMode_stores24ContributionBytesPerLight() {
+        PixelCache cache = cache(sceneWithAllFeatures(4), Accuracy.RATIO);
         assertThat(cache.bytes()).isEqualTo((38L - PLANE + 12 + 12 + 4 * 25) * PIXELS);
     }
 
     @Test
-    void theHeapGrowsByTheBytesOfCacheAndFilm() throws JMException {
-        Scene scene = everything(4);
+    void heap_growsByCacheAndFilmBytes() throws JMException {
+        Scene scene = sceneWithAllFeatures(4);
         cache(scene, Accuracy.EXACT);
         long before = usedHeap();
         PixelCache cache = cache(scene, Accuracy.EXACT);

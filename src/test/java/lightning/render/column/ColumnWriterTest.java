@@ -14,17 +14,17 @@ import net.jqwik.api.constraints.IntRange;
 
 /** Columns come back as they were written, or not at all. */
 class ColumnWriterTest {
-    private static byte[] written(byte[] bytes, short[] shorts, int[] ints, float[][] floats) throws IOException {
+    private static byte[] writeColumns(byte[] bytes, short[] shorts, int[] ints, float[][] floats) throws IOException {
         var out = new ByteArrayOutputStream();
         var writer = new ColumnWriter(Channels.newChannel(out));
-        writer.array(bytes);
-        writer.longNumber(ints.length);
-        writer.array(shorts);
-        writer.array(null);
-        writer.array(ints);
-        writer.arrays(floats);
-        writer.arrays(null);
-        writer.end();
+        writer.writeArray(bytes);
+        writer.writeLong(ints.length);
+        writer.writeArray(shorts);
+        writer.writeArray(null);
+        writer.writeArray(ints);
+        writer.writeFloatArrays(floats);
+        writer.writeFloatArrays(null);
+        writer.writeChecksum();
         return out.toByteArray();
     }
 
@@ -36,35 +36,35 @@ class ColumnWriterTest {
     }
 
     @Property(tries = 50)
-    void columns_comeBackInEveryBit(@ForAll byte[] bytes, @ForAll short[] shorts, @ForAll int[] ints, @ForAll float[] floats,
+    void columns_roundTripBitForBit(@ForAll byte[] bytes, @ForAll short[] shorts, @ForAll int[] ints, @ForAll float[] floats,
             @ForAll @IntRange(max = 200_000) int many) throws IOException {
         float[][] columns = {floats, new float[many]};
-        ColumnReader in = reader(written(bytes, shorts, ints, columns));
-        assertThat(in.array(ElementType.BYTE)).isEqualTo(bytes);
-        assertThat(in.longNumber()).isEqualTo(ints.length);
-        assertThat(in.shorts()).isEqualTo(shorts);
-        assertThat(in.ints()).isNull();
-        assertThat(in.ints()).isEqualTo(ints);
-        assertThat(in.arrays()).isDeepEqualTo(columns);
-        assertThat(in.arrays()).isNull();
-        in.end();
+        ColumnReader in = reader(writeColumns(bytes, shorts, ints, columns));
+        assertThat(in.readArray(ElementType.BYTE)).isEqualTo(bytes);
+        assertThat(in.readLong()).isEqualTo(ints.length);
+        assertThat(in.readShorts()).isEqualTo(shorts);
+        assertThat(in.readInts()).isNull();
+        assertThat(in.readInts()).isEqualTo(ints);
+        assertThat(in.readFloatArrays()).isDeepEqualTo(columns);
+        assertThat(in.readFloatArrays()).isNull();
+        in.expectEnd();
     }
 
     @Property(tries = 50)
-    void anyByteThatDiffers_isNoticed(@ForAll byte[] bytes, @ForAll int[] ints, @ForAll int place,
+    void anyChangedByte_isDetected(@ForAll byte[] bytes, @ForAll int[] ints, @ForAll int place,
             @ForAll @IntRange(min = 1, max = 255) int by)
             throws IOException {
-        byte[] all = written(bytes, new short[] {1}, ints, new float[][] {{2}});
+        byte[] all = writeColumns(bytes, new short[] {1}, ints, new float[][] {{2}});
         all[Math.floorMod(place, all.length)] ^= (byte) by;
         assertThatThrownBy(() -> reader(all)).isInstanceOf(IOException.class);
     }
 
     @Property(tries = 50)
-    void readingPastTheEnd_isAnIoException(@ForAll int[] ints) throws IOException {
-        ColumnReader in = reader(written(new byte[0], new short[0], ints, new float[0][]));
+    void readPastEnd_throwsIoException(@ForAll int[] ints) throws IOException {
+        ColumnReader in = reader(writeColumns(new byte[0], new short[0], ints, new float[0][]));
         assertThatThrownBy(() -> {
             while (true) {
-                in.number();
+                in.readInt();
             }
         }).isInstanceOf(IOException.class);
     }

@@ -1,14 +1,14 @@
 package lightning.render.fulltrace;
 
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenWriter;
 import lightning.render.image.FilmAssert;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.SceneCoverage;
 import lightning.render.trace.Geometry;
-import lightning.sample.CornerScenes;
-import lightning.sample.EngineMix;
+import lightning.sample.EdgeCaseScenes;
+import lightning.sample.MixedEngineChoice;
 import lightning.sample.SceneArbitraries;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
@@ -29,11 +29,12 @@ class TraditionalTracerTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
-    void everyValueEqualsTheReferenceTrace(@ForAll("scenes") Scene scene, @ForAll @IntRange(min = 1, max = 3) int threads,
+    void everyValue_equalsReference(@ForAll("scenes") Scene scene, @ForAll @IntRange(min = 1, max = 3) int threads,
             @ForAll long engines) {
         SceneCoverage.collect(scene);
-        try (Workers workers = new Workers(threads)) {
-            FilmAssert.assertSameBits(new TraditionalTracer(scene).by(new EngineMix(engines)).trace(workers, Progress.NONE).film(),
+        try (WorkerPool workers = new WorkerPool(threads)) {
+            FilmAssert.assertSameBits(
+                    new TraditionalTracer(scene).withEngines(new MixedEngineChoice(engines)).trace(workers, Progress.NONE).film(),
                     new ReferenceTracer(scene).trace(), "traditional-trace");
         } catch (AssertionError e) {
             throw new AssertionError(e.getMessage() + "\nthe scene was\n" + JenWriter.write(scene), e);
@@ -42,12 +43,14 @@ class TraditionalTracerTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
-    void mirrorsOfAnotherScene_equalTheReferenceTrace(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other,
+    void mirrorsOfOtherScene_equalReference(@ForAll("scenes") Scene mirrored, @ForAll("scenes") Scene other,
             @ForAll long engines) {
-        Scene scene = CornerScenes.bright(mirrored, mirrored.rig().withLights(other.rig().actingLights())).withWorld(other.world());
-        try (Workers workers = new Workers(2)) {
+        Scene scene =
+                EdgeCaseScenes.isTooBright(mirrored, mirrored.rig().withLights(other.rig().effectiveLights())).withWorld(other.world());
+        try (WorkerPool workers = new WorkerPool(2)) {
             FilmAssert.assertSameBits(
-                    new TraditionalTracer(scene, mirrored, new Geometry(scene)).by(new EngineMix(engines)).trace(workers, Progress.NONE)
+                    new TraditionalTracer(scene, mirrored, new Geometry(scene)).withEngines(new MixedEngineChoice(engines))
+                            .trace(workers, Progress.NONE)
                             .film(),
                     new ReferenceTracer(scene, mirrored).trace(), "traditional-trace-stale");
         } catch (AssertionError e) {

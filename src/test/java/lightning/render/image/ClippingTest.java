@@ -13,22 +13,22 @@ class ClippingTest {
     @Test
     void pixelsAboveWhite_areCountedOnce() {
         Clipping clipping = Clipping.of(FILM, ViewTransform.DEFAULT);
-        assertThat(clipping.pixels()).isEqualTo(3);
-        assertThat(clipping.all()).isEqualTo(5);
+        assertThat(clipping.clippedPixels()).isEqualTo(3);
+        assertThat(clipping.totalPixels()).isEqualTo(5);
         assertThat(clipping.brightest()).isEqualTo(Float.MAX_VALUE);
     }
 
     /** Two stops down 1.5 is within white; one up and white itself is not. */
     @Test
-    void exposure_decidesWhatIsAbove() {
-        assertThat(Clipping.of(FILM, new ViewTransform(-2)).pixels()).isEqualTo(1);
-        assertThat(Clipping.of(FILM, new ViewTransform(1)).pixels()).isEqualTo(4);
+    void exposure_changesClippedPixels() {
+        assertThat(Clipping.of(FILM, new ViewTransform(-2)).clippedPixels()).isEqualTo(1);
+        assertThat(Clipping.of(FILM, new ViewTransform(1)).clippedPixels()).isEqualTo(4);
         assertThat(Clipping.of(FILM, new ViewTransform(64)).brightest()).as("beyond a float").isCloseTo(0x1p64 * Float.MAX_VALUE,
                 within(1e50));
     }
 
     @Test
-    void blackFilm_isNotCutOff() {
+    void blackFilm_hasNoClipping() {
         assertThat(Clipping.of(Film.black(3, 2), ViewTransform.DEFAULT)).isEqualTo(new Clipping(0, 6, 0));
     }
 }

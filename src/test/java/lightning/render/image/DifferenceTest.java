@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class DifferenceTest {
 
     @Property(tries = 100)
-    void aFilmAndItsCopy_differInNothing(@ForAll("films") Film film) {
+    void filmAndCopy_haveNoDifference(@ForAll("films") Film film) {
         Difference none = Difference.of(film, film.copy());
 
         assertThat(none).isEqualTo(new Difference(0, 0, 0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
@@ -22,22 +22,22 @@ class DifferenceTest {
     }
 
     @Property(tries = 100)
-    void noDifferenceMeansTheSameBits(@ForAll("films") Film film, @ForAll long seed) {
-        Film other = Films.anyBits(film.width(), film.height(), seed);
+    void noDifference_meansSameBits(@ForAll("films") Film film, @ForAll long seed) {
+        Film other = RandomFilms.anyBits(film.width(), film.height(), seed);
 
-        assertThat(Difference.of(film, other).isNone()).isEqualTo(film.sameBits(other));
+        assertThat(Difference.of(film, other).isNone()).isEqualTo(film.hasSameBits(other));
     }
 
     @Property(tries = 50)
-    void measuresDoNotDependOnTheOrder(@ForAll("films") Film film, @ForAll long seed) {
-        Film other = Films.anyBits(film.width(), film.height(), seed);
+    void measures_areSymmetric(@ForAll("films") Film film, @ForAll long seed) {
+        Film other = RandomFilms.anyBits(film.width(), film.height(), seed);
 
         assertThat(Difference.of(film, other)).isEqualTo(Difference.of(other, film));
     }
 
     @Test
-    void constantOffset_isEveryMeasureAtOnce() {
-        Difference difference = Difference.of(Films.grey(40, 20, 0.25f), Films.grey(40, 20, 0.75f));
+    void constantOffset_matchesEveryMeasure() {
+        Difference difference = Difference.of(RandomFilms.gray(40, 20, 0.25f), RandomFilms.gray(40, 20, 0.75f));
 
         assertThat(difference.pixels()).isEqualTo(800);
         assertThat(difference.values()).isEqualTo(2400);
@@ -54,9 +54,9 @@ class DifferenceTest {
     }
 
     @Test
-    void oneValue_isFoundWhereItIs() {
-        Film film = Films.grey(50, 50, 0);
-        Difference difference = Difference.of(film, Films.withGreen(film, 41, 7, 0.5f));
+    void oneDifferingValue_isLocated() {
+        Film film = RandomFilms.gray(50, 50, 0);
+        Difference difference = Difference.of(film, RandomFilms.withGreen(film, 41, 7, 0.5f));
 
         assertThat(difference.pixels()).isEqualTo(1);
         assertThat(difference.values()).isEqualTo(1);
@@ -67,9 +67,9 @@ class DifferenceTest {
     }
 
     @Test
-    void theLargestOfTwo_givesThePlace() {
-        Film film = Films.grey(40, 40, 1);
-        Film other = Films.withGreen(Films.withGreen(film, 3, 3, 1.5f), 35, 36, 0);
+    void largestDifference_isLocated() {
+        Film film = RandomFilms.gray(40, 40, 1);
+        Film other = RandomFilms.withGreen(RandomFilms.withGreen(film, 3, 3, 1.5f), 35, 36, 0);
 
         Difference difference = Difference.of(film, other);
 
@@ -80,7 +80,7 @@ class DifferenceTest {
     }
 
     @Test
-    void neighbouringFloats_areOneUlpApart() {
+    void adjacentFloats_areOneUlpApart() {
         assertThat(Difference.ulps(1, Math.nextUp(1f))).isEqualTo(1);
         assertThat(Difference.ulps(-1, Math.nextDown(-1f))).isEqualTo(1);
         assertThat(Difference.ulps(Float.MIN_VALUE, -Float.MIN_VALUE)).isEqualTo(2);
@@ -89,9 +89,9 @@ class DifferenceTest {
     }
 
     @Test
-    void negativeZero_isADifferenceOfBitsOnly() {
-        Film film = Films.grey(2, 2, 0);
-        Difference difference = Difference.of(film, Films.withGreen(film, 1, 0, -0f));
+    void negativeZero_differsOnlyInBits() {
+        Film film = RandomFilms.gray(2, 2, 0);
+        Difference difference = Difference.of(film, RandomFilms.withGreen(film, 1, 0, -0f));
 
         assertThat(difference.values()).isEqualTo(1);
         assertThat(difference.maxAbsolute()).isZero();
@@ -101,9 +101,9 @@ class DifferenceTest {
     }
 
     @Test
-    void nanBesideANumber_differsByInfinity() {
-        Film film = Films.grey(2, 2, 0);
-        Difference difference = Difference.of(film, Films.withGreen(film, 1, 1, Float.NaN));
+    void nanAndNumber_differByInfinity() {
+        Film film = RandomFilms.gray(2, 2, 0);
+        Difference difference = Difference.of(film, RandomFilms.withGreen(film, 1, 1, Float.NaN));
 
         assertThat(difference.maxAbsolute()).isInfinite();
         assertThat(difference.x()).isEqualTo(1);
@@ -111,13 +111,13 @@ class DifferenceTest {
     }
 
     @Test
-    void otherSizes_areRefused() {
+    void differentSizes_areRejected() {
         assertThatThrownBy(() -> Difference.of(Film.black(2, 3), Film.black(3, 2)))
                 .hasMessageContaining("2 × 3").hasMessageContaining("3 × 2");
     }
 
     @Provide
     Arbitrary<Film> films() {
-        return Films.anyBits();
+        return RandomFilms.anyBits();
     }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 
 /** Picture assertions that leave pictures of what went wrong. */
 public final class FilmAssert {
@@ -15,7 +15,7 @@ public final class FilmAssert {
 
     /**
      * Asserts that two films have the same size and the same bits in every visible pixel. Otherwise actual.png,
-     * expected.png and difference.png (see {@link DifferencePicture}) are left in {@code target/failures/NAME/}, and the
+     * expected.png and difference.png (see {@link DifferenceImage}) are left in {@code target/failures/NAME/}, and the
      * error says where they are, how much differs and what stands in the worst pixel.
      *
      * @param name what is tested; characters other than letters, digits, - and _ become _ in the folder's name
@@ -28,7 +28,7 @@ public final class FilmAssert {
         if (actual.width() != expected.width() || actual.height() != expected.height()) {
             throw new AssertionError(name + ": expected " + size(expected) + ", but was " + size(actual));
         }
-        if (actual.sameBits(expected)) {
+        if (actual.hasSameBits(expected)) {
             return;
         }
         Path folder = failures.resolve(name.replaceAll("[^\\p{L}\\p{N}_-]", "_"));
@@ -44,9 +44,9 @@ public final class FilmAssert {
     private static void write(Path folder, Film actual, Film expected) {
         try {
             Files.createDirectories(folder);
-            PictureFile.write(folder.resolve("actual.png"), actual, ViewTransform.DEFAULT);
-            PictureFile.write(folder.resolve("expected.png"), expected, ViewTransform.DEFAULT);
-            PictureFile.write(folder.resolve("difference.png"), DifferencePicture.of(actual, expected),
+            ImageFile.write(folder.resolve("actual.png"), actual, ViewTransform.DEFAULT);
+            ImageFile.write(folder.resolve("expected.png"), expected, ViewTransform.DEFAULT);
+            ImageFile.write(folder.resolve("difference.png"), DifferenceImage.of(actual, expected),
                     ViewTransform.DEFAULT);
         } catch (IOException e) {
             throw new UncheckedIOException("the pictures of a failed test could not be written", e);

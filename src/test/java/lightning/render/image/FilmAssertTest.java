@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -15,8 +15,8 @@ class FilmAssertTest {
     Path failures;
 
     @Test
-    void sameBits_passAndLeaveNothing() {
-        Film film = Films.anyBits(40, 35, 1);
+    void sameBits_passAndWriteNoFiles() {
+        Film film = RandomFilms.anyBits(40, 35, 1);
 
         FilmAssert.assertSameBits(film, film.copy(), "same", failures);
 
@@ -24,9 +24,9 @@ class FilmAssertTest {
     }
 
     @Test
-    void oneBit_failsWithPlaceValuesCountAndPictures() throws IOException {
-        Film expected = Films.grey(40, 35, 1);
-        Film actual = Films.withGreen(expected, 36, 33, Math.nextUp(1f));
+    void oneBit_failsWithPositionValuesCountAndImages() throws IOException {
+        Film expected = RandomFilms.gray(40, 35, 1);
+        Film actual = RandomFilms.withGreen(expected, 36, 33, Math.nextUp(1f));
 
         assertThatThrownBy(() -> FilmAssert.assertSameBits(actual, expected, "a b", failures))
                 .isInstanceOf(AssertionError.class)
@@ -35,7 +35,7 @@ class FilmAssertTest {
                 .hasMessageContaining("but was 1.0=0x3f800000 1.0000001=0x3f800001")
                 .hasMessageContaining(failures.resolve("a_b").toString());
         for (String name : new String[] {"actual.png", "expected.png", "difference.png"}) {
-            Film picture = PictureFile.read(failures.resolve("a_b").resolve(name));
+            Film picture = ImageFile.read(failures.resolve("a_b").resolve(name));
             assertThat(picture.width()).isEqualTo(40);
         }
     }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 class FilmTest {
 
     @Test
-    void pixelOfTheSecondTileRow_isWhereTheLayoutSays() {
+    void pixelInSecondTileRow_matchesLayout() {
         Film film = Film.black(70, 40);
         film.green(4)[3 * 32 + 5] = 7;
 
@@ -24,14 +24,14 @@ class FilmTest {
     }
 
     @Test
-    void aFullTile_needsNoSecondOne() {
+    void fullTile_needsNoSecondTile() {
         assertThat(Film.black(32, 64).tilesX()).isEqualTo(1);
         assertThat(Film.black(32, 64).tilesY()).isEqualTo(2);
         assertThat(Film.black(33, 1).tilesX()).isEqualTo(2);
     }
 
     @Test
-    void scanlines_areInterleavedFromTheTopRow() {
+    void scanlines_areInterleavedFromTop() {
         Film film = Film.ofScanlines(2, 2, new float[] {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
 
         assertThat(film.red(1, 0)).isEqualTo(4);
@@ -40,39 +40,39 @@ class FilmTest {
     }
 
     @Property
-    void scanlines_thereAndBack_keepEveryBit(@ForAll("films") Film film) {
+    void scanlines_roundTrip_keepsBits(@ForAll("films") Film film) {
         float[] rgb = film.toScanlines();
 
-        assertThat(Film.ofScanlines(film.width(), film.height(), rgb).sameBits(film)).isTrue();
+        assertThat(Film.ofScanlines(film.width(), film.height(), rgb).hasSameBits(film)).isTrue();
         assertThat(rgb).hasSize(3 * film.width() * film.height());
     }
 
     @Property
-    void oneFlippedBit_isNoticed(@ForAll("films") Film film, @ForAll int where, @ForAll @IntRange(max = 31) int bit) {
+    void flippedBit_isDetected(@ForAll("films") Film film, @ForAll int where, @ForAll @IntRange(max = 31) int bit) {
         float[] rgb = film.toScanlines();
         int at = Math.floorMod(where, rgb.length);
         int flipped = Float.floatToRawIntBits(rgb[at]) ^ 1 << bit;
         rgb[at] = Float.intBitsToFloat(flipped);
 
-        assertThat(Film.ofScanlines(film.width(), film.height(), rgb).sameBits(film)).isFalse();
+        assertThat(Film.ofScanlines(film.width(), film.height(), rgb).hasSameBits(film)).isFalse();
     }
 
     @Test
-    void pixelsOutsideThePicture_areNotCompared() {
+    void pixelsOutsideImage_areIgnored() {
         Film film = Film.black(3, 3);
         film.red(0)[3] = 1;
 
-        assertThat(film.sameBits(Film.black(3, 3))).isTrue();
+        assertThat(film.hasSameBits(Film.black(3, 3))).isTrue();
     }
 
     @Test
-    void filmsOfOtherSize_areNotTheSame() {
-        assertThat(Film.black(3, 4).sameBits(Film.black(4, 3))).isFalse();
+    void filmsOfDifferentSize_areDifferent() {
+        assertThat(Film.black(3, 4).hasSameBits(Film.black(4, 3))).isFalse();
     }
 
     @Test
-    void copy_hasArraysOfItsOwn() {
-        Film film = Films.grey(3, 3, 1);
+    void copy_hasOwnArrays() {
+        Film film = RandomFilms.gray(3, 3, 1);
         Film copy = film.copy();
         film.blue(0)[0] = 2;
 
@@ -80,7 +80,7 @@ class FilmTest {
     }
 
     @Test
-    void wrongShapes_areRefused() {
+    void wrongArraySizes_areRejected() {
         float[][] two = new float[2][Film.TILE_PIXELS];
         float[][] cut = new float[1][Film.TILE_PIXELS - 1];
         float[][] one = new float[1][Film.TILE_PIXELS];
@@ -93,6 +93,6 @@ class FilmTest {
 
     @Provide
     Arbitrary<Film> films() {
-        return Films.anyBits();
+        return RandomFilms.anyBits();
     }
 }

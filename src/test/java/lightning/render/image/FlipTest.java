@@ -24,7 +24,7 @@ class FlipTest {
     private static final double PIXEL_TOLERANCE = 2e-4;
 
     @Test
-    void blackAgainstWhite_isALightnessOf100OnTheCompressedScale() {
+    void blackAndWhite_differByLightness100() {
         // L* 0 and 100, no chroma. Green is L*a*b* (87.736, −86.179, 83.183), blue (32.298, 79.194, −107.859), Hunt scales
         // their chroma by 0.87736 and 0.32298: the largest distance is 55.438 + |(−101.188, 107.818)| = 203.302.
         double largest = Math.pow(203.302, 0.7);
@@ -34,7 +34,7 @@ class FlipTest {
     }
 
     @Test
-    void twoNearGreys_differByTheirLightnessOnTheSteepPart() {
+    void similarGrays_differOnSteepPart() {
         // Codes 128 and 136 are 0.215861 and 0.246201 linear: L* 53.5850 and 56.7034.
         double expected = 0.95 * Math.pow(56.7034 - 53.5850, 0.7) / (0.4 * Math.pow(203.302, 0.7));
 
@@ -42,12 +42,12 @@ class FlipTest {
     }
 
     @Test
-    void greenAgainstBlue_isTheWorstThatADisplayCanShow() {
+    void greenAndBlue_haveMaximumError() {
         assertThat(Flip.mean(flat(0x00FF00), flat(0x0000FF))).isCloseTo(1, within(1e-6));
     }
 
     @Test
-    void flatPictures_haveTheSameErrorEverywhere() {
+    void flatImages_haveUniformError() {
         for (float error : Flip.errors(flat(0xC86432), flat(0x3264C8), Flip.PIXELS_PER_DEGREE)) {
             // The authors' implementation.
             assertThat(error).isCloseTo(0.952227f, within((float) PIXEL_TOLERANCE));
@@ -55,56 +55,56 @@ class FlipTest {
     }
 
     @Test
-    void noise_isWhatTheAuthorsImplementationFinds() {
-        assertLikeTheirs(noise(1), noise(2), 67.0206, 0.457415, 0.389117);
+    void noise_matchesReferenceImplementation() {
+        assertMatchesReference(noise(1), noise(2), 67.0206, 0.457415, 0.389117);
     }
 
     @Test
-    void noiseSeenFromNear_isWhatTheAuthorsImplementationFinds() {
-        assertLikeTheirs(noise(1), noise(2), 20, 0.847571, 0.631466);
+    void noiseFromNear_matchesReferenceImplementation() {
+        assertMatchesReference(noise(1), noise(2), 20, 0.847571, 0.631466);
     }
 
     @Test
-    void movedEdge_isWhatTheAuthorsImplementationFinds() {
+    void movedEdge_matchesReferenceImplementation() {
         Film a = codes(96, 64, (x, _) -> x >= 48 ? 0xFFFFFF : 0);
         Film b = codes(96, 64, (x, _) -> x >= 50 ? 0xFFFFFF : 0);
 
-        assertLikeTheirs(a, b, 67.0206, 0.055599, 0);
+        assertMatchesReference(a, b, 67.0206, 0.055599, 0);
         assertThat(largest(a, b)).isCloseTo(0.975001f, within((float) PIXEL_TOLERANCE));
     }
 
     @Test
-    void otherRamp_isWhatTheAuthorsImplementationFinds() {
-        assertLikeTheirs(codes(128, 100, (x, y) -> rgb(2 * x, y, 255 - 2 * x)),
+    void differentRamp_matchesReferenceImplementation() {
+        assertMatchesReference(codes(128, 100, (x, y) -> rgb(2 * x, y, 255 - 2 * x)),
                 codes(128, 100, (x, y) -> rgb(2 * x, Math.min(y + 16, 255), 255 - x)), 67.0206, 0.487072, 0.224351);
     }
 
     @Test
-    void oneBrightPixel_isWhatTheAuthorsImplementationFinds() {
-        assertLikeTheirs(codes(64, 64, (_, _) -> rgb(60, 60, 60)),
+    void brightPixel_matchesReferenceImplementation() {
+        assertMatchesReference(codes(64, 64, (_, _) -> rgb(60, 60, 60)),
                 codes(64, 64, (x, y) -> x == 10 && y == 20 ? rgb(210, 160, 60) : rgb(60, 60, 60)), 67.0206, 0.0019351, 0.399431);
     }
 
     @Test
-    void picturesOfTheSameDisplay_haveNoError() {
-        Film film = Films.grey(40, 30, 0.5f);
+    void imagesWithSameDisplay_haveNoError() {
+        Film film = RandomFilms.gray(40, 30, 0.5f);
 
-        assertThat(Flip.mean(film, Films.withGreen(film, 3, 3, Math.nextUp(0.5f)))).isZero();
+        assertThat(Flip.mean(film, RandomFilms.withGreen(film, 3, 3, Math.nextUp(0.5f)))).isZero();
     }
 
     @Property(tries = 30)
-    void everyPictureAndItsCopy_haveNoError(@ForAll @IntRange(min = 1, max = 90) int width,
+    void imageAndCopy_haveNoError(@ForAll @IntRange(min = 1, max = 90) int width,
             @ForAll @IntRange(min = 1, max = 90) int height, @ForAll long seed) {
-        Film film = Films.anyBits(width, height, seed);
+        Film film = RandomFilms.anyBits(width, height, seed);
 
         assertThat(Flip.mean(film, film.copy())).isZero();
     }
 
     @Property(tries = 30)
-    void errorsAreBetween0And1_andDoNotDependOnTheOrder(@ForAll @IntRange(min = 1, max = 90) int width,
+    void errors_areBetween0And1AndSymmetric(@ForAll @IntRange(min = 1, max = 90) int width,
             @ForAll @IntRange(min = 1, max = 90) int height, @ForAll long seed) {
-        Film a = Films.anyBits(width, height, seed);
-        Film b = Films.anyBits(width, height, ~seed);
+        Film a = RandomFilms.anyBits(width, height, seed);
+        Film b = RandomFilms.anyBits(width, height, ~seed);
         float[] errors = Flip.errors(a, b, Flip.PIXELS_PER_DEGREE);
 
         assertThat(errors).hasSize(width * height).containsExactly(Flip.errors(b, a, Flip.PIXELS_PER_DEGREE));
@@ -114,12 +114,12 @@ class FlipTest {
     }
 
     @Property(tries = 10)
-    void bandsOfALargerPicture_leaveNoSeam(@ForAll long seed) {
+    void bandsOfLargeImage_haveNoSeam(@ForAll long seed) {
         // Rows 60 to 80 lie in two bands; turned upside down they are rows 39 to 59, inside one.
-        Film a = Films.anyCodes(24, 140, seed);
-        Film b = Films.anyCodes(24, 140, ~seed);
+        Film a = RandomFilms.anyCodes(24, 140, seed);
+        Film b = RandomFilms.anyCodes(24, 140, ~seed);
         float[] errors = Flip.errors(a, b, Flip.PIXELS_PER_DEGREE);
-        float[] turned = Flip.errors(turned(a), turned(b), Flip.PIXELS_PER_DEGREE);
+        float[] turned = Flip.errors(transposed(a), transposed(b), Flip.PIXELS_PER_DEGREE);
 
         for (int y = 0; y < 140; y++) {
             for (int x = 0; x < 24; x++) {
@@ -130,18 +130,18 @@ class FlipTest {
     }
 
     @Test
-    void otherSizes_areRefused() {
+    void differentSizes_areRejected() {
         assertThatThrownBy(() -> Flip.mean(Film.black(2, 3), Film.black(3, 2))).hasMessageContaining("2 × 3");
     }
 
     @Test
-    void observersOutsideAllScreens_areRefused() {
+    void invalidPixelsPerDegree_isRejected() {
         assertThatThrownBy(() -> Flip.mean(flat(0), flat(0), 0)).hasMessageContaining("1 to 1000");
         assertThatThrownBy(() -> Flip.mean(flat(0), flat(0), Double.NaN)).hasMessageContaining("1 to 1000");
     }
 
     /** Compares the mean, and the error of pixel 10, 20. */
-    private static void assertLikeTheirs(Film a, Film b, double pixelsPerDegree, double mean, double pixel) {
+    private static void assertMatchesReference(Film a, Film b, double pixelsPerDegree, double mean, double pixel) {
         float[] errors = Flip.errors(a, b, pixelsPerDegree);
         assertThat(Flip.mean(a, b, pixelsPerDegree)).isCloseTo(mean, within(MEAN_TOLERANCE));
         assertThat((double) errors[20 * a.width() + 10]).isCloseTo(pixel, within(PIXEL_TOLERANCE));
@@ -155,12 +155,12 @@ class FlipTest {
         return largest;
     }
 
-    private static Film turned(Film film) {
+    private static Film transposed(Film film) {
         Film turned = Film.black(film.width(), film.height());
         int[] pixels = ViewTransform.DEFAULT.toPixels(film);
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
-                Pixels.set(turned, x, film.height() - 1 - y, pixels[y * film.width() + x]);
+                DisplayPixels.set(turned, x, film.height() - 1 - y, pixels[y * film.width() + x]);
             }
         }
         return turned;
@@ -191,7 +191,7 @@ class FlipTest {
         Film film = Film.black(width, height);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                Pixels.set(film, x, y, code.at(x, y));
+                DisplayPixels.set(film, x, y, code.at(x, y));
             }
         }
         return film;

@@ -27,11 +27,11 @@ class ScopesTest {
         for (int[] channel : scopes.histogram()) {
             assertThat(Arrays.stream(channel).sum()).isEqualTo(32);
         }
-        assertThat(scopes.shareOf(255)).isEqualTo(0.5);
+        assertThat(scopes.pixelShare(255)).isEqualTo(0.5);
     }
 
     @Test
-    void waveform_knowsTheColumn() {
+    void waveform_countsPerColumn() {
         Scopes scopes = Scopes.of(halves(), ViewTransform.DEFAULT);
         assertThat(scopes.columns()).isEqualTo(8);
         assertThat(scopes.waveform()[0][3 * 256 + 128]).isEqualTo(4);
@@ -44,7 +44,7 @@ class ScopesTest {
     }
 
     @Test
-    void widePicture_hasColumnsThatStandForSeveral() {
+    void wideImage_mergesColumns() {
         Scopes scopes = Scopes.of(Film.black(1025, 3), ViewTransform.DEFAULT);
         assertThat(scopes.columns()).isEqualTo(512);
         assertThat(Arrays.stream(scopes.waveform()[1]).sum()).isEqualTo(3 * 1025);
@@ -52,7 +52,7 @@ class ScopesTest {
 
     /** One line of codes 20 to 59, three pixels of each, below 100 lines of code 200. */
     @Test
-    void histogramsPicture_isNotPressedDownByOneEvenBackground() {
+    void histogramImage_ignoresFlatBackgroundPeak() {
         int width = 120;
         float[] rgb = new float[3 * width * 101];
         Arrays.fill(rgb, ViewTransform.linear(200));
@@ -67,7 +67,7 @@ class ScopesTest {
     }
 
     @Test
-    void histogramsPicture_hasABarForEachCode() {
+    void histogramImage_hasBarForEachCode() {
         int[] pixels = Scopes.of(halves(), ViewTransform.DEFAULT).histogramPixels(10);
         assertThat(pixels[128]).isEqualTo(0xFFE61616);
         assertThat(pixels[9 * 256 + 255]).isEqualTo(0xFFE6E6E6);

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class SsimTest {
 
     @Test
-    void twoFlatGreys_areComparedByLightnessAlone() {
+    void flatGrays_areComparedByLightness() {
         double a = 50;
         double b = 200;
         double c1 = 6.5025;
@@ -21,7 +21,7 @@ class SsimTest {
     }
 
     @Test
-    void invertedChecker_isAlmostTheOpposite() {
+    void invertedChecker_isNearlyMinusOne() {
         // Means of (nearly) 127.5 and, about them, values of ±127.5 that are exactly negated.
         Film checker = codes(40, 40, (x, y) -> (x + y) % 2 * 255);
         Film inverted = codes(40, 40, (x, y) -> (x + y + 1) % 2 * 255);
@@ -32,17 +32,17 @@ class SsimTest {
     }
 
     @Property(tries = 30)
-    void oneWindow_isTheFormulaWithItsWeightsWrittenOut(@ForAll long seed) {
-        Film a = Films.anyCodes(11, 11, seed);
-        Film b = Films.anyCodes(11, 11, seed + 1);
+    void oneWindow_matchesExplicitFormula(@ForAll long seed) {
+        Film a = RandomFilms.anyCodes(11, 11, seed);
+        Film b = RandomFilms.anyCodes(11, 11, seed + 1);
 
         assertThat(ssim(a, b)).isCloseTo(direct(a, b, 0, 0), within(1e-9));
     }
 
     @Property(tries = 10)
-    void largerPicture_isTheMeanOfItsWindows(@ForAll long seed) {
-        Film a = Films.anyCodes(14, 13, seed);
-        Film b = Films.anyCodes(14, 13, seed + 1);
+    void largerImage_isMeanOfWindows(@ForAll long seed) {
+        Film a = RandomFilms.anyCodes(14, 13, seed);
+        Film b = RandomFilms.anyCodes(14, 13, seed + 1);
         double sum = 0;
         for (int y = 0; y < 3; y++) {
             for (int x = 0; x < 4; x++) {
@@ -54,11 +54,11 @@ class SsimTest {
     }
 
     @Property(tries = 50)
-    void everySize_hasASimilarityOfAtMostOne(@ForAll @IntRange(min = 1, max = 14) int width,
+    void everySize_hasSimilarityUpToOne(@ForAll @IntRange(min = 1, max = 14) int width,
             @ForAll @IntRange(min = 1, max = 14) int height, @ForAll long seed) {
-        Film a = Films.anyCodes(width, height, seed);
+        Film a = RandomFilms.anyCodes(width, height, seed);
 
-        assertThat(ssim(a, Films.anyCodes(width, height, ~seed))).isBetween(-1.0, 1.0);
+        assertThat(ssim(a, RandomFilms.anyCodes(width, height, ~seed))).isBetween(-1.0, 1.0);
         assertThat(ssim(a, a.copy())).isEqualTo(1);
     }
 
@@ -104,7 +104,7 @@ class SsimTest {
     }
 
     private static double ssim(Film a, Film b) {
-        return Ssim.ofDisplayedLuma(a, b);
+        return Ssim.displayedLuma(a, b);
     }
 
     private interface Code {
@@ -115,7 +115,7 @@ class SsimTest {
         Film film = Film.black(width, height);
         for (int y = 0; y < height; y++) {
             for (int x = 0; x < width; x++) {
-                Pixels.set(film, x, y, code.at(x, y) * 0x010101);
+                DisplayPixels.set(film, x, y, code.at(x, y) * 0x010101);
             }
         }
         return film;

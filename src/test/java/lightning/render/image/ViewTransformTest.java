@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ViewTransformTest {
 
     @Test
-    void knownCodes_areThoseOfTheStandard() {
+    void knownCodes_matchStandard() {
         assertThat(ViewTransform.DEFAULT.encode(0)).isEqualTo(0);
         assertThat(ViewTransform.DEFAULT.encode(1)).isEqualTo(255);
         // 1.055 · 0.5^(1/2.4) − 0.055 = 0.735357 and · 255 = 187.5 and a little: 187.516
@@ -29,7 +29,7 @@ class ViewTransformTest {
     }
 
     @Test
-    void in1998_theLinearValueIsTheCode() {
+    void curveOf1998_isLinear() {
         ViewTransform view = ViewTransform.DEFAULT.withCurve(DisplayCurve.LINEAR);
         assertThat(view.encode(0)).isEqualTo(0);
         assertThat(view.encode(1)).isEqualTo(255);
@@ -43,7 +43,7 @@ class ViewTransformTest {
 
     @ParameterizedTest
     @EnumSource
-    void valuesOutsideTheDisplay_areClampedByEveryCurve(DisplayCurve curve) {
+    void outOfRangeValues_areClampedByEveryCurve(DisplayCurve curve) {
         ViewTransform view = ViewTransform.DEFAULT.withCurve(curve);
         assertThat(List.of(view.encode(-1), view.encode(-0f), view.encode(Float.NaN), view.encode(Float.NEGATIVE_INFINITY)))
                 .containsOnly(0);
@@ -52,7 +52,7 @@ class ViewTransformTest {
 
     @ParameterizedTest
     @EnumSource
-    void tableOfEveryCurve_agreesWithItsFormula(DisplayCurve curve) {
+    void everyCurveTable_matchesFormula(DisplayCurve curve) {
         for (int bits = 0x38000000; bits < 0x42000000; bits += 0x777) {
             float v = Float.intBitsToFloat(bits);
             if (curve.table().encode(v) != curve.formula(v)) {
@@ -63,7 +63,7 @@ class ViewTransformTest {
 
     /** By hand from the sources' formulas. */
     @Test
-    void toneCurves_areThoseOfTheirSources() {
+    void toneCurves_matchPublications() {
         // Hable at 2 · 0.5: (0.20 + 0.004) / (0.65 + 0.06) − 1/15 = 0.220657; at 11.2: 19.38 / 24.476 − 1/15 = 0.725125 (of his page).
         assertThat(ToneCurves.filmic(0.5)).isCloseTo(0.220657 / 0.725125, Offset.offset(1e-5));
         // Narkowicz at 1: 2.54 / 3.16.
@@ -74,16 +74,16 @@ class ViewTransformTest {
     }
 
     @Test
-    void falseColor_isGreyHalfAStopAroundMiddleGrey() {
+    void falseColor_isGrayAroundMiddleGray() {
         ViewTransform stops = ViewTransform.DEFAULT.withCurve(DisplayCurve.FALSE);
-        int grey = stops.pack(0.18f, 0.18f, 0.18f);
-        assertThat(grey).isEqualTo(0xFF808080);
-        assertThat(List.of(stops.pack(0.13f, 0.13f, 0.13f), stops.pack(0.25f, 0.25f, 0.25f))).containsOnly(grey);
-        assertThat(stops.pack(0.126f, 0.126f, 0.126f)).isNotEqualTo(grey);
-        assertThat(stops.pack(0.256f, 0.256f, 0.256f)).isNotEqualTo(grey);
+        int gray = stops.pack(0.18f, 0.18f, 0.18f);
+        assertThat(gray).isEqualTo(0xFF808080);
+        assertThat(List.of(stops.pack(0.13f, 0.13f, 0.13f), stops.pack(0.25f, 0.25f, 0.25f))).containsOnly(gray);
+        assertThat(stops.pack(0.126f, 0.126f, 0.126f)).isNotEqualTo(gray);
+        assertThat(stops.pack(0.256f, 0.256f, 0.256f)).isNotEqualTo(gray);
         List<FalseColor.Band> bands = FalseColor.bands();
         for (FalseColor.Band band : bands) {
-            float v = (float) (FalseColor.MIDDLE * Math.scalb(1.0, band.stop()));
+            float v = (float) (FalseColor.MIDDLE_GRAY * Math.scalb(1.0, band.stop()));
             assertThat(stops.pack(v, v, v)).isEqualTo(0xFF000000 | band.rgb());
         }
         assertThat(List.of(stops.pack(0, 0, 0), stops.pack(Float.NaN, 0, 0))).containsOnly(0xFF000000 | bands.getFirst().rgb());
@@ -92,14 +92,14 @@ class ViewTransformTest {
     }
 
     @Test
-    void stops_areForLookingAlone() {
+    void falseColor_isNotSaved() {
         ViewTransform stops = new ViewTransform(0.5, DisplayCurve.FALSE);
-        assertThat(stops.ofPicture()).isEqualTo(new ViewTransform(0.5));
-        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).text()).isEqualTo("ACES (Narkowicz's Fit), -0.5 stops");
+        assertThat(stops.forOutput()).isEqualTo(new ViewTransform(0.5));
+        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).description()).isEqualTo("ACES (Narkowicz's Fit), -0.5 stops");
     }
 
     @Test
-    void valuesOutsideTheDisplay_areClamped() {
+    void outOfRangeValues_areClamped() {
         assertThat(ViewTransform.DEFAULT.encode(-1)).isEqualTo(0);
         assertThat(ViewTransform.DEFAULT.encode(-0f)).isEqualTo(0);
         assertThat(ViewTransform.DEFAULT.encode(Float.NaN)).isEqualTo(0);
@@ -110,7 +110,7 @@ class ViewTransformTest {
     }
 
     @Test
-    void table_agreesWithTheFormulaAroundEveryThreshold() {
+    void table_matchesFormulaAroundThresholds() {
         for (int code = 1; code < 256; code++) {
             float threshold = Srgb.THRESHOLD[code];
             assertThat(Srgb.formula(Math.nextDown(threshold))).isEqualTo(code - 1);
@@ -123,7 +123,7 @@ class ViewTransformTest {
     }
 
     @Test
-    void table_agreesWithTheFormulaOnEveryBucketBorderAndBetween() {
+    void table_matchesFormulaAtBucketBorders() {
         for (int bits = 0x38000000; bits < 0x40000000; bits += 0x333) {
             float v = Float.intBitsToFloat(bits);
             if (Srgb.encode(v) != Srgb.formula(v)) {
@@ -133,27 +133,27 @@ class ViewTransformTest {
     }
 
     @Property(tries = 20_000)
-    void table_agreesWithTheFormulaOnEveryBitPattern(@ForAll int bits) {
+    void table_matchesFormulaForAnyBits(@ForAll int bits) {
         float v = Float.intBitsToFloat(bits);
 
         assertThat(Srgb.encode(v)).isEqualTo(Srgb.formula(v));
     }
 
     @Test
-    void everyCode_survivesDecodingAndEncoding() {
+    void everyCode_roundTrips() {
         for (int code = 0; code < 256; code++) {
             assertThat(ViewTransform.DEFAULT.encode(ViewTransform.linear(code))).isEqualTo(code);
         }
     }
 
     @Property
-    void oneStopMore_showsTwiceTheLight(@ForAll float linear, @ForAll @IntRange(min = -60, max = 60) int stops) {
+    void oneStopMore_doublesLight(@ForAll float linear, @ForAll @IntRange(min = -60, max = 60) int stops) {
         assertThat(new ViewTransform(stops + 1).gain()).isEqualTo(2 * new ViewTransform(stops).gain());
         assertThat(new ViewTransform(1).encode(linear)).isEqualTo(ViewTransform.DEFAULT.encode(2 * linear));
     }
 
     @Property
-    void packedPixels_areOpaqueAndInScanlineOrder(@ForAll("films") Film film) {
+    void packedPixels_areOpaqueScanlines(@ForAll("films") Film film) {
         ViewTransform view = new ViewTransform(0.5);
         int[] pixels = view.toPixels(film);
         for (int y = 0; y < film.height(); y++) {
@@ -166,8 +166,8 @@ class ViewTransformTest {
     }
 
     @Test
-    void packingATile_touchesOnlyItsPixels() {
-        Film film = Films.grey(40, 40, 1);
+    void packTile_writesOnlyItsPixels() {
+        Film film = RandomFilms.gray(40, 40, 1);
         int[] pixels = new int[40 * 40];
 
         ViewTransform.DEFAULT.packTile(film, 3, pixels);
@@ -179,13 +179,13 @@ class ViewTransformTest {
     }
 
     @Test
-    void unusableExposures_areRefused() {
+    void invalidExposure_isRejected() {
         assertThatThrownBy(() -> new ViewTransform(Double.NaN)).hasMessageContaining("was NaN");
         assertThatThrownBy(() -> new ViewTransform(65)).hasMessageContaining("from -64 to 64");
     }
 
     @Provide
     Arbitrary<Film> films() {
-        return Films.anyBits();
+        return RandomFilms.anyBits();
     }
 }

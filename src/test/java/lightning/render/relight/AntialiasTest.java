@@ -11,17 +11,17 @@ import lightning.render.cache.PixelCache;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
-import lightning.scene.effects.Effect;
+import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,9 +31,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 class AntialiasTest {
     private static final int GRID = 3;
 
-    private static Scene studio(Antialias antialias) {
+    private static Scene studio(AntialiasMode antialias) {
         Scene scene = StudioScene.of(LightType.POINT);
-        return scene.withPicture(scene.picture().withSize(70, 50).withSampling(new Sampling(antialias, GRID)));
+        return scene.withPicture(scene.picture().withSize(70, 50).withSampling(new SamplingSettings(antialias, GRID)));
     }
 
     private static Light key(Scene scene) {
@@ -41,7 +41,7 @@ class AntialiasTest {
     }
 
     private static Renderer renderer(Scene scene, Accuracy accuracy) {
-        Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withAccuracy(accuracy));
+        Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withAccuracy(accuracy));
         renderer.render(scene, Progress.NONE);
         return renderer;
     }
@@ -49,19 +49,19 @@ class AntialiasTest {
     private static int finePixels(PixelCache cache) {
         int pixels = 0;
         for (int t = 0; t < cache.fineCount(); t++) {
-            pixels += cache.fine(t).shapes().pixels().length + cache.fine(t).lights().pixels().length;
+            pixels += cache.fineTile(t).shapes().pixels().length + cache.fineTile(t).lights().pixels().length;
         }
         return pixels;
     }
 
     @Test
-    void off_keepsTheBytesAndRaysOfAPictureWithoutSamples() {
-        Scene off = studio(Antialias.OFF);
-        Scene other = off.withPicture(off.picture().withSampling(new Sampling(Antialias.OFF, 8)));
+    void off_matchesImageWithoutSamples() {
+        Scene off = studio(AntialiasMode.OFF);
+        Scene other = off.withPicture(off.picture().withSampling(new SamplingSettings(AntialiasMode.OFF, 8)));
         try (Renderer renderer = renderer(off, Accuracy.EXACT)) {
             long bytes = renderer.cache().bytes();
-            Update update = renderer.render(other, Progress.NONE);
-            assertThat(update.rays().all()).isZero();
+            UpdateResult update = renderer.render(other, Progress.NONE);
+            assertThat(update.rays().total()).isZero();
             assertThat(renderer.cache().bytes()).isEqualTo(bytes);
             assertThat(renderer.cache().fineCount()).isZero();
             assertThat(renderer.cache().tile(0).codes).isNull();
@@ -70,18 +70,18 @@ class AntialiasTest {
     }
 
     @Test
-    void everyPixel_castsAllItsSamplesAndNoCentres() {
-        Scene scene = studio(Antialias.EVERY);
-        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+    void everyPixel_castsAllSamplesAndNoCenters() {
+        Scene scene = studio(AntialiasMode.EVERY);
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             assertThat(renderer.render(scene, Progress.NONE).rays().eye()).isEqualTo(70L * 50 * GRID * GRID);
             assertThat(renderer.cache().tileCount()).isZero();
         }
     }
 
     @Test
-    void edges_castAllCentresAndTheSamplesOfPixelsOnAnEdge() {
-        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
-            long eye = renderer.render(studio(Antialias.EDGES), Progress.NONE).rays().eye();
+    void edges_castCentersAndEdgeSamples() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            long eye = renderer.render(studio(AntialiasMode.EDGES), Progress.NONE).rays().eye();
             int fine = finePixels(renderer.cache());
             assertThat(fine).isBetween(70 * 50 / 20, 70 * 50 / 2);
             assertThat(eye).isEqualTo(70L * 50 + (long) fine * GRID * GRID);
@@ -89,14 +89,14 @@ class AntialiasTest {
     }
 
     @Test
-    void pixelsAwayFromEdges_areTheirCentres_andOthersEqualEveryPixelsMean() {
-        try (Renderer renderer = renderer(studio(Antialias.EDGES), Accuracy.EXACT)) {
-            Film centers = new ReferenceTracer(studio(Antialias.OFF)).trace();
-            Film every = new ReferenceTracer(studio(Antialias.EVERY)).trace();
+    void edges_useCentersElsewhereAndMeansAtEdges() {
+        try (Renderer renderer = renderer(studio(AntialiasMode.EDGES), Accuracy.EXACT)) {
+            Film centers = new ReferenceTracer(studio(AntialiasMode.OFF)).trace();
+            Film every = new ReferenceTracer(studio(AntialiasMode.EVERY)).trace();
             boolean[] fine = new boolean[70 * 50];
             PixelCache cache = renderer.cache();
             for (int t = 0; t < cache.fineCount(); t++) {
-                for (short[] pixels : new short[][] {cache.fine(t).shapes().pixels(), cache.fine(t).lights().pixels()}) {
+                for (short[] pixels : new short[][] {cache.fineTile(t).shapes().pixels(), cache.fineTile(t).lights().pixels()}) {
                     for (short p : pixels) {
                         fine[(t / 3 * 32 + p / 32) * 70 + t % 3 * 32 + p % 32] = true;
                     }
@@ -110,28 +110,28 @@ class AntialiasTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = Antialias.class, names = {"EDGES", "EVERY"})
-    void colorOfALight_castsNoRay(Antialias antialias) {
+    @EnumSource(value = AntialiasMode.class, names = {"EDGES", "EVERY"})
+    void lightColor_castsNoRays(AntialiasMode antialias) {
         Scene scene = studio(antialias);
         Scene red = scene.withLight(key(scene).withColor(new Rgb(1, 0.2, 0.1)));
         try (Renderer renderer = renderer(scene, Accuracy.EXACT)) {
-            assertThat(renderer.render(red, Progress.NONE).rays().all()).isZero();
+            assertThat(renderer.render(red, Progress.NONE).rays().total()).isZero();
             renderer.updateReflections(Progress.NONE);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(red).trace(), "antialias-color");
         }
     }
 
     @Test
-    void edgesAskedForLater_castNoShadowRayForTheCentres() {
-        Scene off = studio(Antialias.OFF);
-        Scene edges = studio(Antialias.EDGES);
-        try (Renderer renderer = renderer(off, Accuracy.EXACT); Renderer fresh = new Renderer(Options.DEFAULT)) {
-            Update later = renderer.render(edges, Progress.NONE);
-            Update first = fresh.render(edges, Progress.NONE);
-            assertThat(later.plan().text()).isEqualTo("samples, reflections");
+    void edgesEnabledLater_castNoShadowRaysForCenters() {
+        Scene off = studio(AntialiasMode.OFF);
+        Scene edges = studio(AntialiasMode.EDGES);
+        try (Renderer renderer = renderer(off, Accuracy.EXACT); Renderer fresh = new Renderer(RenderOptions.DEFAULT)) {
+            UpdateResult later = renderer.render(edges, Progress.NONE);
+            UpdateResult first = fresh.render(edges, Progress.NONE);
+            assertThat(later.plan().description()).isEqualTo("samples, reflections");
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(edges).trace(), "antialias-later");
             assertThat(renderer.cache().bytes()).isEqualTo(fresh.cache().bytes());
-            try (Renderer plain = new Renderer(Options.DEFAULT)) {
+            try (Renderer plain = new Renderer(RenderOptions.DEFAULT)) {
                 long centers = plain.render(off, Progress.NONE).rays().shadow();
                 assertThat(later.rays().shadow()).isEqualTo(first.rays().shadow() - centers);
             }
@@ -139,10 +139,10 @@ class AntialiasTest {
     }
 
     @Test
-    void edgesAskedForLater_areNotThoseOfMirrorsThatAreForced() {
-        Scene off = studio(Antialias.OFF);
-        Scene edges = studio(Antialias.EDGES);
-        Options forced = Options.DEFAULT.withView(ViewEffects.ALL.forcing(Set.of(Effect.REFLECTION)));
+    void edgesEnabledLater_ignoreForcedMirrors() {
+        Scene off = studio(AntialiasMode.OFF);
+        Scene edges = studio(AntialiasMode.EDGES);
+        RenderOptions forced = RenderOptions.DEFAULT.withView(ViewEffects.ALL.withForced(Set.of(RenderEffect.REFLECTION)));
         try (Renderer renderer = new Renderer(forced)) {
             renderer.render(off, Progress.NONE);
             renderer.render(edges, Progress.NONE);
@@ -151,24 +151,24 @@ class AntialiasTest {
     }
 
     @Test
-    void edgesGivenUp_freeTheirMemoryAndCastNoRay() {
-        Scene off = studio(Antialias.OFF);
-        try (Renderer renderer = renderer(studio(Antialias.EDGES), Accuracy.EXACT); Renderer plain = renderer(off, Accuracy.EXACT)) {
-            assertThat(renderer.render(off, Progress.NONE).rays().all()).isZero();
+    void edgesDisabled_freeMemoryAndCastNoRays() {
+        Scene off = studio(AntialiasMode.OFF);
+        try (Renderer renderer = renderer(studio(AntialiasMode.EDGES), Accuracy.EXACT); Renderer plain = renderer(off, Accuracy.EXACT)) {
+            assertThat(renderer.render(off, Progress.NONE).rays().total()).isZero();
             assertThat(renderer.cache().bytes()).isEqualTo(plain.cache().bytes());
             FilmAssert.assertSameBits(renderer.film(), plain.film(), "antialias-given-up");
         }
     }
 
     @Test
-    void movedLight_followsItsShadowsEdgeAndNoMore() {
-        Scene scene = studio(Antialias.EDGES);
+    void movedLight_resamplesOnlyItsShadowEdge() {
+        Scene scene = studio(AntialiasMode.EDGES);
         Scene moved = scene.withLight(key(scene).withPosition(new Vec3(-1, 4, 3)));
         try (Renderer renderer = renderer(scene, Accuracy.EXACT)) {
             long eye = renderer.render(moved, Progress.NONE).rays().eye();
             int samples = 0;
             for (int t = 0; t < renderer.cache().fineCount(); t++) {
-                samples += renderer.cache().fine(t).lights().pixels().length * GRID * GRID;
+                samples += renderer.cache().fineTile(t).lights().pixels().length * GRID * GRID;
             }
             assertThat(eye).as("only samples at edges of light are traced anew").isPositive().isLessThanOrEqualTo(samples);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved");
@@ -177,11 +177,11 @@ class AntialiasTest {
 
     @ParameterizedTest
     @EnumSource(Accuracy.class)
-    void movedLight_bringsItsOwnSamplesAtBothLevels(Accuracy accuracy) {
-        Scene scene = studio(Antialias.EDGES);
+    void movedLight_matchesAtBothAccuracies(Accuracy accuracy) {
+        Scene scene = studio(AntialiasMode.EDGES);
         Scene moved = scene.withLight(key(scene).withPosition(new Vec3(-1, 4, 3)));
         try (Renderer renderer = renderer(scene, accuracy)) {
-            Update update = renderer.render(moved, Progress.NONE);
+            UpdateResult update = renderer.render(moved, Progress.NONE);
             assertThat(update.rays().eye()).isPositive();
             assertThat(update.errorBound()).isZero();
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved-" + accuracy);
@@ -190,16 +190,16 @@ class AntialiasTest {
 
     @ParameterizedTest
     @EnumSource(Accuracy.class)
-    void weightAndFalloffOfALight_moveNoSampleAtBothLevels(Accuracy accuracy) {
-        Scene scene = studio(Antialias.EDGES);
+    void lightWeightAndFalloff_keepSamplesAtBothAccuracies(Accuracy accuracy) {
+        Scene scene = studio(AntialiasMode.EDGES);
         Light key = key(scene);
         List<Light> edits =
                 List.of(key.withIntensity(0.5), key.withColor(new Rgb(1, 0.2, 0.1)), key.withAttenuation(new Attenuation(1, 0.1, 0)));
         try (Renderer renderer = renderer(scene, accuracy)) {
             for (Light edit : edits) {
-                Update update = renderer.render(scene.withLight(edit), Progress.NONE);
-                assertThat(update.rays().all()).isZero();
-                double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(scene.withLight(edit), scene).trace());
+                UpdateResult update = renderer.render(scene.withLight(edit), Progress.NONE);
+                assertThat(update.rays().total()).isZero();
+                double error = FilmError.largestError(renderer.film(), new ReferenceTracer(scene.withLight(edit), scene).trace());
                 assertThat(error).isLessThanOrEqualTo(update.errorBound());
             }
         }

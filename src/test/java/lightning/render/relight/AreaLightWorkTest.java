@@ -7,19 +7,19 @@ import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
-import lightning.scene.Area;
+import lightning.scene.AreaShape;
 import lightning.scene.Attenuation;
 import lightning.scene.BarnDoors;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -33,27 +33,27 @@ import org.junit.jupiter.params.provider.EnumSource;
 class AreaLightWorkTest {
     private static final int SAMPLES = 8;
 
-    private static Light large(Light light) {
-        return light.withArea(new Area(0.4, 5, 0.7, 0.5, Vec3.Y, SAMPLES));
+    private static Light areaLight(Light light) {
+        return light.withArea(new AreaShape(0.4, 5, 0.7, 0.5, Vec3.Y, SAMPLES));
     }
 
-    private static Studio studio(LightType type) {
-        Studio studio = Studio.of(type);
-        studio.edit(AreaLightWorkTest::large);
+    private static StudioRenderer studio(LightType type) {
+        StudioRenderer studio = StudioRenderer.of(type);
+        studio.edit(AreaLightWorkTest::areaLight);
         return studio;
     }
 
-    private static Update edit(Studio studio, UnaryOperator<Light> edit) {
-        Update update = studio.edit(edit);
+    private static UpdateResult edit(StudioRenderer studio, UnaryOperator<Light> edit) {
+        UpdateResult update = studio.edit(edit);
         studio.renderer().updateReflections(Progress.NONE);
-        assertThat(studio.renderer().film().sameBits(new ReferenceTracer(studio.scene()).trace())).isTrue();
+        assertThat(studio.renderer().film().hasSameBits(new ReferenceTracer(studio.scene()).trace())).isTrue();
         return update;
     }
 
     @ParameterizedTest
     @EnumSource(LightType.class)
-    void colorIntensityAndSwitches_castNothing(LightType type) {
-        try (Studio studio = studio(type)) {
+    void colorIntensityAndSwitches_castNoRays(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
             for (UnaryOperator<Light> edit : List.<UnaryOperator<Light>>of(l -> l.withColor(new Rgb(1, 0, 0.5)), l -> l.withIntensity(0.3),
                     l -> l.withOn(false), l -> l.withOn(true), l -> l.withSolo(true))) {
                 assertThat(edit(studio, edit).rays().shadow()).isZero();
@@ -63,8 +63,8 @@ class AreaLightWorkTest {
 
     @ParameterizedTest
     @EnumSource(LightType.class)
-    void attenuationDropoffDoorsAndSmallerAngle_castNothing(LightType type) {
-        try (Studio studio = studio(type)) {
+    void attenuationDropoffDoorsAndSmallerAngle_castNoRays(LightType type) {
+        try (StudioRenderer studio = studio(type)) {
             for (UnaryOperator<Light> edit : List.<UnaryOperator<Light>>of(l -> l.withAttenuation(new Attenuation(0, 1, 1)),
                     l -> l.withDropoff(7), l -> l.withDoors(new BarnDoors(5, 20, 90, 8)), l -> l.withFeather(4),
                     l -> l.withAngle(l.angle() * 0.7))) {
@@ -74,8 +74,8 @@ class AreaLightWorkTest {
     }
 
     @Test
-    void shininess_castsNothing() {
-        try (Studio studio = studio(LightType.RECT)) {
+    void shininess_castsNoRays() {
+        try (StudioRenderer studio = studio(LightType.RECT)) {
             Scene scene = studio.scene();
             Scene shinier = scene.withMaterials(scene.materials().stream().map(m -> m.withShininess(30)).toList());
             assertThat(studio.render(shinier).rays().shadow()).isZero();
@@ -84,8 +84,8 @@ class AreaLightWorkTest {
 
     /** Rows that were asked are asked no more, whichever of the samples had them in its cone. */
     @Test
-    void coneThatCameBack_castsNothing() {
-        try (Studio studio = studio(LightType.SPOT)) {
+    void restoredCone_castsNoRays() {
+        try (StudioRenderer studio = studio(LightType.SPOT)) {
             double angle = studio.key().angle();
             Vec3 direction = studio.key().direction();
             edit(studio, l -> l.withAngle(angle * 0.5));
@@ -96,10 +96,10 @@ class AreaLightWorkTest {
     }
 
     @Test
-    void largerAngle_asksOnlyRowsThatEnter() {
-        try (Studio studio = studio(LightType.SPOT)) {
-            Update wider = edit(studio, l -> l.withAngle(l.angle() * 1.1));
-            Update moved = edit(studio, l -> l.withPosition(l.position().plus(new Vec3(1e-9, 0, 0))));
+    void largerAngle_castsOnlyForEnteringRows() {
+        try (StudioRenderer studio = studio(LightType.SPOT)) {
+            UpdateResult wider = edit(studio, l -> l.withAngle(l.angle() * 1.1));
+            UpdateResult moved = edit(studio, l -> l.withPosition(l.position().plus(new Vec3(1e-9, 0, 0))));
             assertThat(wider.rays().shadow()).isPositive().isLessThan(moved.rays().shadow());
         }
     }
@@ -107,40 +107,41 @@ class AreaLightWorkTest {
     /** A floor seen from under a ball that hides the light from all of it, whichever way the light is moved a little. */
     @ParameterizedTest
     @EnumSource(LightType.class)
-    void lightMovedBehindABall_castsNothingWhereAllIsDark(LightType type) {
-        Light lamp = large(Light.of("key", type).withPosition(new Vec3(0, 20, 0)).withDirection(new Vec3(0, -1, 0)));
-        Scene scene = new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 2.5, 0), Vec3.ZERO, new Vec3(0, 0, -1), 20), World.DEFAULT,
-                List.of(Material.of("matte").withDiffuse(Rgb.grey(0.7))),
-                List.of(shape(Solid.PLANE, new Vec3(0, 0, 0), 40), shape(Solid.SPHERE, new Vec3(0, 8, 0), 5)), List.of(lamp));
-        try (Studio studio = new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS, scene)) {
-            Update moved = edit(studio, l -> l.withPosition(new Vec3(0.3, 20, 0)).withDirection(new Vec3(0.02, -1, 0)));
+    void lightMovedBehindSphere_castsNoRaysInFullShadow(LightType type) {
+        Light source = areaLight(Light.of("key", type).withPosition(new Vec3(0, 20, 0)).withDirection(new Vec3(0, -1, 0)));
+        Scene scene =
+                new Scene(new PictureSettings(64, 32, 1), new Camera(new Vec3(0, 2.5, 0), Vec3.ZERO, new Vec3(0, 0, -1), 20), World.DEFAULT,
+                        List.of(Material.of("matte").withDiffuse(Rgb.gray(0.7))),
+                        List.of(shape(Solid.PLANE, new Vec3(0, 0, 0), 40), shape(Solid.SPHERE, new Vec3(0, 8, 0), 5)), List.of(source));
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, scene)) {
+            UpdateResult moved = edit(studio, l -> l.withPosition(new Vec3(0.3, 20, 0)).withDirection(new Vec3(0.02, -1, 0)));
             assertThat(moved.rowsTouched()).isPositive();
             assertThat(moved.rays().shadow()).isZero();
-            Update edge = edit(studio, l -> l.withPosition(new Vec3(15, 20, 0)).withDirection(new Vec3(-15, -20, 0)));
+            UpdateResult edge = edit(studio, l -> l.withPosition(new Vec3(15, 20, 0)).withDirection(new Vec3(-15, -20, 0)));
             assertThat(edge.rays().shadow()).isPositive();
         }
     }
 
     private static Shape shape(Solid solid, Vec3 at, double size) {
-        return new Shape(solid, solid.noun(), "matte", new Placement(at, Vec3.ZERO, Vec3.ONE.times(size)));
+        return new Shape(solid, solid.typeName(), "matte", new Placement(at, Vec3.ZERO, Vec3.ONE.times(size)));
     }
 
     @ParameterizedTest
     @EnumSource(LightType.class)
-    void lightOfSizeZero_isAPointAndHasNoSamples(LightType type) {
-        try (Studio studio = Studio.of(type)) {
+    void lightOfSizeZero_isPointWithoutSamples(LightType type) {
+        try (StudioRenderer studio = StudioRenderer.of(type)) {
             long bytes = studio.renderer().cache().bytes();
-            Update update = studio.edit(l -> l.withArea(l.area().withSamples(64)));
+            UpdateResult update = studio.edit(l -> l.withArea(l.area().withSamples(64)));
             assertThat(update.rays().shadow()).isZero();
             assertThat(studio.renderer().cache().bytes()).isEqualTo(bytes);
         }
     }
 
     @Test
-    void samplesSeen_takeTwoBytesForEachSixteen() {
-        assertThat(LightRows.columns(large(StudioScene.key(LightType.POINT)), false, false)).contains(LightRows.Column.SEEN_0)
+    void visibleSamples_useTwoBytesPerSixteen() {
+        assertThat(LightRows.columns(areaLight(StudioScene.key(LightType.POINT)), false, false)).contains(LightRows.Column.SEEN_0)
                 .doesNotContain(LightRows.Column.SEEN_1, LightRows.Column.FALLOFF);
-        Light fine = StudioScene.key(LightType.POINT).withArea(new Area(1, 0, 0, 0, Vec3.Y, 33));
+        Light fine = StudioScene.key(LightType.POINT).withArea(new AreaShape(1, 0, 0, 0, Vec3.Y, 33));
         assertThat(LightRows.columns(fine, false, false)).contains(LightRows.Column.SEEN_2).doesNotContain(LightRows.Column.SEEN_3);
         assertThat(LightRows.columns(StudioScene.key(LightType.POINT), false, false)).containsExactlyInAnyOrder(LightRows.Column.STATE,
                 LightRows.Column.COSINE, LightRows.Column.SPECULAR, LightRows.Column.FALLOFF);

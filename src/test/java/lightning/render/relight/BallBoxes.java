@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
-import lightning.render.trace.Eye;
+import lightning.render.trace.PixelRays;
 import lightning.scene.Scene;
 
 /** The boxes around balls of radius 1, of which only the middles are told, and the rays that meet them. */
@@ -13,10 +13,10 @@ final class BallBoxes {
 
     /** The rays through a scene's pixels that meet the box around any of some balls. */
     static long eyeRays(Scene scene, Vec3... balls) {
-        Eye eye = new Eye(scene);
+        PixelRays eye = new PixelRays(scene);
         int width = scene.picture().width();
         return IntStream.range(0, width * scene.picture().height())
-                .filter(i -> meets(scene, eye.through(i % width, i / width), balls)).count();
+                .filter(i -> meets(scene, eye.ray(i % width, i / width), balls)).count();
     }
 
     /** Whether a ray, which is told from the eye as all are, meets any of the boxes. */
@@ -25,8 +25,8 @@ final class BallBoxes {
     }
 
     private static boolean meets(Ray ray, Vec3 ball) {
-        Vec3 way = ball.minus(ray.origin());
-        double[] middle = {way.x(), way.y(), way.z()};
+        Vec3 toTarget = ball.minus(ray.origin());
+        double[] middle = {toTarget.x(), toTarget.y(), toTarget.z()};
         double[] direction = {ray.direction().x(), ray.direction().y(), ray.direction().z()};
         double in = 0;
         double out = Double.POSITIVE_INFINITY;

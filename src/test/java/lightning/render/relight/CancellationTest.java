@@ -11,12 +11,12 @@ import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.LayerPlan;
 import lightning.render.relight.plan.LevelPlan;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.SceneCoverage;
-import lightning.sample.Session;
+import lightning.sample.EditSession;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
@@ -34,35 +34,35 @@ class CancellationTest {
     private static final double REFRESHING = 160;
 
     @Provide
-    Arbitrary<Session> sessions() {
-        return Session.sessions();
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
     }
 
     /** How an update ends before it is done. */
-    enum End {
+    enum Interruption {
         CANCELLED {
             @Override
             Progress after(int questions) {
-                return new CancelAfter(questions);
+                return new CancelingProgress(questions);
             }
         },
         OUT_OF_MEMORY {
             @Override
             Progress after(int questions) {
-                return new FailAfter(questions, OutOfMemoryError::new);
+                return new FailingProgress(questions, OutOfMemoryError::new);
             }
         };
 
-        abstract Progress after(int questions);
+        abstract Progress after(int checks);
     }
 
     /** Two renderers go through a session; the updates of one are ended once before they are done. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
-    void endedUpdates_leaveFilmPlanAndAllLaterWorkUnchanged(@ForAll("sessions") Session session, @ForAll End end,
-            @ForAll @IntRange(min = 0, max = 12) int questions, @ForAll MirrorStorage storage, @ForAll Reflections reflections,
+    void interruptedUpdates_leaveStateUnchanged(@ForAll("sessions") EditSession session, @ForAll Interruption end,
+            @ForAll @IntRange(min = 0, max = 12) int checks, @ForAll MirrorStorage storage, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Accuracy accuracy, @ForAll boolean refreshing) {
-        Options options = new Options(accuracy, reflections, storage, threads);
+        RenderOptions options = new RenderOptions(accuracy, reflections, storage, threads);
         try (Renderer undisturbed = new Renderer(options); Renderer disturbed = new Renderer(options)) {
             undisturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
             disturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
@@ -72,49 +72,49 @@ class CancellationTest {
             int cancelled = 0;
             for (int step = 1; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
-                Update actual = interrupted(disturbed, scene, end.after(questions + step % 3), session, step);
+                UpdateResult actual = interrupted(disturbed, scene, end.after(checks + step % 3), session, step);
                 cancelled += actual == null ? 1 : 0;
                 actual = actual == null ? disturbed.render(scene, Progress.NONE) : actual;
                 assertThat(work(actual)).isEqualTo(work(undisturbed.render(scene, Progress.NONE)));
                 SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-cancelled-update", session, step,
-                        actual.plan().text());
+                        actual.plan().description());
             }
             SceneCoverage.collect("cancelled", cancelled > 0, 35);
         }
     }
 
     /** An update that may be ended on its way; null if it was, and then nothing may be different. */
-    private static Update interrupted(Renderer renderer, Scene wanted, Progress ending, Session session, int step) {
+    private static UpdateResult interrupted(Renderer renderer, Scene target, Progress ending, EditSession session, int step) {
         Film film = renderer.film().copy();
         Scene scene = renderer.scene();
-        UpdatePlan plan = renderer.plan(wanted).update();
+        UpdatePlan plan = renderer.plan(target).update();
         try {
-            return renderer.render(wanted, ending);
+            return renderer.render(target, ending);
         } catch (CancellationException | OutOfMemoryError e) {
             assertThat(renderer.scene()).isSameAs(scene);
-            assertThat(parts(renderer.plan(wanted).update())).isEqualTo(parts(plan));
-            SessionAssert.assertSameBits(renderer.film(), film, "cancelled-update", session, step, plan.text());
+            assertThat(parts(renderer.plan(target).update())).isEqualTo(parts(plan));
+            SessionAssert.assertSameBits(renderer.film(), film, "cancelled-update", session, step, plan.description());
             return null;
         }
     }
 
     /** What an update says but for its time. */
-    private static List<Object> work(Update update) {
+    private static List<Object> work(UpdateResult update) {
         return List.of(parts(update.plan()), update.rowsTouched(), update.rowsComposed(), update.rays());
     }
 
     /** All of a plan, but of a change of shapes only that there is one: each is found anew and equal to none but itself. */
     private static Object parts(UpdatePlan plan) {
         return plan instanceof UpdatePlan.Relight r
-                ? Arrays.asList(parts(r.top()), parts(r.mirrors()), r.depthFrom(), r.depthTo(), r.resampled(), r.shapes().isEmpty()) : plan;
+                ? Arrays.asList(parts(r.top()), parts(r.mirrors()), r.oldDepth(), r.newDepth(), r.resampled(), r.shapes().isEmpty()) : plan;
     }
 
     private static Object parts(LevelPlan level) {
-        return level == null ? "none" : List.of(level.layers().stream().map(CancellationTest::parts).toList(), level.dropped(),
-                level.compose(), level.materials());
+        return level == null ? "none" : List.of(level.layers().stream().map(CancellationTest::parts).toList(), level.droppedLights(),
+                level.recomposeAll(), level.materials());
     }
 
     private static Object parts(LayerPlan layer) {
-        return Arrays.asList(layer.light(), layer.from(), layer.update(), layer.shadows().isEmpty());
+        return Arrays.asList(layer.light(), layer.base(), layer.update(), layer.shadows().isEmpty());
     }
 }

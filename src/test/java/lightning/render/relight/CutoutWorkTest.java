@@ -8,17 +8,17 @@ import java.util.function.Predicate;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.trace.SurfacePoint;
+import lightning.scene.AlphaCutout;
 import lightning.scene.Camera;
-import lightning.scene.Cutout;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -39,10 +39,10 @@ class CutoutWorkTest {
             new Texture(2, 2, new float[] {0, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f, 0.2f, 0.2f, 0.2f}));
 
     private static Scene scene() {
-        Cutout cutout = Cutout.NONE.withCutout(Optional.of(THERE));
-        return new Scene(new Picture(64, 32, 1), new Camera(new Vec3(0, 0, 20), Vec3.ZERO, Vec3.Y, 20), World.DEFAULT,
-                List.of(Material.of("cut").withDiffuse(Rgb.grey(0.7)).withCutout(cutout),
-                        Material.of("whole").withDiffuse(Rgb.grey(0.7))),
+        AlphaCutout cutout = AlphaCutout.NONE.withMap(Optional.of(THERE));
+        return new Scene(new PictureSettings(64, 32, 1), new Camera(new Vec3(0, 0, 20), Vec3.ZERO, Vec3.Y, 20), World.DEFAULT,
+                List.of(Material.of("cut").withDiffuse(Rgb.gray(0.7)).withCutout(cutout),
+                        Material.of("whole").withDiffuse(Rgb.gray(0.7))),
                 List.of(ball("left", "cut", LEFT), ball("right", "whole", RIGHT)),
                 List.of(Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, -1, -0.5))));
     }
@@ -51,65 +51,66 @@ class CutoutWorkTest {
         return new Shape(Solid.SPHERE, name, material, new Placement(at, Vec3.ZERO, Vec3.ONE));
     }
 
-    private static Studio studio() {
-        return new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS, scene());
+    private static StudioRenderer studio() {
+        return new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, scene());
     }
 
-    private static Update edit(Studio studio, String material, Cutout cutout) {
-        Update update = studio.render(studio.scene().withMaterial(studio.scene().material(material).orElseThrow().withCutout(cutout)));
+    private static UpdateResult edit(StudioRenderer studio, String material, AlphaCutout cutout) {
+        UpdateResult update =
+                studio.render(studio.scene().withMaterial(studio.scene().material(material).orElseThrow().withCutout(cutout)));
         FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "cutout-work");
         return update;
     }
 
-    private static Cutout cutout(Studio studio) {
+    private static AlphaCutout cutout(StudioRenderer studio) {
         return studio.scene().material("cut").orElseThrow().cutout();
     }
 
     @Test
-    void otherCutoff_tracesTheRaysThatMayMeetItAndNoOther() {
-        try (Studio studio = studio()) {
+    void changedCutoff_retracesOnlyAffectedRays() {
+        try (StudioRenderer studio = studio()) {
             assertThat(edit(studio, "cut", cutout(studio).withCutoff(0.9)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
         }
     }
 
     @Test
-    void cutoutThatGoes_tracesTheRaysThatMetIt() {
-        try (Studio studio = studio()) {
-            assertThat(edit(studio, "cut", Cutout.NONE).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
+    void removedCutout_retracesOnlyAffectedRays() {
+        try (StudioRenderer studio = studio()) {
+            assertThat(edit(studio, "cut", AlphaCutout.NONE).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), LEFT));
         }
     }
 
     @Test
-    void cutoutThatComes_tracesTheRaysThatMayMeetIt() {
-        try (Studio studio = studio()) {
+    void addedCutout_retracesOnlyAffectedRays() {
+        try (StudioRenderer studio = studio()) {
             assertThat(edit(studio, "whole", cutout(studio)).rays().eye()).isEqualTo(BallBoxes.eyeRays(scene(), RIGHT));
         }
     }
 
     /** The sun stands behind the eye: neither ball can shade the other. */
     @Test
-    void cutout_asksNoWayToALightThatCannotMeetItsShapes() {
-        try (Studio studio = studio()) {
-            Update update = edit(studio, "cut", Cutout.NONE);
-            Predicate<SurfacePoint> facing = studio.seen().facing(studio.scene().lights().getFirst());
-            assertThat(update.rays().shadow()).isEqualTo(studio.seen().count(0, facing.and(row -> row.px() < 0)));
+    void cutout_castsNoUnaffectedShadowRays() {
+        try (StudioRenderer studio = studio()) {
+            UpdateResult update = edit(studio, "cut", AlphaCutout.NONE);
+            Predicate<SurfacePoint> facing = studio.referenceRows().isFacing(studio.scene().lights().getFirst());
+            assertThat(update.rays().shadow()).isEqualTo(studio.referenceRows().count(0, facing.and(row -> row.px() < 0)));
         }
     }
 
     @Test
-    void pictureThatCutsTheSame_tracesNothing() {
-        try (Studio studio = studio()) {
-            Cutout renamed = cutout(studio).withCutout(Optional.of(new TextureMap("copy.png", 2, 3, THERE.image())));
-            Update update = edit(studio, "cut", renamed);
-            assertThat(update.rays().eye() + update.rays().shadow()).as(update.plan().text()).isZero();
+    void equalCutoutImage_tracesNothing() {
+        try (StudioRenderer studio = studio()) {
+            AlphaCutout renamed = cutout(studio).withMap(Optional.of(new TextureMap("copy.png", 2, 3, THERE.image())));
+            UpdateResult update = edit(studio, "cut", renamed);
+            assertThat(update.rays().eye() + update.rays().shadow()).as(update.plan().description()).isZero();
         }
     }
 
     @Test
-    void cutoffWithoutAPicture_isNoWorkAtAll() {
-        try (Studio studio = studio()) {
-            Update update = edit(studio, "whole", Cutout.NONE.withCutoff(0.2));
-            assertThat(update.rowsTouched() + update.rowsComposed()).as(update.plan().text()).isZero();
+    void cutoffWithoutImage_needsNoWork() {
+        try (StudioRenderer studio = studio()) {
+            UpdateResult update = edit(studio, "whole", AlphaCutout.NONE.withCutoff(0.2));
+            assertThat(update.rowsTouched() + update.rowsComposed()).as(update.plan().description()).isZero();
             assertThat(update.plan()).isNotInstanceOf(UpdatePlan.FirstPass.class);
         }
     }

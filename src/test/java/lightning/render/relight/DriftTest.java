@@ -3,13 +3,13 @@ package lightning.render.relight;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.work.Progress;
-import lightning.bench.accuracy.OrdinaryEdits;
+import lightning.bench.accuracy.RandomEdits;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.paper.ErrorBound;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
@@ -27,12 +27,12 @@ class DriftTest {
     private static final int EDITS = Integer.getInteger("lightning.edits", 10_000);
 
     private static Renderer renderer(Accuracy accuracy) {
-        return new Renderer(new Options(accuracy, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1));
+        return new Renderer(new RenderOptions(accuracy, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1));
     }
 
     @Test
-    void tenThousandEdits_leaveNoTraceAtLevelExact() {
-        OrdinaryEdits edits = new OrdinaryEdits(1);
+    void tenThousandEdits_matchAtExactAccuracy() {
+        RandomEdits edits = new RandomEdits(1);
         Scene scene = StudioScene.withFourLights(12, 10);
         try (Renderer renderer = renderer(Accuracy.EXACT)) {
             for (int n = 0; n < EDITS; n++) {
@@ -46,35 +46,35 @@ class DriftTest {
     }
 
     @Test
-    void tenThousandEdits_neverShowAtLevelRatio() {
-        OrdinaryEdits edits = new OrdinaryEdits(2);
+    void tenThousandEdits_stayInvisibleAtRatioAccuracy() {
+        RandomEdits edits = new RandomEdits(2);
         Scene scene = StudioScene.withFourLights(12, 10);
         try (Renderer ratio = renderer(Accuracy.RATIO); Renderer exact = renderer(Accuracy.EXACT)) {
             for (int n = 0; n < EDITS; n++) {
                 scene = edits.next(scene);
-                Update update = ratio.render(scene, Progress.NONE);
+                UpdateResult update = ratio.render(scene, Progress.NONE);
                 exact.render(scene, Progress.NONE);
-                assertThat(FilmErrors.largestError(ratio.film(), exact.film())).as("edit " + n).isLessThanOrEqualTo(update.errorBound());
-                assertThat(FilmErrors.largestStep(ratio.film(), exact.film())).as("displayed, edit " + n).isLessThan(0.5);
+                assertThat(FilmError.largestError(ratio.film(), exact.film())).as("edit " + n).isLessThanOrEqualTo(update.errorBound());
+                assertThat(FilmError.largestStep(ratio.film(), exact.film())).as("displayed, edit " + n).isLessThan(0.5);
             }
         }
     }
 
     /** A relative error of 0.0045 would be half a step of 8 bits: that is 37 000 edits of one light. */
     @Test
-    void sliderThatNeverRests_refreshesBeforeItShows() {
+    void continuousDrag_refreshesBeforeErrorIsVisible() {
         Scene scene = StudioScene.withFourLights(4, 4);
         boolean refreshed = false;
         try (Renderer renderer = renderer(Accuracy.RATIO)) {
             renderer.render(scene, Progress.NONE);
             for (int n = 0; n < 100_000 && !refreshed; n++) {
                 scene = scene.withLight(scene.lights().getFirst().withIntensity(1 + 0.3 * Math.sin(n)));
-                Update update = renderer.render(scene, Progress.NONE);
-                refreshed = update.refreshed();
+                UpdateResult update = renderer.render(scene, Progress.NONE);
+                refreshed = update.wasRefreshed();
                 assertThat(update.errorBound() / brightest(renderer)).as("edit " + n).isLessThan(0.5 / 255 / (1.055 / 2.4));
             }
             assertThat(refreshed).isTrue();
-            assertThat(ErrorBound.of(renderer.cache()).largest(renderer.cache())).as("the bound after a refresh").isZero();
+            assertThat(ErrorBound.of(renderer.cache()).maxError(renderer.cache())).as("the bound after a refresh").isZero();
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene).trace(), "refreshed");
         }
     }
@@ -90,24 +90,24 @@ class DriftTest {
     /** A slider between a thousandth and one, up and down: what is lost is lost once, not again each time. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1e-6})
-    void sliderUpAndDown_doesNotWearTheBoundOut(double least) {
+    void sliderUpAndDown_keepsBoundSmall(double min) {
         Scene scene = StudioScene.withFourLights(12, 10);
         try (Renderer renderer = renderer(Accuracy.RATIO)) {
             renderer.render(scene, Progress.NONE);
             for (int n = 0; n < 50; n++) {
-                Scene edited = scene.withLight(scene.lights().getFirst().withIntensity(n % 2 == 0 ? least : 1));
-                assertThat(renderer.render(edited, Progress.NONE).refreshed()).as("refreshed at edit " + n).isFalse();
+                Scene edited = scene.withLight(scene.lights().getFirst().withIntensity(n % 2 == 0 ? min : 1));
+                assertThat(renderer.render(edited, Progress.NONE).wasRefreshed()).as("refreshed at edit " + n).isFalse();
             }
         }
     }
 
     @Property(tries = 20)
     void firstFiftyOrdinaryEdits_neverRefresh(@ForAll long seed) {
-        OrdinaryEdits edits = new OrdinaryEdits(seed);
+        RandomEdits edits = new RandomEdits(seed);
         Scene scene = StudioScene.withFourLights(12, 10);
         try (Renderer renderer = renderer(Accuracy.RATIO)) {
             for (int n = 0; n < 50; n++) {
-                assertThat(renderer.render(scene, Progress.NONE).refreshed()).as("refreshed at edit " + n).isFalse();
+                assertThat(renderer.render(scene, Progress.NONE).wasRefreshed()).as("refreshed at edit " + n).isFalse();
                 scene = edits.next(scene);
             }
         }
@@ -117,15 +117,15 @@ class DriftTest {
     @ParameterizedTest
     @CsvSource({"1,1", "1,7", "1,9", "10,10", "10,2", "50,50", "50,3", "100,100", "100,4"})
     void bound_isAtMostAHundredTimesTheLargestError(int count, long seed) {
-        OrdinaryEdits edits = new OrdinaryEdits(seed);
+        RandomEdits edits = new RandomEdits(seed);
         Scene scene = StudioScene.withFourLights(60, 60);
         try (Renderer renderer = renderer(Accuracy.RATIO)) {
-            Update update = renderer.render(scene, Progress.NONE);
+            UpdateResult update = renderer.render(scene, Progress.NONE);
             for (int n = 0; n < count; n++) {
                 scene = edits.next(scene);
                 update = renderer.render(scene, Progress.NONE);
             }
-            double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(scene).trace());
+            double error = FilmError.largestError(renderer.film(), new ReferenceTracer(scene).trace());
             assertThat(update.errorBound()).isBetween(error, 100 * error);
         }
     }

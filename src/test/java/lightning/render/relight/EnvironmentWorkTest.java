@@ -6,14 +6,14 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.LightUpdate;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.LightType;
-import lightning.scene.Panorama;
 import lightning.scene.Scene;
-import lightning.scene.Sky;
 import lightning.scene.World;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 class EnvironmentWorkTest {
     private static final int LAMPS = 5;
 
-    private Studio studio;
+    private StudioRenderer studio;
 
     @BeforeEach
     void open() {
@@ -32,8 +32,9 @@ class EnvironmentWorkTest {
             rgb[i] = 0.1f + i % 11 * 0.05f;
         }
         Scene scene = StudioScene.of(LightType.POINT);
-        studio = new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS,
-                scene.withWorld(scene.world().withEnvironment(Optional.of(new Panorama("sky.hdr", new Sky(8, 4, rgb)))).withLamps(LAMPS)));
+        studio = new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS,
+                scene.withWorld(scene.world().withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
+                        .withLightCount(LAMPS)));
     }
 
     @AfterEach
@@ -45,20 +46,20 @@ class EnvironmentWorkTest {
         return studio.scene().world();
     }
 
-    private Update render(World world) {
-        Update update = studio.render(studio.scene().withWorld(world));
+    private UpdateResult render(World world) {
+        UpdateResult update = studio.render(studio.scene().withWorld(world));
         FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "environment-work");
         return update;
     }
 
-    private static void assertNoRay(Update update) {
-        assertThat(update.rays().all()).as(update.plan().text()).isZero();
+    private static void assertNoRay(UpdateResult update) {
+        assertThat(update.rays().total()).as(update.plan().description()).isZero();
     }
 
     @Test
-    void brighterOrDarkerEnvironment_castsNoRay() {
+    void environmentIntensity_castsNoRays() {
         for (double intensity : new double[] {2, 0.5, 0, 1}) {
-            Update update = render(world().withIntensity(intensity));
+            UpdateResult update = render(world().withIntensity(intensity));
             assertNoRay(update);
             assertThat(update.rowsTouched()).isZero();
             assertThat(update.rowsComposed()).isPositive();
@@ -66,10 +67,10 @@ class EnvironmentWorkTest {
     }
 
     @Test
-    void turnedEnvironment_castsTheShadowRaysOfItsLampsAlone() {
-        Update turned = render(world().withRotation(40));
-        assertThat(Studio.layers(turned)).first().isEqualTo(new LightUpdate.Keep());
-        assertThat(Studio.layers(turned)).hasSize(1 + LAMPS)
+    void rotatedEnvironment_castsOnlyItsShadowRays() {
+        UpdateResult turned = render(world().withRotation(40));
+        assertThat(StudioRenderer.layers(turned)).first().isEqualTo(new LightUpdate.Keep());
+        assertThat(StudioRenderer.layers(turned)).hasSize(1 + LAMPS)
                 .filteredOn(update -> update.equals(new LightUpdate.FullRecompute(false))).hasSize(LAMPS);
         assertThat(turned.plan().steps()).containsExactly("environment 1 to environment 5: full recompute", "reflections");
         assertThat(turned.rays().eye() + turned.rays().mirrored()).isZero();
@@ -78,33 +79,34 @@ class EnvironmentWorkTest {
 
     /** One ray for each row and lamp that it faces. */
     private long facing() {
-        var seen = studio.seen();
-        return studio.scene().rig().actingLights().stream().skip(1)
+        var seen = studio.referenceRows();
+        return studio.scene().rig().effectiveLights().stream().skip(1)
                 .mapToLong(
-                        lamp -> IntStream.rangeClosed(0, studio.scene().picture().depth()).mapToLong(k -> seen.count(k, seen.facing(lamp)))
+                        source -> IntStream.rangeClosed(0, studio.scene().picture().depth())
+                                .mapToLong(k -> seen.count(k, seen.isFacing(source)))
                                 .sum())
                 .sum();
     }
 
     @Test
-    void softerEnvironment_castsTheShadowRaysOfItsLamps_andIsBrightenedWithout() {
-        Update softer = render(world().withSoftness(1));
-        assertThat(Studio.layers(softer)).first().isEqualTo(new LightUpdate.Keep());
+    void softerEnvironment_castsItsShadowRays() {
+        UpdateResult softer = render(world().withSoftness(1));
+        assertThat(StudioRenderer.layers(softer)).first().isEqualTo(new LightUpdate.Keep());
         assertThat(softer.rays().eye() + softer.rays().mirrored()).isZero();
         assertThat(softer.rays().shadow()).isGreaterThan(facing()).isLessThan(8 * facing());
         assertNoRay(render(world().withIntensity(3)));
     }
 
     @Test
-    void environmentThatGoes_castsNoRay_andComesBackInFull() {
+    void removedEnvironment_castsNoRaysAndReturnsInFull() {
         World with = world();
         assertNoRay(render(with.withEnvironment(Optional.empty())));
         assertThat(render(with).rays().shadow()).isEqualTo(facing());
     }
 
     @Test
-    void numbersOfAnEnvironmentThatIsNotThere_castNoRay() {
+    void parametersWithoutEnvironment_castNoRays() {
         render(world().withEnvironment(Optional.empty()));
-        assertNoRay(render(world().withRotation(70).withIntensity(3).withLamps(9)));
+        assertNoRay(render(world().withRotation(70).withIntensity(3).withLightCount(9)));
     }
 }

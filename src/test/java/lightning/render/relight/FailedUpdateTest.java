@@ -11,9 +11,9 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
-import lightning.sample.ClearScenes;
+import lightning.sample.TransparentScenes;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -29,8 +29,8 @@ class FailedUpdateTest {
             sphere right { at 1 0 0 }
             light lamp point { at 2 3 2 }
             """;
-    private static final Scene ALL = ClearScenes.scene(TEXT);
-    private static final Options OPTIONS = Options.DEFAULT.withThreads(1);
+    private static final Scene ALL = TransparentScenes.scene(TEXT);
+    private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
 
     private final Renderer renderer = new Renderer(OPTIONS);
 
@@ -39,59 +39,59 @@ class FailedUpdateTest {
         renderer.close();
     }
 
-    private static Scene with(String... shapes) {
+    private static Scene sceneWith(String... shapes) {
         return ALL.withNodes(ALL.nodes().stream().filter(n -> List.of(shapes).contains(n.name())).toList());
     }
 
     /** At accuracy ratio an update is followed by a refresh of its contributions, where an error would show. */
     @Test
-    void updateThatFailsAtAnyPoint_leavesThePictureBefore() {
+    void failedUpdate_keepsPreviousImage() {
         Scene dim = ALL.withLight(ALL.lights().getFirst().withIntensity(0.3));
-        renderer.change(OPTIONS.withAccuracy(Accuracy.RATIO));
+        renderer.setOptions(OPTIONS.withAccuracy(Accuracy.RATIO));
         renderer.setView(160, DisplayCurve.SRGB);
         renderer.render(ALL, Progress.NONE);
         PixelCache known = renderer.cache();
-        Update done = null;
-        int questions = 0;
+        UpdateResult done = null;
+        int checks = 0;
         while (done == null) {
             try {
-                done = renderer.render(dim, new FailAfter(questions, OutOfMemoryError::new));
+                done = renderer.render(dim, new FailingProgress(checks, OutOfMemoryError::new));
             } catch (OutOfMemoryError e) {
-                assertThat(renderer.cache()).as("after %s questions", questions).isSameAs(known);
-                questions++;
+                assertThat(renderer.cache()).as("after %s questions", checks).isSameAs(known);
+                checks++;
             }
         }
-        assertThat(questions).isGreaterThan(2);
-        assertThat(done.refreshed()).isTrue();
+        assertThat(checks).isGreaterThan(2);
+        assertThat(done.wasRefreshed()).isTrue();
     }
 
     /**
      * The centers know a shape of the wanted scene, the picture before them, from which samples follow, knows none: it takes a first pass.
      */
     @Test
-    void refusedFirstPass_leavesCentersAndWhatTheyLack() {
-        Scene centers = with("left", "right");
-        Scene wanted = with("right");
-        renderer.render(with("left"), Progress.NONE);
+    void rejectedFirstPass_keepsCentersAndPendingSamples() {
+        Scene centers = sceneWith("left", "right");
+        Scene target = sceneWith("right");
+        renderer.render(sceneWith("left"), Progress.NONE);
         renderer.renderCenters(renderer.plan(centers), Progress.NONE);
         PixelCache known = renderer.cache();
-        PixelCache finished = renderer.finishedCache();
+        PixelCache finished = renderer.lastFinishedCache();
         Film film = renderer.film().copy();
         assertThat(renderer.isFinished()).isFalse();
-        assertThat(renderer.plan(wanted).update()).isInstanceOf(UpdatePlan.FirstPass.class);
-        renderer.change(OPTIONS.withMemory(1));
-        Stream.<Runnable>of(() -> renderer.render(wanted, Progress.NONE),
-                () -> renderer.renderCenters(renderer.plan(wanted), Progress.NONE)).forEach(refused -> {
-                    assertThatThrownBy(refused::run).isInstanceOf(PictureTooLarge.class);
+        assertThat(renderer.plan(target).update()).isInstanceOf(UpdatePlan.FirstPass.class);
+        renderer.setOptions(OPTIONS.withMemory(1));
+        Stream.<Runnable>of(() -> renderer.render(target, Progress.NONE),
+                () -> renderer.renderCenters(renderer.plan(target), Progress.NONE)).forEach(refused -> {
+                    assertThatThrownBy(refused::run).isInstanceOf(PictureTooLargeException.class);
                     assertThat(renderer.cache()).isSameAs(known);
-                    assertThat(renderer.finishedCache()).isSameAs(finished);
+                    assertThat(renderer.lastFinishedCache()).isSameAs(finished);
                     assertThat(renderer.isFinished()).isFalse();
-                    assertThat(renderer.film().sameBits(film)).isTrue();
+                    assertThat(renderer.film().hasSameBits(film)).isTrue();
                 });
         renderer.finish(Progress.NONE);
-        assertThat(renderer.film().sameBits(new ReferenceTracer(centers).trace())).isTrue();
-        renderer.change(OPTIONS);
-        renderer.render(wanted, Progress.NONE);
-        assertThat(renderer.film().sameBits(new ReferenceTracer(wanted).trace())).isTrue();
+        assertThat(renderer.film().hasSameBits(new ReferenceTracer(centers).trace())).isTrue();
+        renderer.setOptions(OPTIONS);
+        renderer.render(target, Progress.NONE);
+        assertThat(renderer.film().hasSameBits(new ReferenceTracer(target).trace())).isTrue();
     }
 }

@@ -1,6 +1,6 @@
 package lightning.render.relight;
 
-import static lightning.render.relight.Studio.assertWork;
+import static lightning.render.relight.StudioRenderer.assertWork;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
@@ -13,20 +13,20 @@ import lightning.base.work.Progress;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceRows;
 import lightning.render.shading.ReferenceTracer;
-import lightning.render.shading.SeenRows;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.SurfacePoint;
 import lightning.sample.StudioScene;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
@@ -43,59 +43,59 @@ class MaterialWorkTest {
     private static final Optional<TextureMap> CHECKS = Optional.of(new TextureMap("c.png", 3, 2,
             new Texture(2, 2, new float[] {1, 0.5f, 0, 0, 0.25f, 1, 0.1f, 0.2f, 0.3f, 1, 1, 1})));
 
-    private static Studio studio(Reflections reflections, MirrorStorage storage) {
-        return new Studio(reflections, storage, StudioScene.of(LightType.SPOT));
+    private static StudioRenderer studio(ReflectionMode reflections, MirrorStorage storage) {
+        return new StudioRenderer(reflections, storage, StudioScene.of(LightType.SPOT));
     }
 
     private static Scene edited(Scene scene, String name, UnaryOperator<Material> edit) {
         return scene.withMaterial(edit.apply(scene.material(name).orElseThrow()));
     }
 
-    private static Update edit(Studio studio, String name, UnaryOperator<Material> edit) {
+    private static UpdateResult edit(StudioRenderer studio, String name, UnaryOperator<Material> edit) {
         return studio.render(edited(studio.scene(), name, edit));
     }
 
-    private static Predicate<SurfacePoint> of(Studio studio, String material) {
+    private static Predicate<SurfacePoint> ofMaterial(StudioRenderer studio, String material) {
         Geometry geometry = new Geometry(studio.scene());
         return p -> geometry.materials().material(p.material()).name().equals(material);
     }
 
-    private static long litRows(Studio studio, String material) {
-        SeenRows seen = studio.seen();
-        long rows = seen.count(0, seen.lit(studio.key()).and(of(studio, material)));
+    private static long litRows(StudioRenderer studio, String material) {
+        ReferenceRows reference = studio.referenceRows();
+        long rows = reference.count(0, reference.isLit(studio.key()).and(ofMaterial(studio, material)));
         assertThat(rows).isPositive();
         return rows;
     }
 
-    private static long rows(Studio studio) {
-        return studio.seen().level(0).size();
+    private static long rows(StudioRenderer studio) {
+        return studio.referenceRows().rowsOfLevel(0).size();
     }
 
     /** Rays from all reflective rows that are followed. */
-    private static long mirrored(SeenRows seen) {
+    private static long mirrored(ReferenceRows reference) {
         long rays = 0;
         for (int k = 0; k < 2; k++) {
-            rays += seen.count(k, seen::mirrors);
+            rays += reference.count(k, reference::isMirror);
         }
         return rays;
     }
 
-    private static long reached(SeenRows seen, Studio studio) {
-        return seen.count(1, seen.reached(studio.key())) + seen.count(2, seen.reached(studio.key()));
+    private static long reached(ReferenceRows reference, StudioRenderer studio) {
+        return reference.count(1, reference.isReached(studio.key())) + reference.count(2, reference.isReached(studio.key()));
     }
 
-    private static void assertExact(Studio studio, String name) {
+    private static void assertExact(StudioRenderer studio, String name) {
         FilmAssert.assertSameBits(studio.renderer().film(),
                 new ReferenceTracer(studio.scene(), studio.renderer().cache().mirroredScene()).trace(), name);
     }
 
     @ParameterizedTest
     @EnumSource(MirrorStorage.class)
-    void colours_onlyCompose(MirrorStorage storage) {
-        try (Studio studio = studio(Reflections.STALE, storage)) {
+    void colors_onlyCompose(MirrorStorage storage) {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, storage)) {
             for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withAmbient(Rgb.WHITE),
-                    m -> m.withDiffuse(new Rgb(1, 0, 0.3)), m -> m.withSpecular(Rgb.grey(0.9)), m -> m.withReflective(Rgb.grey(0.1)))) {
-                Update update = edit(studio, GLASS, edit);
+                    m -> m.withDiffuse(new Rgb(1, 0, 0.3)), m -> m.withSpecular(Rgb.gray(0.9)), m -> m.withReflective(Rgb.gray(0.1)))) {
+                UpdateResult update = edit(studio, GLASS, edit);
                 assertThat(update.plan().steps()).containsExactly("glass: colours");
                 assertWork(update, 0, rows(studio), 0, 0);
                 assertExact(studio, "colours");
@@ -104,17 +104,17 @@ class MaterialWorkTest {
     }
 
     @Test
-    void colours_composeAllLevelsWhereReflectionsAreCurrent() {
-        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
-            assertWork(edit(studio, GLASS, m -> m.withReflective(Rgb.grey(0.1))), 0, studio.seen().rowsFrom(0), 0, 0);
+    void colors_composeAllLevelsWithCurrentReflections() {
+        try (StudioRenderer studio = studio(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS)) {
+            assertWork(edit(studio, GLASS, m -> m.withReflective(Rgb.gray(0.1))), 0, studio.referenceRows().rowsFrom(0), 0, 0);
             assertExact(studio, "colours");
         }
     }
 
     @Test
-    void shininess_rewritesOneTermOfLitRows() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
-            Update update = edit(studio, MATT, m -> m.withShininess(30.5));
+    void shininess_rewritesSpecularOfLitRows() {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
+            UpdateResult update = edit(studio, MATT, m -> m.withShininess(30.5));
             assertThat(update.plan().steps()).containsExactly("matt: specular term");
             assertWork(update, litRows(studio, MATT), rows(studio), 0, 0);
             assertExact(studio, "shininess");
@@ -122,14 +122,14 @@ class MaterialWorkTest {
     }
 
     @Test
-    void highlights_comeAndGoWithTheirColumn() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+    void highlights_addAndRemoveColumn() {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             long before = studio.renderer().cache().bytes();
             assertWork(edit(studio, MATT, m -> m.withSpecular(Rgb.BLACK)), 0, rows(studio), 0, 0);
             assertWork(edit(studio, GLASS, m -> m.withSpecular(Rgb.BLACK)), 0, rows(studio), 0, 0);
             assertThat(before - studio.renderer().cache().bytes()).as("bytes of the first level's column")
                     .isEqualTo(4 * (rows(studio) + 15 & ~15));
-            Update update = edit(studio, GLASS, m -> m.withSpecular(new Rgb(0, 0, 0.5)));
+            UpdateResult update = edit(studio, GLASS, m -> m.withSpecular(new Rgb(0, 0, 0.5)));
             assertWork(update, litRows(studio, GLASS), rows(studio), 0, 0);
             assertThat(studio.renderer().cache().bytes()).isEqualTo(before);
             assertExact(studio, "highlights");
@@ -138,7 +138,7 @@ class MaterialWorkTest {
 
     @Test
     void shininessWithoutHighlights_doesNothing() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             edit(studio, MATT, m -> m.withSpecular(Rgb.BLACK));
             assertWork(edit(studio, MATT, m -> m.withShininess(50)), 0, 0, 0, 0);
             edit(studio, MATT, m -> m.withSpecular(Rgb.WHITE));
@@ -147,8 +147,8 @@ class MaterialWorkTest {
     }
 
     @Test
-    void shininessWhileTheLightIsOff_castsNoRayOnceItIsOn() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+    void shininessWhileLightOff_castsNoRaysWhenSwitchedOn() {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             studio.edit(l -> l.withOn(false));
             edit(studio, MATT, m -> m.withShininess(2));
             assertWork(studio.edit(l -> l.withOn(true)), 0, rows(studio), 0, 0);
@@ -157,13 +157,13 @@ class MaterialWorkTest {
     }
 
     @Test
-    void texture_looksItsRowsUp() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+    void texture_updatesTexelsOfItsRows() {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             long before = studio.renderer().cache().bytes();
             for (Optional<TextureMap> texture : List.of(CHECKS, CHECKS.map(t -> new TextureMap("d.png", -1, 7, t.image())))) {
-                Update update = edit(studio, MATT, m -> m.withTexture(texture));
+                UpdateResult update = edit(studio, MATT, m -> m.withTexture(texture));
                 assertThat(update.plan().steps()).containsExactly("matt: texture");
-                assertWork(update, studio.seen().count(0, of(studio, MATT)), rows(studio), 0, 0);
+                assertWork(update, studio.referenceRows().count(0, ofMaterial(studio, MATT)), rows(studio), 0, 0);
                 assertExact(studio, "texture");
             }
             assertThat(studio.renderer().cache().bytes()).isGreaterThan(before);
@@ -174,8 +174,8 @@ class MaterialWorkTest {
     }
 
     @Test
-    void anotherNameOfTheSameTexture_doesNothing() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+    void renamedTexture_doesNothing() {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             edit(studio, MATT, m -> m.withTexture(CHECKS));
             Texture copy = new Texture(2, 2, new float[] {1, 0.5f, 0, 0, 0.25f, 1, 0.1f, 0.2f, 0.3f, 1, 1, 1});
             assertWork(edit(studio, MATT, m -> m.withTexture(Optional.of(new TextureMap("other.png", 3, 2, copy)))), 0, 0, 0, 0);
@@ -183,25 +183,25 @@ class MaterialWorkTest {
     }
 
     @Test
-    void materialThatBeginsToMirror_castsTheNewMirroredRaysAlone() {
-        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
-            SeenRows before = studio.seen();
-            Update update = edit(studio, MATT, m -> m.withReflective(new Rgb(0, 0.3, 0)));
-            SeenRows seen = studio.seen();
+    void newMirrorMaterial_castsOnlyNewMirrorRays() {
+        try (StudioRenderer studio = studio(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS)) {
+            ReferenceRows before = studio.referenceRows();
+            UpdateResult update = edit(studio, MATT, m -> m.withReflective(new Rgb(0, 0.3, 0)));
+            ReferenceRows reference = studio.referenceRows();
             assertThat(update.plan().steps()).containsExactly("matt: begins to mirror", "reflections");
-            long newRows = seen.rowsFrom(1) - before.rowsFrom(1);
+            long newRows = reference.rowsFrom(1) - before.rowsFrom(1);
             assertThat(newRows).isPositive();
-            assertWork(update, newRows, seen.rowsFrom(0), mirrored(seen) - mirrored(before),
-                    reached(seen, studio) - reached(before, studio));
+            assertWork(update, newRows, reference.rowsFrom(0), mirrored(reference) - mirrored(before),
+                    reached(reference, studio) - reached(before, studio));
             assertExact(studio, "begins-to-mirror");
         }
     }
 
     @ParameterizedTest
-    @EnumSource(Reflections.class)
-    void materialThatCeasesToMirror_castsNothingAndFreesItsLevels(Reflections reflections) {
-        try (Studio studio = studio(reflections, MirrorStorage.FULL_ROWS)) {
-            Update update = edit(studio, GLASS, m -> m.withReflective(Rgb.BLACK));
+    @EnumSource(ReflectionMode.class)
+    void removedMirrorMaterial_castsNothingAndFreesLevels(ReflectionMode reflections) {
+        try (StudioRenderer studio = studio(reflections, MirrorStorage.FULL_ROWS)) {
+            UpdateResult update = edit(studio, GLASS, m -> m.withReflective(Rgb.BLACK));
             assertThat(update.plan().steps().getFirst()).isEqualTo("glass: ceases to mirror");
             assertWork(update, 0, rows(studio), 0, 0);
             assertThat(studio.renderer().cache().rowCount()).isEqualTo(rows(studio));
@@ -212,12 +212,12 @@ class MaterialWorkTest {
     /** The rays from there on are those of the older scene: what the ball shows in its mirror does not mirror itself. */
     @ParameterizedTest
     @EnumSource(MirrorStorage.class)
-    void staleReflections_showTheOlderSceneInANewMirror(MirrorStorage storage) {
-        try (Studio studio = studio(Reflections.STALE, storage)) {
+    void staleReflections_showOlderSceneInNewMirror(MirrorStorage storage) {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, storage)) {
             Scene mirrored = studio.scene();
             edit(studio, GLASS, m -> m.withDiffuse(new Rgb(1, 0, 0)));
             studio.edit(l -> l.withColor(new Rgb(0, 1, 0)));
-            Update update = edit(studio, MATT, m -> m.withReflective(Rgb.grey(0.9)));
+            UpdateResult update = edit(studio, MATT, m -> m.withReflective(Rgb.gray(0.9)));
             assertThat(update.rays().eye()).isZero();
             assertThat(update.rays().mirrored()).isPositive();
             FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene(), mirrored).trace(), "stale-mirror");
@@ -227,11 +227,11 @@ class MaterialWorkTest {
     }
 
     @Test
-    void mirrorsKeptAsHitShapes_areTracedAnewWhereAMaterialBeginsToMirror() {
-        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.HIT_SHAPES)) {
-            Update update = edit(studio, MATT, m -> m.withReflective(Rgb.grey(0.3)));
-            SeenRows seen = studio.seen();
-            assertWork(update, seen.rowsFrom(1), seen.rowsFrom(0), mirrored(seen), reached(seen, studio));
+    void mirrorsStoredAsHitShapes_areRetracedForNewMirror() {
+        try (StudioRenderer studio = studio(ReflectionMode.CURRENT, MirrorStorage.HIT_SHAPES)) {
+            UpdateResult update = edit(studio, MATT, m -> m.withReflective(Rgb.gray(0.3)));
+            ReferenceRows reference = studio.referenceRows();
+            assertWork(update, reference.rowsFrom(1), reference.rowsFrom(0), mirrored(reference), reached(reference, studio));
             assertExact(studio, "begins-to-mirror");
         }
     }
@@ -239,37 +239,37 @@ class MaterialWorkTest {
     /** At accuracy ratio samples stay until contributions are refreshed; by then mirrors are others than when they were chosen. */
     @ParameterizedTest
     @EnumSource(MirrorStorage.class)
-    void mirrorsThatCameAndWentWhileSamplesStayed_areSampledAtTheRefresh(MirrorStorage storage) {
+    void toggledMirrors_areSampledOnRefresh(MirrorStorage storage) {
         Scene scene = StudioScene.of(LightType.SPOT);
-        scene = scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EDGES, 2)));
-        try (Renderer renderer = new Renderer(new Options(Accuracy.RATIO, Reflections.STALE, storage, 1))) {
+        scene = scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 2)));
+        try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.RATIO, ReflectionMode.STALE, storage, 1))) {
             renderer.render(scene, Progress.NONE);
-            scene = edited(edited(scene, MATT, m -> m.withReflective(Rgb.grey(0.9)).withTexture(CHECKS)), GLASS,
+            scene = edited(edited(scene, MATT, m -> m.withReflective(Rgb.gray(0.9)).withTexture(CHECKS)), GLASS,
                     m -> m.withReflective(Rgb.BLACK));
             renderer.render(scene, Progress.NONE);
             renderer.setView(160, DisplayCurve.SRGB);
-            Update update = renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(0.7)), Progress.NONE);
-            assertThat(update.refreshed()).isTrue();
-            FilmAssert.assertSameBits(renderer.film(), Oracle.of(renderer.cache()), "refreshed-mirrors");
+            UpdateResult update = renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(0.7)), Progress.NONE);
+            assertThat(update.wasRefreshed()).isTrue();
+            FilmAssert.assertSameBits(renderer.film(), ReferenceCheck.referenceFilm(renderer.cache()), "refreshed-mirrors");
         }
     }
 
     @Test
-    void tilesWithoutTheMaterial_areNotTouched() {
+    void tilesWithoutMaterial_areUntouched() {
         Scene scene = StudioScene.of(LightType.SPOT);
         Shape ball = new Shape(Solid.SPHERE, "left", MATT, new Placement(new Vec3(-3, 0, 0), Vec3.ZERO, Vec3.ONE));
-        Scene wide = new Scene(new Picture(64, 24, 0), scene.camera(), scene.world(), scene.materials(),
+        Scene wide = new Scene(new PictureSettings(64, 24, 0), scene.camera(), scene.world(), scene.materials(),
                 List.of(scene.nodes().getFirst(), ball), scene.lights());
-        try (Studio studio = new Studio(Reflections.STALE, MirrorStorage.FULL_ROWS, wide)) {
-            Update update = edit(studio, MATT, m -> m.withDiffuse(Rgb.WHITE));
-            assertWork(update, 0, studio.seen().count(0, p -> p.vx() < 0), 0, 0);
+        try (StudioRenderer studio = new StudioRenderer(ReflectionMode.STALE, MirrorStorage.FULL_ROWS, wide)) {
+            UpdateResult update = edit(studio, MATT, m -> m.withDiffuse(Rgb.WHITE));
+            assertWork(update, 0, studio.referenceRows().count(0, p -> p.vx() < 0), 0, 0);
             assertExact(studio, "one-tile");
         }
     }
 
     @Test
-    void materialsThatNoShapeHas_areNoEdit() {
-        try (Studio studio = studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS)) {
+    void unusedMaterials_areNoEdit() {
+        try (StudioRenderer studio = studio(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS)) {
             List<Material> more =
                     List.of(studio.scene().materials().getLast(), Material.of("spare").withAmbient(Rgb.WHITE).withDiffuse(Rgb.WHITE)
                             .withSpecular(Rgb.WHITE).withShininess(1).withReflective(Rgb.WHITE), studio.scene().materials().getFirst());
@@ -279,15 +279,15 @@ class MaterialWorkTest {
     }
 
     @Test
-    void materialsAndLightsAtOnce_costWhatEachOfThemCosts() {
-        try (Studio studio = studio(Reflections.STALE, MirrorStorage.FULL_ROWS)) {
+    void materialAndLightEdit_costsSumOfBoth() {
+        try (StudioRenderer studio = studio(ReflectionMode.STALE, MirrorStorage.FULL_ROWS)) {
             Scene scene =
                     edited(edited(studio.scene(), MATT, m -> m.withShininess(3).withTexture(CHECKS)), GLASS, m -> m.withDiffuse(Rgb.WHITE));
-            long matt = studio.seen().count(0, of(studio, MATT));
+            long matte = studio.referenceRows().count(0, ofMaterial(studio, MATT));
             long lit = litRows(studio, MATT);
-            Update update = studio.render(scene.withLight(studio.key().withIntensity(2)));
+            UpdateResult update = studio.render(scene.withLight(studio.key().withIntensity(2)));
             assertThat(update.plan().steps()).containsExactly("key: weight", "glass: colours", "matt: texture + specular term");
-            assertWork(update, matt + lit, rows(studio), 0, 0);
+            assertWork(update, matte + lit, rows(studio), 0, 0);
             assertExact(studio, "composite");
         }
     }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.ReferenceTracer;
@@ -14,42 +14,42 @@ import lightning.sample.StudioScene;
 import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.Scene;
-import lightning.scene.SurfaceModel;
+import lightning.scene.ShadingModel;
 import org.junit.jupiter.api.Test;
 
 /** Each edit of a metallic material does the least work, and none casts a ray. */
 class MetallicWorkTest {
     private static final String MATT = "matt";
 
-    private static Studio studio() {
+    private static StudioRenderer studio() {
         Scene plain = StudioScene.of(LightType.SPOT);
-        return new Studio(Reflections.CURRENT, MirrorStorage.FULL_ROWS,
+        return new StudioRenderer(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS,
                 plain.withMaterial(metal(plain.material(MATT).orElseThrow())));
     }
 
     private static Material metal(Material material) {
-        return material.withModel(SurfaceModel.METALLIC).withMetalness(0.5).withRoughness(0.3);
+        return material.withModel(ShadingModel.METALLIC).withMetalness(0.5).withRoughness(0.3);
     }
 
-    private static Update edit(Studio studio, UnaryOperator<Material> edit) {
-        Update update = studio.render(studio.scene().withMaterial(edit.apply(studio.scene().material(MATT).orElseThrow())));
+    private static UpdateResult edit(StudioRenderer studio, UnaryOperator<Material> edit) {
+        UpdateResult update = studio.render(studio.scene().withMaterial(edit.apply(studio.scene().material(MATT).orElseThrow())));
         FilmAssert.assertSameBits(studio.renderer().film(), new ReferenceTracer(studio.scene()).trace(), "metal");
         assertThat(update.rays().shadow()).isZero();
         assertThat(update.rays().eye()).isZero();
         return update;
     }
 
-    private static long bytes(Studio studio, LightRows.Column column) {
-        return studio.renderer().cache().all().stream().flatMap(tile -> List.of(tile.levels).stream())
+    private static long bytes(StudioRenderer studio, LightRows.Column column) {
+        return studio.renderer().cache().allTiles().stream().flatMap(tile -> List.of(tile.levels).stream())
                 .flatMap(level -> List.of(level.layers()).stream()).mapToLong(layer -> ((LightRows) layer).bytes(column)).sum();
     }
 
     @Test
-    void baseMetalnessAndF0_onlyCompose() {
-        try (Studio studio = studio()) {
+    void baseColorMetalnessAndF0_onlyCompose() {
+        try (StudioRenderer studio = studio()) {
             for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withBase(new Rgb(1, 0, 0.3)),
                     m -> m.withMetalness(1), m -> m.withF0(0.2))) {
-                Update update = edit(studio, edit);
+                UpdateResult update = edit(studio, edit);
                 assertThat(update.plan().steps()).contains("matt: colours");
                 assertThat(update.rowsTouched()).isZero();
             }
@@ -57,9 +57,9 @@ class MetallicWorkTest {
     }
 
     @Test
-    void roughness_computesTheSpecularTermsAnew() {
-        try (Studio studio = studio()) {
-            Update update = edit(studio, m -> m.withRoughness(0.6));
+    void roughness_recomputesSpecularTerms() {
+        try (StudioRenderer studio = studio()) {
+            UpdateResult update = edit(studio, m -> m.withRoughness(0.6));
             assertThat(update.plan().steps()).contains("matt: specular term");
             assertThat(update.rowsTouched()).isPositive();
         }
@@ -67,19 +67,19 @@ class MetallicWorkTest {
 
     /** Its rows are put into another order before their terms are looked at. */
     @Test
-    void mirrorThatBecomesPhongsAndCeasesToMirror_hasPhongsDiffuseTerm() {
-        try (Studio studio = studio()) {
-            studio.render(studio.scene().withMaterial(studio.scene().material(MATT).orElseThrow().withReflective(Rgb.grey(0.4))));
-            edit(studio, m -> m.withModel(SurfaceModel.PHONG).withReflective(Rgb.BLACK));
+    void mirrorChangedToPhong_hasPhongDiffuse() {
+        try (StudioRenderer studio = studio()) {
+            studio.render(studio.scene().withMaterial(studio.scene().material(MATT).orElseThrow().withReflective(Rgb.gray(0.4))));
+            edit(studio, m -> m.withModel(ShadingModel.PHONG).withReflective(Rgb.BLACK));
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isZero();
         }
     }
 
     @Test
-    void grazingColumn_comesAndGoesWithTheMetallicMaterial() {
-        try (Studio studio = studio()) {
+    void grazingColumn_existsOnlyWithMetallicMaterial() {
+        try (StudioRenderer studio = studio()) {
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isPositive().isLessThanOrEqualTo(bytes(studio, LightRows.Column.SPECULAR));
-            edit(studio, m -> m.withModel(SurfaceModel.PHONG));
+            edit(studio, m -> m.withModel(ShadingModel.PHONG));
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isZero();
             edit(studio, MetallicWorkTest::metal);
             assertThat(bytes(studio, LightRows.Column.GRAZING)).isPositive();

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import lightning.base.work.Progress;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
@@ -20,13 +20,13 @@ class PlannedUpdateTest {
             before.withLight(light.withPosition(light.position().times(0.5)).withDirection(light.direction().negated()));
 
     private Renderer renderer() {
-        Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1));
+        Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1));
         renderer.render(before, Progress.NONE);
         return renderer;
     }
 
     @Test
-    void plannedUpdate_isCarriedOutAsItWasTold() {
+    void plannedUpdate_runsAsReported() {
         try (Renderer renderer = renderer()) {
             PlannedUpdate planned = renderer.plan(narrower);
             assertThat(renderer.render(planned, Progress.NONE).plan()).isSameAs(planned.update());
@@ -35,7 +35,7 @@ class PlannedUpdateTest {
     }
 
     @Test
-    void whatWasPlannedForAnotherPicture_isPlannedAnew() {
+    void planForOtherImage_isReplanned() {
         try (Renderer renderer = renderer()) {
             PlannedUpdate planned = renderer.plan(narrower);
             renderer.render(moved, Progress.NONE);
@@ -45,10 +45,10 @@ class PlannedUpdateTest {
     }
 
     @Test
-    void whatWasPlannedBeforeAllWasForgotten_isAFirstPass() {
+    void planBeforeClear_becomesFirstPass() {
         try (Renderer renderer = renderer()) {
             PlannedUpdate planned = renderer.plan(narrower);
-            renderer.forget();
+            renderer.clear();
             assertThat(renderer.render(planned, Progress.NONE).plan()).isInstanceOf(UpdatePlan.FirstPass.class);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(narrower).trace(), "first pass");
         }

@@ -7,19 +7,19 @@ import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
 import lightning.render.image.DisplayCurve;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.SceneCoverage;
-import lightning.sample.Session;
+import lightning.sample.EditSession;
 import lightning.sample.Slow;
 import lightning.sample.StudioScene;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -43,42 +43,42 @@ class RatioTest {
 
     /** What ratios make of a picture is lost with most edits: half of the sessions have only those that scale. */
     @Provide
-    Arbitrary<Session> sessions() {
-        return Arbitraries.oneOf(Session.sessions(), Session.ofScales());
+    Arbitrary<EditSession> sessions() {
+        return Arbitraries.oneOf(EditSession.sessions(), EditSession.scaleSessions());
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     @Slow
-    void everyValueIsWithinTheReportedBound(@ForAll("sessions") Session session, @ForAll Reflections reflections,
+    void everyValue_isWithinReportedBound(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll MirrorStorage storage, @ForAll @IntRange(min = 1, max = 3) int threads) {
-        Options options = new Options(Accuracy.RATIO, reflections, storage, threads);
+        RenderOptions options = new RenderOptions(Accuracy.RATIO, reflections, storage, threads);
         try (Renderer renderer = new Renderer(options)) {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
-                Update update = renderer.render(session.scenes().get(step), Progress.NONE);
-                differs |= !Oracle.assertKept(renderer, update, "after edit " + step).isNone();
+                UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
+                differs |= !ReferenceCheck.assertPromise(renderer, update, "after edit " + step).isNone();
             }
             SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
     }
 
     @Provide
-    Arbitrary<Session> extremes() {
-        return Session.extremes();
+    Arbitrary<EditSession> extremes() {
+        return EditSession.extremeSessions();
     }
 
     /** Exposures too, at which an error is refreshed away early, late or not at all. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
-    void extremes_stayWithinTheReportedBound(@ForAll("extremes") Session session, @ForAll Reflections reflections,
+    void extremes_areWithinReportedBound(@ForAll("extremes") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll @From("exposures") double exposure) {
-        try (Renderer renderer = new Renderer(new Options(Accuracy.RATIO, reflections, MirrorStorage.FULL_ROWS, 1))) {
+        try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.RATIO, reflections, MirrorStorage.FULL_ROWS, 1))) {
             renderer.setView(exposure, DisplayCurve.SRGB);
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
-                Update update = renderer.render(session.scenes().get(step), Progress.NONE);
-                differs |= !Oracle.assertKept(renderer, update, "after edit " + step).isNone();
+                UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
+                differs |= !ReferenceCheck.assertPromise(renderer, update, "after edit " + step).isNone();
             }
             SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
@@ -92,32 +92,32 @@ class RatioTest {
     /** Its first contributions have already lost digits, before anything was scaled. */
     @ParameterizedTest
     @CsvSource({"1e-34, 1e10", "1e-20, 1e20", "1e-25, 1e15", "1e-30, 1e10"})
-    void contributionsThatUnderflowedAtOnce_areToldWhenTheyAreScaledUp(double intensity, double constant) {
+    void underflowedContributions_areReportedWhenScaledUp(double intensity, double constant) {
         Light dim = Light.of("l", LightType.POINT).withPosition(new Vec3(3, 4, 5)).withIntensity(intensity)
                 .withAttenuation(new Attenuation(constant, 0, 0));
-        Scene scene = new Scene(new Picture(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
+        Scene scene = new Scene(new PictureSettings(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
                 List.of(new Shape(Solid.SPHERE, "s", "default", Placement.IDENTITY)), List.of(dim));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(Accuracy.RATIO))) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withAccuracy(Accuracy.RATIO))) {
             renderer.render(scene, Progress.NONE);
             for (double bright : new double[] {1e4, 1e10}) {
                 Scene edited = scene.withLight(dim.withIntensity(bright));
-                Update update = renderer.render(edited, Progress.NONE);
+                UpdateResult update = renderer.render(edited, Progress.NONE);
                 assertThat(renderer.scene()).isEqualTo(edited);
-                Oracle.assertKept(renderer, update, "at " + bright);
+                ReferenceCheck.assertPromise(renderer, update, "at " + bright);
             }
         }
     }
 
     @Test
-    void rowsThatEnterTheConeOfAMattTile_haveDiffuseContributionsOnly() {
+    void rowsEnteringConeOfMatteTile_areDiffuseOnly() {
         Light spot = StudioScene.key(LightType.SPOT);
-        Scene scene = new Scene(new Picture(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
+        Scene scene = new Scene(new PictureSettings(16, 16, 0), Camera.DEFAULT, World.DEFAULT, List.of(),
                 List.of(new Shape(Solid.SPHERE, "ball", "default", Placement.IDENTITY)), List.of(spot));
         Scene wider = scene.withLight(spot.withAngle(25));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withAccuracy(Accuracy.RATIO))) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withAccuracy(Accuracy.RATIO))) {
             renderer.render(scene, Progress.NONE);
-            Update update = renderer.render(wider, Progress.NONE);
-            assertThat(FilmErrors.largestError(renderer.film(), new ReferenceTracer(wider).trace()))
+            UpdateResult update = renderer.render(wider, Progress.NONE);
+            assertThat(FilmError.largestError(renderer.film(), new ReferenceTracer(wider).trace()))
                     .isLessThanOrEqualTo(update.errorBound());
         }
     }

@@ -7,10 +7,10 @@ import java.util.List;
 import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
-import lightning.render.relight.tile.RepeatedEdit;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.relight.tile.RepeatedEditDetector;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Light;
@@ -24,15 +24,15 @@ class RestoreTest {
     private final Scene after = before.withLight(before.lights().getFirst().withAngle(10).withIntensity(0.2));
 
     @Test
-    void restoredRenderer_makesTheSameEditAgain() {
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withThreads(1).withReflections(Reflections.CURRENT))) {
+    void restoredRenderer_repeatsEdit() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1).withReflections(ReflectionMode.CURRENT))) {
             renderer.render(before, Progress.NONE);
-            PixelCache kept = renderer.cache();
-            Update first = renderer.render(after, Progress.NONE);
-            renderer.restore(kept);
+            PixelCache saved = renderer.cache();
+            UpdateResult first = renderer.render(after, Progress.NONE);
+            renderer.restore(saved);
             assertThat(renderer.scene()).isEqualTo(before);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(before).trace(), "restored");
-            Update second = renderer.render(after, Progress.NONE);
+            UpdateResult second = renderer.render(after, Progress.NONE);
             assertThat(second.plan()).isEqualTo(first.plan());
             assertThat(second.rowsTouched()).isEqualTo(first.rowsTouched());
             assertThat(second.bytesMoved()).isEqualTo(first.bytesMoved());
@@ -41,9 +41,9 @@ class RestoreTest {
     }
 
     @Test
-    void keptRows_serveARendererWithCurrentReflections() {
-        try (Renderer stale = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1));
-                Renderer current = new Renderer(Options.DEFAULT.withThreads(1).withReflections(Reflections.CURRENT))) {
+    void cachedRows_workWithCurrentReflections() {
+        try (Renderer stale = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1));
+                Renderer current = new Renderer(RenderOptions.DEFAULT.withThreads(1).withReflections(ReflectionMode.CURRENT))) {
             stale.render(before, Progress.NONE);
             current.restore(stale.cache());
             assertThat(current.render(after, Progress.NONE).plan()).isInstanceOf(UpdatePlan.Relight.class);
@@ -53,18 +53,18 @@ class RestoreTest {
 
     /** A drag keeps sums over the other lights from its second edit on; a restored renderer has seen no first. */
     @Test
-    void restoredRenderer_isNotInTheMiddleOfADrag() {
+    void restoredRenderer_hasNoRepeatedEdit() {
         List<Light> lights = new ArrayList<>();
-        for (int i = 0; i < RepeatedEdit.LEAST_LIGHTS; i++) {
+        for (int i = 0; i < RepeatedEditDetector.MIN_LIGHTS; i++) {
             lights.add(StudioScene.key(LightType.POINT).withName("light" + i));
         }
         Scene many = before.withLights(lights);
         Scene edited = many.withLight(lights.getFirst().withIntensity(0.5));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.STALE).withThreads(1))) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE).withThreads(1))) {
             renderer.render(many, Progress.NONE);
-            PixelCache kept = renderer.cache();
+            PixelCache saved = renderer.cache();
             renderer.render(edited, Progress.NONE);
-            renderer.restore(kept);
+            renderer.restore(saved);
             renderer.render(edited, Progress.NONE);
             for (int tile = 0; tile < renderer.cache().tileCount(); tile++) {
                 assertThat(renderer.cache().tile(tile).levels[0].branches()).as("tile " + tile).isNull();

@@ -9,14 +9,14 @@ import lightning.base.work.Progress;
 import lightning.render.cache.PixelCache;
 import lightning.render.cache.TileLevel;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.LightRows;
-import lightning.render.trace.Bounce;
+import lightning.render.trace.BounceKind;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
-import lightning.sample.Session;
+import lightning.sample.EditSession;
 import lightning.scene.Material;
 import lightning.scene.Scene;
 import net.jqwik.api.Arbitrary;
@@ -29,13 +29,13 @@ import net.jqwik.api.Provide;
 class RowOrderTest {
 
     @Provide
-    Arbitrary<Session> sessions() {
-        return Session.sessions();
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void editedCaches_haveTheRowsOfAFirstPass(@ForAll("sessions") Session session) {
-        Options options = new Options(Accuracy.EXACT, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1);
+    void editedCache_hasRowsOfFirstPass(@ForAll("sessions") EditSession session) {
+        RenderOptions options = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
         try (Renderer edited = new Renderer(options); Renderer fresh = new Renderer(options)) {
             for (Scene scene : session.scenes()) {
                 edited.render(scene, Progress.NONE);
@@ -43,10 +43,10 @@ class RowOrderTest {
             fresh.render(session.scenes().getLast(), Progress.NONE);
             PixelCache actual = edited.cache();
             PixelCache expected = fresh.cache();
-            assertThat(actual.all()).hasSameSizeAs(expected.all());
-            for (int t = 0; t < expected.all().size(); t++) {
-                TileLevel[] levels = expected.all().get(t).levels;
-                TileLevel[] known = actual.all().get(t).levels;
+            assertThat(actual.allTiles()).hasSameSizeAs(expected.allTiles());
+            for (int t = 0; t < expected.allTiles().size(); t++) {
+                TileLevel[] levels = expected.allTiles().get(t).levels;
+                TileLevel[] known = actual.allTiles().get(t).levels;
                 assertThat(known).hasSameSizeAs(levels);
                 int end = assertSame(known, actual.geometry().materials(), levels, expected.geometry().materials(), 0, null,
                         expected.scene().picture().depth());
@@ -67,8 +67,8 @@ class RowOrderTest {
         int[] places = assertSame(actual[k].rows(), actualMaterials, expected[k].rows(), materials, above);
         assertSameColumns(actual[k], expected[k]);
         int next = k + 1;
-        for (Bounce bounce : Bounce.values()) {
-            if (depth > 0 && bounce.rows(expected[k].rows()) > 0) {
+        for (BounceKind bounce : BounceKind.values()) {
+            if (depth > 0 && bounce.rowCount(expected[k].rows()) > 0) {
                 next = assertSame(actual, actualMaterials, expected, materials, next, places, depth - 1);
             }
         }
@@ -84,10 +84,10 @@ class RowOrderTest {
      */
     private static int[] assertSame(HitRows actual, MaterialTable actualMaterials, HitRows expected, MaterialTable materials, int[] above) {
         assertThat(actual.count).isEqualTo(expected.count);
-        assertThat(actual.reflective).isEqualTo(expected.reflective);
-        assertThat(actual.clear).isEqualTo(expected.clear);
-        assertThat(actual.behindX == null).isEqualTo(expected.behindX == null);
-        assertThat(actual.runs).isEqualTo(expected.runs);
+        assertThat(actual.reflectiveCount).isEqualTo(expected.reflectiveCount);
+        assertThat(actual.transparentCount).isEqualTo(expected.transparentCount);
+        assertThat(actual.backX == null).isEqualTo(expected.backX == null);
+        assertThat(actual.runCount).isEqualTo(expected.runCount);
         assertThat(actual.texelRed == null).isEqualTo(expected.texelRed == null);
         Map<Integer, Integer> byParent = new HashMap<>();
         for (int i = 0; i < actual.count; i++) {
@@ -95,7 +95,7 @@ class RowOrderTest {
         }
         Material[] of = materials(actual, actualMaterials);
         int[] places = new int[expected.count];
-        for (int r = 0; r < expected.runs; r++) {
+        for (int r = 0; r < expected.runCount; r++) {
             Material material = materials.material(expected.runMaterial[r]);
             for (int i = expected.runStart(r); i < expected.runEnd[r]; i++) {
                 int parent = expected.parent[i];
@@ -107,9 +107,9 @@ class RowOrderTest {
                 assertThat(new float[] {actual.px[a], actual.py[a], actual.pz[a], actual.nx[a], actual.ny[a], actual.nz[a],
                     actual.vx[a], actual.vy[a], actual.vz[a]}).containsExactly(expected.px[i], expected.py[i], expected.pz[i],
                             expected.nx[i], expected.ny[i], expected.nz[i], expected.vx[i], expected.vy[i], expected.vz[i]);
-                if (materials.isClear(expected.runMaterial[r])) {
-                    assertThat(new float[] {actual.behindX[a], actual.behindY[a], actual.behindZ[a], actual.inside[a]})
-                            .containsExactly(expected.behindX[i], expected.behindY[i], expected.behindZ[i], expected.inside[i]);
+                if (materials.isTransparent(expected.runMaterial[r])) {
+                    assertThat(new float[] {actual.backX[a], actual.backY[a], actual.backZ[a], actual.insideDistance[a]})
+                            .containsExactly(expected.backX[i], expected.backY[i], expected.backZ[i], expected.insideDistance[i]);
                 }
                 if (materials.isTextured(expected.runMaterial[r])) {
                     assertThat(new float[] {actual.texelRed[a], actual.texelGreen[a], actual.texelBlue[a]})
@@ -122,7 +122,7 @@ class RowOrderTest {
 
     private static Material[] materials(HitRows rows, MaterialTable materials) {
         Material[] of = new Material[rows.count];
-        for (int r = 0; r < rows.runs; r++) {
+        for (int r = 0; r < rows.runCount; r++) {
             Arrays.fill(of, rows.runStart(r), rows.runEnd[r], materials.material(rows.runMaterial[r]));
         }
         return of;
@@ -132,7 +132,7 @@ class RowOrderTest {
     private static void assertSameColumns(TileLevel actual, TileLevel expected) {
         for (int l = 0; l < expected.layers().length; l++) {
             if (expected.layers()[l] instanceof LightRows e && actual.layers()[l] instanceof LightRows a) {
-                assertThat(a.lit).isEqualTo(e.lit);
+                assertThat(a.litCount).isEqualTo(e.litCount);
                 assertThat(a.specular == null).as("specular column").isEqualTo(e.specular == null);
             }
         }

@@ -3,8 +3,8 @@ package lightning.render.relight;
 import lightning.format.jen.JenWriter;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
-import lightning.sample.FailedScene;
-import lightning.sample.Session;
+import lightning.sample.EditSession;
+import lightning.sample.FailedSceneRecorder;
 import lightning.scene.Scene;
 
 /** Compares films met during a session; a failure leaves the scenes as files beside the pictures. */
@@ -15,13 +15,13 @@ final class SessionAssert {
      * @param name what is tested, the folder's name in {@code target/failures}
      * @param step which edit it was; 0 is the first picture
      */
-    static void assertSameBits(Film actual, Film expected, String name, Session session, int step, String plan) {
+    static void assertSameBits(Film actual, Film expected, String name, EditSession session, int step, String plan) {
         try {
             FilmAssert.assertSameBits(actual, expected, name);
         } catch (AssertionError e) {
             Scene scene = session.scenes().get(step);
-            FailedScene.save(name, "session.txt", session.toString());
-            FailedScene.save(name, "scene.jen", JenWriter.write(scene));
+            FailedSceneRecorder.save(name, "session.txt", session.toString());
+            FailedSceneRecorder.save(name, "scene.jen", JenWriter.write(scene));
             throw new AssertionError("after edit " + step + " (" + plan + "): " + e.getMessage()
                     + "\nthe scene was\n" + JenWriter.write(scene) + "\nand the session" + session, e);
         }

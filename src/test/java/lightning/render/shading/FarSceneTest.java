@@ -5,9 +5,9 @@ import lightning.base.math.Vec3;
 import lightning.render.image.FilmAssert;
 import lightning.sample.StudioScene;
 import lightning.scene.Camera;
-import lightning.scene.Group;
 import lightning.scene.Light;
 import lightning.scene.LightType;
+import lightning.scene.NodeGroup;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,18 +17,18 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FarSceneTest {
 
     /** Everything, the camera too, moved together: all places of the studio are whole numbers, so that none is rounded. */
-    private static Scene moved(Scene scene, Vec3 by) {
+    private static Scene moved(Scene scene, Vec3 offset) {
         Camera c = scene.camera();
-        Scene moved = new Scene(scene.picture(), new Camera(c.from().plus(by), c.to().plus(by), c.up(), c.fov()), scene.world(),
+        Scene moved = new Scene(scene.picture(), new Camera(c.from().plus(offset), c.to().plus(offset), c.up(), c.fov()), scene.world(),
                 scene.materials(),
-                List.of(new Group("all", new Placement(by, Vec3.ZERO, Vec3.ONE), scene.nodes())), List.of());
-        return moved.withLights(scene.lights().stream().map((Light l) -> l.withPosition(l.position().plus(by))).toList());
+                List.of(new NodeGroup("all", new Placement(offset, Vec3.ZERO, Vec3.ONE), scene.nodes())), List.of());
+        return moved.withLights(scene.lights().stream().map((Light l) -> l.withPosition(l.position().plus(offset))).toList());
     }
 
     /** At 2²² floats are half a unit apart, at 2³⁹ 65 536 units: the radius of the balls is 1. */
     @ParameterizedTest
     @ValueSource(doubles = {0x1p10, 0x1p22, 0x1p39})
-    void sceneMovedFromTheOrigin_keepsEveryBit(double far) {
+    void sceneFarFromOrigin_hasSameBits(double far) {
         for (LightType type : LightType.values()) {
             Scene scene = StudioScene.of(type);
             FilmAssert.assertSameBits(new ReferenceTracer(moved(scene, new Vec3(far, -far / 2, 3 * far / 4))).trace(),

@@ -11,31 +11,31 @@ import java.util.stream.Stream;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
-import lightning.sample.CornerScenes;
-import lightning.sample.FailedScene;
+import lightning.sample.EdgeCaseScenes;
+import lightning.sample.EditSession;
+import lightning.sample.FailedSceneRecorder;
 import lightning.sample.SceneArbitraries;
-import lightning.sample.Session;
 import lightning.sample.Slow;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Limits;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
+import lightning.scene.SceneNode;
+import lightning.scene.ShadingModel;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
-import lightning.scene.SurfaceModel;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -53,7 +53,7 @@ class FiniteFilmTest {
 
     @Provide
     Arbitrary<Scene> corners() {
-        return CornerScenes.scenes();
+        return EdgeCaseScenes.scenes();
     }
 
     @Provide
@@ -62,38 +62,38 @@ class FiniteFilmTest {
     }
 
     @Provide
-    Arbitrary<Session> extremes() {
-        return Session.extremes();
+    Arbitrary<EditSession> extremes() {
+        return EditSession.extremeSessions();
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void sceneAtTheCornersOfItsLimits_hasAFinitePicture(@ForAll("corners") Scene scene) {
+    void sceneAtParameterLimits_hasFiniteFilm(@ForAll("corners") Scene scene) {
         assertFinite(scene);
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void ordinaryScene_hasAFinitePicture(@ForAll("scenes") Scene scene) {
+    void ordinaryScene_hasFiniteFilm(@ForAll("scenes") Scene scene) {
         assertFinite(scene);
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void sceneAfterExtremeEdits_hasAFinitePicture(@ForAll("extremes") Session session) {
+    void sceneAfterExtremeEdits_hasFiniteFilm(@ForAll("extremes") EditSession session) {
         assertFinite(session.scenes().getLast());
     }
 
     static Stream<Path> kept() throws IOException {
-        return FailedScene.kept();
+        return FailedSceneRecorder.storedScenes();
     }
 
     @ParameterizedTest
     @MethodSource("kept")
-    void sceneThatOnceFailed_hasAFinitePicture(Path kept) throws IOException, JenException {
-        assertFinite(JenReader.read(kept).scene());
+    void regressionScene_hasFiniteFilm(Path file) throws IOException, JenException {
+        assertFinite(JenReader.read(file).scene());
     }
 
     /** Diffuse ½·1, specular 1: normal, eye and light in one line, and nothing mirrored. */
     @Test
-    void shapeLostBetweenDoubles_facesTheEye() throws IOException, JenException {
+    void shapeBelowDoublePrecision_facesCamera() throws IOException, JenException {
         assertThat(new ReferenceTracer(read("lost-dot")).pixel(0, 0)).containsExactly(1.5f, 1.5f, 1.5f);
     }
 
@@ -103,82 +103,84 @@ class FiniteFilmTest {
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
-    void brightestSceneThatIsAccepted_addsUpWithoutOverflow(double reflective) {
-        Material mirror = Material.of("m").withAmbient(Rgb.grey(Limits.MAX_EMISSION)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE)
-                .withShininess(0).withReflective(Rgb.grey(reflective));
-        Scene scene = betweenMirrors(mirror, Limits.MAX_INTENSITY, new Vec3(0.01, 0.02, -1));
+    void brightestValidScene_doesNotOverflow(double reflective) {
+        Material mirror = Material.of("m").withAmbient(Rgb.gray(SceneLimits.MAX_EMISSION)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE)
+                .withShininess(0).withReflective(Rgb.gray(reflective));
+        Scene scene = betweenMirrors(mirror, SceneLimits.MAX_INTENSITY, new Vec3(0.01, 0.02, -1));
         assertFinite(scene);
         float value = new ReferenceTracer(scene).pixel(0, 0)[0];
         assertThat((double) value).isLessThan(Float.MAX_VALUE / 10);
         if (reflective == 1) {
             assertThat((double) value).isCloseTo(11e36, withinPercentage(0.001));
         }
-        assertFinite(scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, Limits.MAX_SAMPLES))));
+        assertFinite(scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, SceneLimits.MAX_SAMPLES))));
     }
 
     /** Metallic mirrors multiply each light, so that less is accepted. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.1, 0.3, 1})
-    void brightestSceneBetweenMetals_addsUpWithoutOverflow(double roughness) {
+    void brightestMetallicScene_doesNotOverflow(double roughness) {
         Material metal = metal(roughness);
-        Scene scene = betweenMirrors(metal, mostBefore(metal), new Vec3(0, 0, -1));
+        Scene scene = betweenMirrors(metal, maxTermSum(metal), new Vec3(0, 0, -1));
         assertFinite(scene);
-        assertFinite(scene.withPicture(scene.picture().withSampling(new Sampling(Antialias.EVERY, 4))));
+        assertFinite(scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 4))));
     }
 
     /** No more is refused than must be: where it grazes the metal as the eye does, a light is a third as bright as is reckoned with. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.1, 0.3})
-    void brightestLightThatGrazesMetal_isNearlyAsBrightAsSumsMayBe(double roughness) {
+    void brightestGrazingLightOnMetal_isCloseToBound(double roughness) {
         Material metal = metal(roughness);
         double height = metal.alpha();
-        List<Light> lights = lamps(mostBefore(metal), new Vec3(0, height, -1));
-        Scene scene = new Scene(new Picture(1, 1, 0), new Camera(new Vec3(0, height, 1), Vec3.ZERO, Vec3.Y, Limits.MIN_FOV),
+        List<Light> lights = brightLights(maxTermSum(metal), new Vec3(0, height, -1));
+        Scene scene = new Scene(new PictureSettings(1, 1, 0), new Camera(new Vec3(0, height, 1), Vec3.ZERO, Vec3.Y, SceneLimits.MIN_FOV),
                 World.DEFAULT, List.of(metal), List.of(new Shape(Solid.PLANE, "floor", "m", Placement.IDENTITY)), lights);
         assertFinite(scene);
-        assertThat((double) new ReferenceTracer(scene).pixel(0, 0)[0]).isBetween(Limits.MAX_LIGHT / 10, Limits.MAX_LIGHT);
+        assertThat((double) new ReferenceTracer(scene).pixel(0, 0)[0]).isBetween(SceneLimits.MAX_TOTAL_LIGHT / 10,
+                SceneLimits.MAX_TOTAL_LIGHT);
     }
 
     private static Material metal(double roughness) {
-        return Material.of("m").withModel(SurfaceModel.METALLIC).withBase(Rgb.WHITE).withMetalness(1).withRoughness(roughness)
+        return Material.of("m").withModel(ShadingModel.METALLIC).withBase(Rgb.WHITE).withMetalness(1).withRoughness(roughness)
                 .withReflective(Rgb.WHITE);
     }
 
     /** The intensity of a thousand lamps of the brightest colour that are accepted before a metal. */
-    private static double mostBefore(Material metal) {
-        return Limits.MAX_LIGHT / metal.mostTerm() / (Limits.MAX_LIGHTS * Limits.MAX_LIGHT_COLOR) * (1 - 1e-12);
+    private static double maxTermSum(Material metal) {
+        return SceneLimits.MAX_TOTAL_LIGHT / metal.maxTerm() / (SceneLimits.MAX_LIGHTS * SceneLimits.MAX_LIGHT_COLOR) * (1 - 1e-12);
     }
 
-    private static List<Light> lamps(double intensity, Vec3 at) {
-        return IntStream.range(0, Limits.MAX_LIGHTS).mapToObj(l -> Light.of("l" + l, LightType.POINT)
-                .withColor(Rgb.grey(Limits.MAX_LIGHT_COLOR)).withIntensity(intensity).withPosition(at)).toList();
+    private static List<Light> brightLights(double intensity, Vec3 at) {
+        return IntStream.range(0, SceneLimits.MAX_LIGHTS).mapToObj(l -> Light.of("l" + l, LightType.POINT)
+                .withColor(Rgb.gray(SceneLimits.MAX_LIGHT_COLOR)).withIntensity(intensity).withPosition(at)).toList();
     }
 
     /** A thousand of the brightest lamps where the eye is, between two walls that reflect one another. */
     private static Scene betweenMirrors(Material material, double intensity, Vec3 to) {
-        Camera camera = new Camera(Vec3.ZERO, to, Vec3.Y, Limits.MIN_FOV);
-        return new Scene(new Picture(2, 2, Limits.MAX_DEPTH), camera, new World(Limits.MAX_AMBIENCE, Rgb.grey(Limits.MAX_EMISSION)),
-                List.of(material), List.of(wall("front", -1), wall("back", 1)), lamps(intensity, Vec3.ZERO));
+        Camera camera = new Camera(Vec3.ZERO, to, Vec3.Y, SceneLimits.MIN_FOV);
+        return new Scene(new PictureSettings(2, 2, SceneLimits.MAX_DEPTH), camera,
+                new World(SceneLimits.MAX_AMBIENCE, Rgb.gray(SceneLimits.MAX_EMISSION)),
+                List.of(material), List.of(wall("front", -1), wall("back", 1)), brightLights(intensity, Vec3.ZERO));
     }
 
-    private static Node wall(String name, double z) {
+    private static SceneNode wall(String name, double z) {
         return new Shape(Solid.PLANE, name, "m", new Placement(new Vec3(0, 0, z), new Vec3(90, 0, 0), new Vec3(1e3, 1, 1e3)));
     }
 
     private static Scene read(String name) throws IOException, JenException {
-        return JenReader.read(FailedScene.KEPT.resolve(name + ".jen")).scene();
+        return JenReader.read(FailedSceneRecorder.FOLDER.resolve(name + ".jen")).scene();
     }
 
     private static void assertFinite(Scene scene) {
-        FailedScene.check("finite-film", scene, FiniteFilmTest::bothTracersAgreeOnNumbers);
+        FailedSceneRecorder.check("finite-film", scene, FiniteFilmTest::assertTracersAgree);
     }
 
-    private static void bothTracersAgreeOnNumbers(Scene scene) {
+    private static void assertTracersAgree(Scene scene) {
         Film film = new ReferenceTracer(scene).trace();
         for (float value : film.toScanlines()) {
             assertThat(value >= 0 && value <= Float.MAX_VALUE).as("a value of the film is " + value).isTrue();
         }
-        try (Workers workers = new Workers(1)) {
+        try (WorkerPool workers = new WorkerPool(1)) {
             FilmAssert.assertSameBits(new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), film, "corner");
         }
     }

@@ -7,16 +7,16 @@ import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
-import lightning.render.trace.Eye;
 import lightning.render.trace.Geometry;
+import lightning.render.trace.PixelRays;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
@@ -28,15 +28,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 class GrazingLightTest {
     private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE).withShininess(1);
 
-    private static Scene scene(Node node, Camera camera, Light light) {
+    private static Scene scene(SceneNode node, Camera camera, Light light) {
         return scene(WHITE, node, camera, light);
     }
 
-    private static Scene scene(Material white, Node node, Camera camera, Light light) {
-        return new Scene(new Picture(48, 40, 0), camera, World.DEFAULT, List.of(white), List.of(node), List.of(light));
+    private static Scene scene(Material white, SceneNode node, Camera camera, Light light) {
+        return new Scene(new PictureSettings(48, 40, 0), camera, World.DEFAULT, List.of(white), List.of(node), List.of(light));
     }
 
-    private static Node floor(Vec3 at, Vec3 rotate) {
+    private static SceneNode floor(Vec3 at, Vec3 rotate) {
         return new Shape(Solid.PLANE, "floor", "white", new Placement(at, rotate, new Vec3(1e4, 1, 1e4)));
     }
 
@@ -47,7 +47,7 @@ class GrazingLightTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1, 0.5, 1e-2, 1e-4, 1e-6, 1e-9, 1e-12, -1e-12, -1e-9, -1e-6, -1e-2, -1})
-    void levelFloorUnderTheSun_isOneShade(double cosine) {
+    void levelFloor_hasUniformColor(double cosine) {
         Camera camera = new Camera(new Vec3(0, 1, 0), new Vec3(3, -4, -4), Vec3.Y, 30);
         Film film = new ReferenceTracer(scene(floor(Vec3.ZERO, Vec3.ZERO), camera, sun(cosine))).trace();
         for (float value : film.toScanlines()) {
@@ -57,7 +57,7 @@ class GrazingLightTest {
 
     /** N·L is 0 exactly: the mirror direction looks along the floor, and still nothing shines. */
     @Test
-    void lightAtTheHorizon_leavesNoHighlight() {
+    void lightAtHorizon_hasNoHighlight() {
         Material shiny = Material.of("white").withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE).withShininess(1);
         Light sun = Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(0, 0, 1));
         Camera camera = new Camera(new Vec3(0, 1, 0), new Vec3(0, 0.9, -1), Vec3.Y, 5);
@@ -69,9 +69,9 @@ class GrazingLightTest {
     /** A tilted floor's normal is rounded; lights more than that above it reach all of it. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 0.1, 1e-3, 1e-5, 1e-6, -1e-6, -0.1})
-    void tiltedFloorUnderTheSun_isOneShade(double cosine) {
-        Node floor = floor(new Vec3(0, -5, 0), new Vec3(11, 23, 7));
-        Vec3 normal = floor.placement().transform().vector(Vec3.Y).normalized();
+    void tiltedFloor_hasUniformColor(double cosine) {
+        SceneNode floor = floor(new Vec3(0, -5, 0), new Vec3(11, 23, 7));
+        Vec3 normal = floor.placement().transform().transformVector(Vec3.Y).normalized();
         Vec3 along = normal.cross(new Vec3(0.3, 0.2, -1)).normalized();
         Light sun = Light.of("sun", LightType.DIRECTIONAL)
                 .withDirection(along.plus(normal.times(cosine / Math.sqrt(1 - Math.min(0.999, cosine * cosine)))).negated());
@@ -86,7 +86,7 @@ class GrazingLightTest {
     /** Every pixel of a ball is as bright as the cosine of its own normal: no speck of shadow on the lit side. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-3, 1e4})
-    void ballUnderTheSun_isShadedByItsNormalAlone(double scale) {
+    void sphereUnderDirectionalLight_dependsOnlyOnNormal(double scale) {
         Vec3 at = new Vec3(3, 1, -5).times(scale);
         Scene scene = scene(new Shape(Solid.SPHERE, "ball", "white", new Placement(at, Vec3.ZERO, Vec3.ONE.times(scale))),
                 new Camera(Vec3.ZERO, at, Vec3.Y, 20), sun(0.3));
@@ -96,8 +96,8 @@ class GrazingLightTest {
         int lit = 0;
         for (int y = 0; y < film.height(); y++) {
             for (int x = 0; x < film.width(); x++) {
-                Ray ray = new Eye(scene).through(x, y);
-                if (geometry.nearestOfAll(ray) == 0) {
+                Ray ray = new PixelRays(scene).ray(x, y);
+                if (geometry.nearestBruteForce(ray) == 0) {
                     Vec3 normal = ray.direction().times(geometry.distance(0, ray)).minus(at).normalized();
                     double expected = Math.max(normal.dot(toSun), 0);
                     assertThat((double) film.red(x, y)).as("%s, %s", x, y).isBetween(expected - 1e-6, expected + 1e-6);
@@ -110,13 +110,14 @@ class GrazingLightTest {
 
     /** So near that the square of the distance has no digits left: the vector to the light must still have length 1. */
     @Test
-    void lightAtADistanceWithoutDigits_isNoBrighterThanOneAtNone() {
+    void lightAtTinyDistance_isNotBrighterThanAtZero() {
         for (double distance = 1e-100; distance > 1e-320; distance *= 0.7) {
             Light light = Light.of("l", LightType.POINT).withPosition(new Vec3(0, distance, 0));
-            Scene scene = new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT, List.of(),
-                    List.of(), List.of(light));
-            LightingEquation equation = new LightingEquation(Lamp.of(light, scene));
-            equation.at(0, 0, 0, 0, 1, 0);
+            Scene scene =
+                    new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT, List.of(),
+                            List.of(), List.of(light));
+            LightingEquation equation = new LightingEquation(LightSource.of(light, scene));
+            equation.moveTo(0, 0, 0, 0, 1, 0);
             assertThat(equation.cosine(0, 1, 0)).as("from " + distance).isEqualTo(1);
         }
     }

@@ -7,17 +7,17 @@ import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.sample.Meshes;
+import lightning.sample.SampleMeshes;
 import lightning.scene.Attenuation;
 import lightning.scene.Camera;
+import lightning.scene.IesProfile;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
 import lightning.scene.Mesh;
 import lightning.scene.Photometry;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Profile;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.World;
@@ -36,7 +36,7 @@ class LiftedPointTest {
     private static final double TOLERANCE = 1e-5;
 
     /** The red of the middle, seen from straight above. */
-    private static double seen(double diffuse, double specular, Light light) {
+    private static double centerValue(double diffuse, double specular, Light light) {
         float[] positions = new float[9];
         float[] normals = new float[9];
         for (int v = 0; v < 3; v++) {
@@ -48,34 +48,36 @@ class LiftedPointTest {
             normals[3 * v + 2] = (float) Math.cos(LEAN);
         }
         Mesh mesh = new Mesh(positions, new int[] {0, 1, 2}, normals, null, null);
-        Material material = Material.of("m").withDiffuse(Rgb.grey(diffuse)).withSpecular(Rgb.grey(specular)).withShininess(3);
-        return new ReferenceTracer(new Scene(new Picture(1, 1, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 1), World.DEFAULT,
-                List.of(material), List.of(new Shape(Meshes.solid(mesh), "s", "m", Placement.IDENTITY)), List.of(light))).trace().red(0, 0);
+        Material material = Material.of("m").withDiffuse(Rgb.gray(diffuse)).withSpecular(Rgb.gray(specular)).withShininess(3);
+        return new ReferenceTracer(
+                new Scene(new PictureSettings(1, 1, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 1), World.DEFAULT,
+                        List.of(material), List.of(new Shape(SampleMeshes.solid(mesh), "s", "m", Placement.IDENTITY)), List.of(light)))
+                .trace().red(0, 0);
     }
 
     @Test
-    void cosine_isThatAtTheLiftedPoint() {
-        assertThat(seen(1, 0, LIGHT)).isEqualTo(COSINE, within(TOLERANCE));
+    void cosine_usesLiftedPoint() {
+        assertThat(centerValue(1, 0, LIGHT)).isEqualTo(COSINE, within(TOLERANCE));
     }
 
     @Test
-    void distance_isThatFromTheLiftedPoint() {
-        assertThat(seen(1, 0, LIGHT.withAttenuation(new Attenuation(0, 0, 1)))).isEqualTo(COSINE / 8, within(TOLERANCE));
+    void distance_usesLiftedPoint() {
+        assertThat(centerValue(1, 0, LIGHT.withAttenuation(new Attenuation(0, 0, 1)))).isEqualTo(COSINE / 8, within(TOLERANCE));
     }
 
     @Test
-    void highlight_isThatAtTheLiftedPoint() {
-        assertThat(seen(0, 1, LIGHT)).isEqualTo(Math.pow(COSINE, 3), within(TOLERANCE));
+    void highlight_usesLiftedPoint() {
+        assertThat(centerValue(0, 1, LIGHT)).isEqualTo(Math.pow(COSINE, 3), within(TOLERANCE));
     }
 
     /** Nothing from 45.1° off the axis on: the triangle's own middle would be lit. */
     @Test
-    void profile_isTakenInTheDirectionOfTheLiftedPoint() {
+    void profile_usesDirectionToLiftedPoint() {
         var narrow = new Photometry(Photometry.Type.C, new double[] {0, 44.9}, new double[] {0}, new double[] {1, 1});
         Light light = Light.of("l", LightType.SPOT).withPosition(AT).withDirection(new Vec3(0, 0, -1)).withAngle(90)
-                .withProfile(Optional.of(new Profile("p.ies", narrow)));
-        assertThat(seen(1, 0, light)).isZero();
+                .withProfile(Optional.of(new IesProfile("p.ies", narrow)));
+        assertThat(centerValue(1, 0, light)).isZero();
         var wide = new Photometry(Photometry.Type.C, new double[] {0, 45.1}, new double[] {0}, new double[] {1, 1});
-        assertThat(seen(1, 0, light.withProfile(Optional.of(new Profile("p.ies", wide))))).isEqualTo(COSINE, within(TOLERANCE));
+        assertThat(centerValue(1, 0, light.withProfile(Optional.of(new IesProfile("p.ies", wide))))).isEqualTo(COSINE, within(TOLERANCE));
     }
 }

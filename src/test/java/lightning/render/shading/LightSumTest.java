@@ -11,7 +11,7 @@ import lightning.render.trace.HitRows;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import net.jqwik.api.ForAll;
@@ -24,55 +24,55 @@ class LightSumTest {
 
     private final Random random = new Random(0);
     private int rows;
-    private Luminaire[] lights;
+    private WeightedLight[] lights;
     private LightLayer[] layers;
 
     @Property(tries = 300)
-    void sumOfLights_hasTheBitsOfTheTree(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean kept,
+    void lightSum_matchesTreeBits(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean storesColors,
             @ForAll @IntRange(max = MOST) int count) {
-        draw(seed, count, kept);
-        assertTree(new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums()).of(rows, lights, layers));
+        draw(seed, count, storesColors);
+        assertTree(new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums()).total(rows, lights, layers));
     }
 
     @Property(tries = 300)
-    void sumOfOneLightAndTheBranchesBesideIt_hasTheBitsOfTheTree(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean kept,
+    void lightSumWithBranchSums_matchesTreeBits(@ForAll long seed, @ForAll boolean scalar, @ForAll boolean storesColors,
             @ForAll @IntRange(min = 1, max = MOST) int count) {
-        draw(seed, count, kept);
+        draw(seed, count, storesColors);
         LightSum sum = new LightSum((scalar ? Engines.SCALAR : Engines.LANES).sums());
-        BranchSums branches = sum.branches(rows, lights, layers, new BranchSums.Key(random.nextInt(count)));
+        BranchSums branches = sum.branchSums(rows, lights, layers, new BranchSums.Key(random.nextInt(count)));
         int edited = branches.key().light();
         lights[edited] = light();
-        layers[edited] = layer(kept);
-        assertTree(sum.of(rows, lights, layers, branches));
+        layers[edited] = layer(storesColors);
+        assertTree(sum.total(rows, lights, layers, branches));
     }
 
-    private void draw(long seed, int count, boolean kept) {
+    private void draw(long seed, int count, boolean storesColors) {
         random.setSeed(seed);
         rows = 1 + random.nextInt(50);
-        lights = new Luminaire[count];
+        lights = new WeightedLight[count];
         layers = new LightLayer[count];
         for (int l = 0; l < count; l++) {
             lights[l] = light();
-            layers[l] = layer(kept);
+            layers[l] = layer(storesColors);
         }
     }
 
-    private Luminaire light() {
+    private WeightedLight light() {
         double intensity = random.nextInt(4) == 0 ? 0 : random.nextDouble();
         Light light = Light.of("l", LightType.POINT).withIntensity(intensity)
                 .withColor(new Rgb(random.nextDouble(), random.nextDouble(), random.nextInt(2)));
         Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
-        return Luminaire.of(light, new Scene(Picture.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(),
+        return WeightedLight.of(light, new Scene(PictureSettings.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(),
                 List.of(light)));
     }
 
-    private LightLayer layer(boolean kept) {
+    private LightLayer layer(boolean storesColors) {
         if (random.nextInt(3) == 0) {
             return LightRows.unlit(new byte[rows]);
         }
         boolean specular = random.nextBoolean();
         boolean grazing = random.nextBoolean();
-        if (kept) {
+        if (storesColors) {
             return new Weighted(new float[][] {column(), column(), column()},
                     specular ? new float[][] {column(), column(), column()} : null,
                     grazing ? new float[][] {column(), column(), column()} : null);
@@ -93,7 +93,7 @@ class LightSumTest {
         }
 
         @Override
-        public short[][] seen() {
+        public short[][] visibleSamples() {
             return null;
         }
 
@@ -103,7 +103,7 @@ class LightSumTest {
         }
 
         @Override
-        public int lit() {
+        public int litCount() {
             return 1;
         }
 
@@ -118,7 +118,7 @@ class LightSumTest {
         }
 
         @Override
-        public long composedBytes() {
+        public long bytesReadByCompositing() {
             return 0;
         }
 
@@ -129,31 +129,31 @@ class LightSumTest {
     }
 
     private float[] column() {
-        float[] column = new float[HitRows.padded(rows)];
+        float[] column = new float[HitRows.paddedLength(rows)];
         for (int i = 0; i < rows; i++) {
             column[i] = random.nextInt(4) == 0 ? 0 : random.nextFloat();
         }
         return column;
     }
 
-    private void assertTree(SumRows sum) {
+    private void assertTree(SumColumns sum) {
         for (int i = 0; i < rows; i++) {
             for (int channel = 0; channel < 3; channel++) {
-                assertSameBits(sum.diffuse[channel][i], tree(i, channel, false), "diffuse");
-                assertSameBits(sum.hasSpecular ? sum.specular[channel][i] : 0, tree(i, channel, true), "specular");
+                assertSameBits(sum.diffuse[channel][i], treeSum(i, channel, false), "diffuse");
+                assertSameBits(sum.hasSpecular ? sum.specular[channel][i] : 0, treeSum(i, channel, true), "specular");
             }
         }
     }
 
-    private float tree(int row, int channel, boolean specular) {
+    private float treeSum(int row, int channel, boolean specular) {
         float[] terms = new float[lights.length];
         for (int l = 0; l < terms.length; l++) {
-            terms[l] = lights[l].isDark() || layers[l].lit() == 0 ? 0 : contribution(row, channel, specular, lights[l], layers[l]);
+            terms[l] = lights[l].isDark() || layers[l].litCount() == 0 ? 0 : contribution(row, channel, specular, lights[l], layers[l]);
         }
         return LightingEquation.sum(terms, 0, terms.length);
     }
 
-    private static float contribution(int row, int channel, boolean specular, Luminaire light, LightLayer layer) {
+    private static float contribution(int row, int channel, boolean specular, WeightedLight light, LightLayer layer) {
         return switch (layer) {
             case LightRows exact -> {
                 float[] term = specular ? exact.specular : exact.cosine;

@@ -14,17 +14,17 @@ import lightning.format.jen.JenReader;
 import lightning.format.jen.JenWriter;
 import lightning.render.trace.NormalSteps;
 import lightning.sample.SceneArbitraries;
+import lightning.scene.AlphaCutout;
+import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
-import lightning.scene.Cutout;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Links;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
+import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -43,20 +43,20 @@ class PixelExplainerTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void color_isTheReferencesInEveryBit(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
+    void color_matchesReferenceBits(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
         var reference = new ReferenceTracer(scene);
         var explainer = new PixelExplainer(scene);
         for (int i = 0; i < 30; i++) {
             int x = pixels.nextInt(scene.picture().width());
             int y = pixels.nextInt(scene.picture().height());
-            assertThat(explainer.pixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(scene))
+            assertThat(explainer.explainPixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(scene))
                     .containsExactly(reference.pixel(x, y));
         }
     }
 
     /** Lights change their places in the scene, and every second one where it stands. */
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void colorAfterAnEdit_isTheReferencesInEveryBit(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
+    void colorAfterEdit_matchesReferenceBits(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
         List<Light> lights = scene.lights().reversed().stream()
                 .map(l -> pixels.nextBoolean() ? l : l.withPosition(l.position().plus(new Vec3(0.25, 0.5, 0.125)))).toList();
         Scene edited = scene.withLights(lights);
@@ -66,23 +66,24 @@ class PixelExplainerTest {
         for (int i = 0; i < 30; i++) {
             int x = pixels.nextInt(scene.picture().width());
             int y = pixels.nextInt(scene.picture().height());
-            before.pixel(x, y);
+            before.explainPixel(x, y);
             explainer = explainer == null ? before.forScene(edited, before.geometry()) : explainer;
-            assertThat(explainer.pixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(edited))
+            assertThat(explainer.explainPixel(x, y).color()).as("pixel %d,%d of\n%s", x, y, JenWriter.write(edited))
                     .containsExactly(reference.pixel(x, y));
         }
     }
 
     @Test
-    void everyStateAndMirrors_areSeenOnTheBird() throws Exception {
+    void birdScene_reportsEveryStateAndMirror() throws Exception {
         Scene bird = JenReader.read(Path.of("scenes/bird.jen")).scene();
         Light sun = bird.light("sun").orElseThrow();
-        Light lamp = bird.light("lamp").orElseThrow().withIlluminates(Links.only("floor"));
-        var explainer = new PixelExplainer(bird.withLight(sun.withOn(false)).withLight(lamp).withPicture(bird.picture().withSize(40, 40)));
+        Light source = bird.light("lamp").orElseThrow().withIlluminates(ShapeLinks.only("floor"));
+        var explainer =
+                new PixelExplainer(bird.withLight(sun.withOn(false)).withLight(source).withPicture(bird.picture().withSize(40, 40)));
         Set<LightReport.State> seen = EnumSet.noneOf(LightReport.State.class);
         boolean mirrored = false;
         for (int pixel = 0; pixel < 1600; pixel++) {
-            PointReport report = explainer.pixel(pixel % 40, pixel / 40);
+            PointReport report = explainer.explainPixel(pixel % 40, pixel / 40);
             report.lights().forEach(light -> seen.add(light.state()));
             mirrored |= report.reflected() != null;
         }
@@ -92,45 +93,46 @@ class PixelExplainerTest {
 
     /** Whatever made a normal, the last step is the one that shades, unless it was bent. */
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void lastStepOfANormal_isTheOneThatShades(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
+    void lastNormalStep_isShadingNormal(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
         var explainer = new PixelExplainer(scene);
         for (int i = 0; i < 30; i++) {
-            PointReport report = explainer.pixel(pixels.nextInt(scene.picture().width()), pixels.nextInt(scene.picture().height()));
+            PointReport report = explainer.explainPixel(pixels.nextInt(scene.picture().width()), pixels.nextInt(scene.picture().height()));
             NormalSteps steps = report.normals();
             if (steps != null) {
-                Vec3 last = steps.mapped() == null ? steps.smooth() : steps.mapped();
-                var shades = new Vec3(report.at().nx(), report.at().ny(), report.at().nz());
-                assertThat(shades.minus(last).maxAbs() < 1e-7).isEqualTo(!steps.bent());
-                assertThat(shades.dot(steps.surface())).isPositive();
+                Vec3 last = steps.bumped() == null ? steps.smooth() : steps.bumped();
+                var shades = new Vec3(report.hit().nx(), report.hit().ny(), report.hit().nz());
+                assertThat(shades.minus(last).maxAbs() < 1e-7).isEqualTo(!steps.isBent());
+                assertThat(shades.dot(steps.geometric())).isPositive();
             }
         }
     }
 
     /** By its bumps the ball's night side faces the light here and there; the ball itself is in between. */
     @Test
-    void lightBelowABumpySurface_isToldToBeThere() {
-        float[] grey = new float[3 * 8 * 8];
-        for (int i = 0; i < grey.length; i++) {
-            grey[i] = (i / 6 + i / 48) % 2;
+    void lightBelowBumpySurface_isReported() {
+        float[] gray = new float[3 * 8 * 8];
+        for (int i = 0; i < gray.length; i++) {
+            gray[i] = (i / 6 + i / 48) % 2;
         }
-        var bumps = new TextureMap("a.png", 4, 4, new Texture(8, 8, grey));
-        Scene scene = new Scene(new Picture(40, 40, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 14), new World(0, Rgb.BLACK),
-                List.of(Material.of("m").withRelief(Relief.NONE.withBump(Optional.of(bumps)).withHeight(0.1))),
-                List.of(new Shape(Solid.SPHERE, "ball", "m", Placement.IDENTITY)),
-                List.of(Light.of("key", LightType.POINT).withPosition(new Vec3(-9, 3, -3))));
+        var bumps = new TextureMap("a.png", 4, 4, new Texture(8, 8, gray));
+        Scene scene =
+                new Scene(new PictureSettings(40, 40, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 14), new World(0, Rgb.BLACK),
+                        List.of(Material.of("m").withBumpMapping(BumpMapping.NONE.withBump(Optional.of(bumps)).withHeight(0.1))),
+                        List.of(new Shape(Solid.SPHERE, "ball", "m", Placement.IDENTITY)),
+                        List.of(Light.of("key", LightType.POINT).withPosition(new Vec3(-9, 3, -3))));
         var explainer = new PixelExplainer(scene);
         int below = 0;
         for (int pixel = 0; pixel < 1600; pixel++) {
-            PointReport report = explainer.pixel(pixel % 40, pixel / 40);
+            PointReport report = explainer.explainPixel(pixel % 40, pixel / 40);
             for (LightReport light : report.lights()) {
-                Vec3 way = new Vec3(-9, 3, -3).minus(explainer.geometry().toScene(new Vec3(report.at().px(), report.at().py(),
-                        report.at().pz()))).normalized();
-                double own = report.normals() == null ? 1 : report.normals().surface().dot(way);
+                Vec3 toTarget = new Vec3(-9, 3, -3).minus(explainer.geometry().toScene(new Vec3(report.hit().px(), report.hit().py(),
+                        report.hit().pz()))).normalized();
+                double own = report.normals() == null ? 1 : report.normals().geometric().dot(toTarget);
                 if (Math.abs(own) > 1e-6) {
-                    assertThat(light.below()).isEqualTo(own < 0 && light.cosine() > 0 ? 1 : 0);
+                    assertThat(light.samplesBelowSurface()).isEqualTo(own < 0 && light.cosine() > 0 ? 1 : 0);
                 }
-                assertThat(light.below() == 1 && light.state() != LightReport.State.SHADOWED).isFalse();
-                below += light.below();
+                assertThat(light.samplesBelowSurface() == 1 && light.state() != LightReport.State.SHADOWED).isFalse();
+                below += light.samplesBelowSurface();
             }
         }
         assertThat(below).isGreaterThan(50);
@@ -138,26 +140,26 @@ class PixelExplainerTest {
 
     /** A card of which the left half is there, twice, before a ball; the ball is cut out wholly where its picture says nothing. */
     @Test
-    void holesThatARayPasses_areNamedOnce() {
+    void passedCutouts_areReportedOnce() {
         var left = new TextureMap("left.png", 1, 1, new Texture(2, 1, new float[] {1, 1, 1, 0, 0, 0}));
-        Material cut = Material.of("cut").withCutout(Cutout.NONE.withCutout(Optional.of(left)));
+        Material cut = Material.of("cut").withCutout(AlphaCutout.NONE.withMap(Optional.of(left)));
         Vec3 upright = new Vec3(90, 0, 0);
-        Scene scene = new Scene(new Picture(2, 1, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 10), new World(0, Rgb.BLACK),
+        Scene scene = new Scene(new PictureSettings(2, 1, 0), new Camera(new Vec3(0, 0, 9), Vec3.ZERO, Vec3.Y, 10), new World(0, Rgb.BLACK),
                 List.of(cut), List.of(
                         new Shape(Solid.SPHERE, "ball", "default", Placement.IDENTITY),
                         new Shape(Solid.PLANE, "far", "cut", new Placement(new Vec3(0, 0, -5), upright, new Vec3(9, 1, 9))),
                         new Shape(Solid.PLANE, "near", "cut", new Placement(new Vec3(0, 0, 5), upright, new Vec3(9, 1, 9)))),
                 List.of());
         var explainer = new PixelExplainer(scene);
-        assertThat(explainer.pixel(0, 0).holes()).isEmpty();
-        assertThat(explainer.pixel(1, 0).holes()).containsExactly(2);
-        assertThat(explainer.geometry().shape(explainer.pixel(1, 0).at().primitive()).name()).isEqualTo("ball");
+        assertThat(explainer.explainPixel(0, 0).passedCutouts()).isEmpty();
+        assertThat(explainer.explainPixel(1, 0).passedCutouts()).containsExactly(2);
+        assertThat(explainer.geometry().shape(explainer.explainPixel(1, 0).hit().primitive()).name()).isEqualTo("ball");
     }
 
     /** A ball over a floor, a light above it: the floor below is in the ball's shadow. */
     @Test
-    void shadow_namesTheNearestShapeInBetween() {
-        Scene scene = new Scene(new Picture(1, 1, 0), new Camera(new Vec3(0, 1, 9), Vec3.ZERO, Vec3.Y, 20),
+    void shadow_reportsNearestBlocker() {
+        Scene scene = new Scene(new PictureSettings(1, 1, 0), new Camera(new Vec3(0, 1, 9), Vec3.ZERO, Vec3.Y, 20),
                 new World(0, Rgb.BLACK), List.of(), List.of(
                         new Shape(Solid.PLANE, "floor", "default", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(9, 1, 9))),
                         new Shape(Solid.SPHERE, "high", "default", new Placement(new Vec3(0, 8, 0), Vec3.ZERO, Vec3.ONE)),
@@ -165,8 +167,8 @@ class PixelExplainerTest {
                 List.of(Light.of("top", LightType.POINT).withPosition(new Vec3(0, 20, 0)),
                         Light.of("between", LightType.POINT).withPosition(new Vec3(0, 3, 0))));
         var explainer = new PixelExplainer(scene);
-        PointReport report = explainer.pixel(0, 0);
-        assertThat(explainer.geometry().shape(report.at().primitive()).name()).isEqualTo("floor");
+        PointReport report = explainer.explainPixel(0, 0);
+        assertThat(explainer.geometry().shape(report.hit().primitive()).name()).isEqualTo("floor");
         LightReport top = report.lights().getFirst();
         assertThat(top.state()).isEqualTo(LightReport.State.SHADOWED);
         assertThat(explainer.geometry().shape(top.blocker()).name()).isEqualTo("low");

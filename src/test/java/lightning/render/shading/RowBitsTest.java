@@ -10,7 +10,7 @@ import net.jqwik.api.constraints.Size;
 /** Squares of bits, as words of rows and samples are. */
 class RowBitsTest {
     @Property
-    void transposing_exchangesRowsAndColumns(@ForAll @Size(RowBits.WIDTH) short[] words) {
+    void transpose_swapsRowsAndColumns(@ForAll @Size(RowBits.WIDTH) short[] words) {
         int[] square = new int[RowBits.WIDTH];
         Arrays.setAll(square, r -> words[r] & 0xFFFF);
         int[] turned = square.clone();

@@ -8,12 +8,12 @@ import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.render.image.Film;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
@@ -28,9 +28,9 @@ import org.junit.jupiter.api.Test;
 class SampleMeanTest {
 
     /** A white disc, a glowing ball seen from far, on black: the sum of all pixels is its area. */
-    private static Scene disc(Antialias antialias, int grid) {
+    private static Scene disc(AntialiasMode antialias, int grid) {
         Material glow = Material.of("glow").withAmbient(Rgb.WHITE).withDiffuse(Rgb.BLACK).withShininess(1);
-        return new Scene(new Picture(40, 40, 0, new Sampling(antialias, grid)),
+        return new Scene(new PictureSettings(40, 40, 0, new SamplingSettings(antialias, grid)),
                 new Camera(new Vec3(0, 0, 1000), Vec3.ZERO, Vec3.Y, 0.2), new World(1, Rgb.BLACK), List.of(glow),
                 List.of(new Shape(Solid.SPHERE, "ball", "glow", Placement.IDENTITY)), List.of());
     }
@@ -44,37 +44,38 @@ class SampleMeanTest {
     }
 
     @Test
-    void theSumOverADisc_isItsArea() {
+    void sumOverDisc_isItsArea() {
         double radius = 20 / (1000 * Math.tan(Math.toRadians(0.1)));
-        double wanted = Math.PI * radius * radius;
+        double target = Math.PI * radius * radius;
         // Each pixel that the circle crosses, some 8 radii of them, is off by 1/grid at most, and in both directions alike.
-        assertThat(area(new ReferenceTracer(disc(Antialias.EVERY, 8)).trace())).isCloseTo(wanted, within(wanted * 0.002));
+        assertThat(area(new ReferenceTracer(disc(AntialiasMode.EVERY, 8)).trace())).isCloseTo(target, within(target * 0.002));
     }
 
     @Test
-    void edges_seeTheWholeRimOfADisc() {
-        Film every = new ReferenceTracer(disc(Antialias.EVERY, 4)).trace();
-        Film edges = new ReferenceTracer(disc(Antialias.EDGES, 4)).trace();
+    void edgeDetection_findsEntireDiscBorder() {
+        Film every = new ReferenceTracer(disc(AntialiasMode.EVERY, 4)).trace();
+        Film edges = new ReferenceTracer(disc(AntialiasMode.EDGES, 4)).trace();
         assertThat(area(edges)).isCloseTo(area(every), within(area(every) * 0.002));
         assertThat(edges.green(20, 20)).isEqualTo(1);
         assertThat(edges.green(0, 0)).isEqualTo(0);
     }
 
     @Property
-    void equalSamples_areTheirMean(@ForAll @FloatRange(min = 0, max = 1e30f) float value, @ForAll @IntRange(min = 2, max = 8) int grid) {
+    void equalSamples_haveMeanOfSameValue(@ForAll @FloatRange(min = 0, max = 1e30f) float value,
+            @ForAll @IntRange(min = 2, max = 8) int grid) {
         float[] samples = new float[grid * grid];
         java.util.Arrays.fill(samples, value);
-        assertThat(SampleMean.of(samples, 0, samples.length)).isCloseTo(value, within(value * 14 * 0x1p-24f));
+        assertThat(SampleMean.mean(samples, 0, samples.length)).isCloseTo(value, within(value * 14 * 0x1p-24f));
     }
 
     @Property
-    void mean_isOfTheTreeInWhichTheEquationAdds(@ForAll @IntRange(min = 1, max = 64) int count, @ForAll @IntRange(max = 3) int from,
+    void mean_usesSummationTreeOfEquation(@ForAll @IntRange(min = 1, max = 64) int count, @ForAll @IntRange(max = 3) int from,
             @ForAll long seed) {
         Random random = new Random(seed);
         float[] samples = new float[from + count];
         for (int i = 0; i < samples.length; i++) {
             samples[i] = random.nextFloat();
         }
-        assertThat(SampleMean.of(samples, from, count)).isEqualTo(LightingEquation.sum(samples, from, from + count) / count);
+        assertThat(SampleMean.mean(samples, from, count)).isEqualTo(LightingEquation.sum(samples, from, from + count) / count);
     }
 }

@@ -9,36 +9,36 @@ import net.jqwik.api.statistics.Statistics;
 
 /** Counts over the cases of a property what their pictures show, and asks for a tenth of each. */
 public final class SceneCoverage {
-    private static final double LEAST_PERCENT = 10;
+    private static final double MIN_PERCENT = 10;
     /** Below so many cases the shares say nothing. */
-    private static final int ENOUGH = 100;
+    private static final int MIN_CASES = 100;
 
     private SceneCoverage() {}
 
     /** Counts one case. */
     public static void collect(Scene scene) {
-        SeenRows rows = new SeenRows(scene);
-        collect("lit", anyLight(scene, rows, SeenRows::lit));
-        collect("shadowed", anyLight(scene, rows, SeenRows::shadowed));
-        collect("outside the cone", anyLight(scene, rows, SeenRows::outside));
-        collect("mirrored", scene.picture().depth() >= 1 && !rows.level(1).isEmpty());
-        collect("refracted", scene.picture().depth() >= 1 && rows.anyRefracted());
-        collect("mirrored twice", scene.picture().depth() >= 2 && !rows.level(2).isEmpty());
+        ReferenceRows rows = new ReferenceRows(scene);
+        collect("lit", anyLight(scene, rows, ReferenceRows::isLit));
+        collect("shadowed", anyLight(scene, rows, ReferenceRows::isShadowed));
+        collect("outside the cone", anyLight(scene, rows, ReferenceRows::isOutsideCone));
+        collect("mirrored", scene.picture().depth() >= 1 && !rows.rowsOfLevel(1).isEmpty());
+        collect("refracted", scene.picture().depth() >= 1 && rows.hasRefractedHits());
+        collect("mirrored twice", scene.picture().depth() >= 2 && !rows.rowsOfLevel(2).isEmpty());
     }
 
-    private static boolean anyLight(Scene scene, SeenRows rows, BiFunction<SeenRows, Light, Predicate<SurfacePoint>> kind) {
-        return scene.lights().stream().filter(scene::shines)
-                .anyMatch(light -> rows.level(0).stream().anyMatch(kind.apply(rows, light)));
+    private static boolean anyLight(Scene scene, ReferenceRows rows, BiFunction<ReferenceRows, Light, Predicate<SurfacePoint>> kind) {
+        return scene.lights().stream().filter(scene::isActive)
+                .anyMatch(light -> rows.rowsOfLevel(0).stream().anyMatch(kind.apply(rows, light)));
     }
 
     private static void collect(String label, boolean shown) {
-        collect(label, shown, LEAST_PERCENT);
+        collect(label, shown, MIN_PERCENT);
     }
 
     /** Counts one case, in which something is shown or not, and asks for a share of it. */
-    public static void collect(String label, boolean shown, double leastPercent) {
+    public static void collect(String label, boolean shown, double minPercent) {
         Statistics.label(label).collect(shown).coverage(coverage -> {
-            coverage.check(true).count((count, all) -> all < ENOUGH || 100.0 * count >= leastPercent * all);
+            coverage.check(true).count((count, all) -> all < MIN_CASES || 100.0 * count >= minPercent * all);
         });
     }
 }

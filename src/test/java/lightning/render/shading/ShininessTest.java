@@ -6,13 +6,13 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import java.util.Random;
-import lightning.base.math.Power;
+import lightning.base.math.PowerFunction;
 import lightning.base.math.Vec3;
 import lightning.sample.Slow;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import net.jqwik.api.Arbitraries;
@@ -59,11 +59,11 @@ class ShininessTest {
         }
 
         float specular(double shininess) {
-            Light lamp = Light.of("l", LightType.POINT).withPosition(light);
+            Light source = Light.of("l", LightType.POINT).withPosition(light);
             Camera atOrigin = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
-            Scene scene = new Scene(Picture.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(), List.of(lamp));
-            LightingEquation equation = new LightingEquation(Lamp.of(lamp, scene));
-            equation.at((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
+            Scene scene = new Scene(PictureSettings.DEFAULT, atOrigin, World.DEFAULT, List.of(), List.of(), List.of(source));
+            LightingEquation equation = new LightingEquation(LightSource.of(source, scene));
+            equation.moveTo((float) p.x(), (float) p.y(), (float) p.z(), (float) n.x(), (float) n.y(), (float) n.z());
             return equation.specular((float) n.x(), (float) n.y(), (float) n.z(), (float) v.x(), (float) v.y(), (float) v.z(), shininess);
         }
 
@@ -105,7 +105,7 @@ class ShininessTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void highlight_isThePowerOfTheTrueCosine(@ForAll("shininess") double shininess, @ForAll Random random) {
+    void highlight_matchesExactPowerOfCosine(@ForAll("shininess") double shininess, @ForAll Random random) {
         for (int n = 0; n < 10; n++) {
             Highlight highlight = Highlight.of(random);
             BigDecimal cosine = highlight.cosine();
@@ -114,15 +114,16 @@ class ShininessTest {
     }
 
     private static void assertWithin(BigDecimal actual, BigDecimal cosine, double shininess, Highlight highlight) {
-        assertThat(actual).as("%s, shininess %s", highlight, shininess).isBetween(least(cosine, shininess), most(cosine, shininess));
+        assertThat(actual).as("%s, shininess %s", highlight, shininess).isBetween(lowerBound(cosine, shininess),
+                upperBound(cosine, shininess));
     }
 
-    private static BigDecimal least(BigDecimal cosine, double shininess) {
+    private static BigDecimal lowerBound(BigDecimal cosine, double shininess) {
         BigDecimal low = power(cosine.subtract(COSINE).max(BigDecimal.ZERO), shininess);
         return low.subtract(low.multiply(FLOAT)).subtract(TINY);
     }
 
-    private static BigDecimal most(BigDecimal cosine, double shininess) {
+    private static BigDecimal upperBound(BigDecimal cosine, double shininess) {
         BigDecimal high = power(cosine.add(COSINE).min(BigDecimal.ONE), shininess);
         return high.add(high.multiply(FLOAT)).add(TINY);
     }
@@ -130,17 +131,17 @@ class ShininessTest {
     /** The contrast: N and V are floats, and a millionfold of what their lengths lack shows. */
     @Test
     @Slow
-    void cosineOfVectorsThatAreNotQuiteOfLengthOne_isOffByPercents() {
+    void unnormalizedVectors_makeHighlightWrongByPercents() {
         Random random = new Random(1);
         int wrong = 0;
         for (int n = 0; n < 1000; n++) {
             Highlight h = Highlight.of(random);
             Vec3 l = h.light.minus(h.p).normalized();
             double dot = h.v.dot(l.minus(h.n.times(2 * h.n.dot(l))));
-            float textbook = (float) Power.of(Math.clamp(dot, 0, 1), 1e6);
+            float textbook = (float) PowerFunction.pow(Math.clamp(dot, 0, 1), 1e6);
             BigDecimal cosine = h.cosine();
-            boolean within = new BigDecimal(textbook).compareTo(least(cosine, 1e6)) >= 0
-                    && new BigDecimal(textbook).compareTo(most(cosine, 1e6)) <= 0;
+            boolean within = new BigDecimal(textbook).compareTo(lowerBound(cosine, 1e6)) >= 0
+                    && new BigDecimal(textbook).compareTo(upperBound(cosine, 1e6)) <= 0;
             wrong += within ? 0 : 1;
         }
         assertThat(wrong).as("highlights off among 1000").isGreaterThan(50);
@@ -148,7 +149,7 @@ class ShininessTest {
 
     /** V·R is 0 or less: 0⁰ = 1, and 0 to any other power is 0. */
     @Property
-    void rowThatMirrorsElsewhere_hasNoHighlightButAtShininessZero(@ForAll("shininess") double shininess) {
+    void rowMirroringElsewhere_hasHighlightOnlyAtShininessZero(@ForAll("shininess") double shininess) {
         for (Vec3 v : new Vec3[] {new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0.6f, 0.8f, 0)}) {
             Highlight away = new Highlight(Vec3.Y, v, Vec3.ZERO, new Vec3(0, 3, 0));
             assertThat(away.specular(shininess)).as("%s", v).isEqualTo(shininess == 0 ? 1 : 0);

@@ -10,10 +10,10 @@ import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
@@ -33,12 +33,12 @@ class TelephotoTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {10, 100, 1000, 10_000, 30_000})
-    void pixelsFromFarAway_areRightButForEdgesOfShadowsWithinTheBound(double far) {
+    void distantCamera_isExactExceptShadowEdges(double far) {
         double half = 4 / far;
         Camera camera = new Camera(new Vec3(0.3, 0.6, 1).normalized().times(far), Vec3.ZERO, Vec3.Y, 2 * Math.toDegrees(Math.atan(half)));
-        List<Node> nodes = List.of(new Shape(Solid.SPHERE, "ball", "white", new Placement(BALL, Vec3.ZERO, Vec3.ONE)),
+        List<SceneNode> nodes = List.of(new Shape(Solid.SPHERE, "ball", "white", new Placement(BALL, Vec3.ZERO, Vec3.ONE)),
                 new Shape(Solid.PLANE, "floor", "white", new Placement(Vec3.ZERO, Vec3.ZERO, new Vec3(100, 1, 100))));
-        Film film = new ReferenceTracer(new Scene(new Picture(WIDTH, HEIGHT, 0), camera, World.DEFAULT, List.of(WHITE), nodes,
+        Film film = new ReferenceTracer(new Scene(new PictureSettings(WIDTH, HEIGHT, 0), camera, World.DEFAULT, List.of(WHITE), nodes,
                 List.of(Light.of("l", LightType.POINT).withPosition(LIGHT)))).trace();
         int near = 0;
         for (int y = 0; y < HEIGHT; y++) {
@@ -49,13 +49,13 @@ class TelephotoTest {
                 double error = 3 * 0x1p-24 * point.minus(camera.from()).length();
                 Vec3 to = LIGHT.minus(point);
                 boolean floor = point.y() < 1e-9;
-                double beside = to.normalized().cross(BALL.minus(point)).length() - 1;
-                if (Math.abs(passes(camera.from(), ray) - 1) < 1e-9 || floor && Math.abs(beside) <= error) {
+                double sideOffset = to.normalized().cross(BALL.minus(point)).length() - 1;
+                if (Math.abs(closestDistance(camera.from(), ray) - 1) < 1e-9 || floor && Math.abs(sideOffset) <= error) {
                     near++;
                     continue;
                 }
                 Vec3 normal = floor ? Vec3.Y : point.minus(BALL);
-                double expected = floor && beside < 0 ? 0 : Math.max(normal.dot(to) / to.length(), 0);
+                double expected = floor && sideOffset < 0 ? 0 : Math.max(normal.dot(to) / to.length(), 0);
                 double margin = error / to.length() + 1e-6;
                 assertThat((double) film.red(x, y)).as("%s, %s from %s", x, y, far).isBetween(expected - margin, expected + margin);
             }
@@ -72,14 +72,14 @@ class TelephotoTest {
                 .normalized();
     }
 
-    private static double passes(Vec3 from, Vec3 ray) {
+    private static double closestDistance(Vec3 from, Vec3 ray) {
         return BALL.minus(from).cross(ray).length();
     }
 
     private static Vec3 hit(Vec3 from, Vec3 ray) {
         Vec3 to = BALL.minus(from);
         double along = to.dot(ray);
-        double passes = passes(from, ray);
+        double passes = closestDistance(from, ray);
         return from.plus(ray.times(passes < 1 ? along - Math.sqrt(1 - passes * passes) : -from.y() / ray.y()));
     }
 }

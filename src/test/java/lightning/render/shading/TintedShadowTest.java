@@ -8,17 +8,17 @@ import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.Clarity;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Limits;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
-import lightning.scene.ShadowsThrown;
+import lightning.scene.SceneLimits;
+import lightning.scene.ShadowCasting;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Transmission;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
@@ -31,7 +31,7 @@ class TintedShadowTest {
     /** A pane of index 1 mirrors nothing by its angle. */
     private static Material pane(String name, Rgb clear) {
         return Material.of(name).withDiffuse(Rgb.BLACK)
-                .withClarity(Clarity.NONE.withClear(clear).withIor(1).withThin(true).withShadows(ShadowsThrown.TINTED));
+                .withTransmission(Transmission.NONE.withColor(clear).withIor(1).withThin(true).withShadows(ShadowCasting.TINTED));
     }
 
     private static Shape square(String name, String material, double y, double size) {
@@ -39,7 +39,7 @@ class TintedShadowTest {
     }
 
     /** What a floor under a sun straight above shows, seen from below the panes. */
-    private static float[] floor(List<Material> glass, Light light) {
+    private static float[] floorColor(List<Material> glass, Light light) {
         List<Shape> shapes = new ArrayList<>(List.of(square("floor", "white", 0, 20)));
         List<Material> materials = new ArrayList<>(List.of(WHITE));
         for (Material m : glass) {
@@ -50,8 +50,10 @@ class TintedShadowTest {
     }
 
     private static float[] pixel(List<Material> materials, List<Shape> shapes, Light light) {
-        return new ReferenceTracer(new Scene(new Picture(1, 1, 2), new Camera(new Vec3(0.1, 3, 0), Vec3.ZERO, new Vec3(0, 0, -1), 1),
-                new World(1, Rgb.BLACK), materials, List.copyOf(shapes), List.of(light))).pixel(0, 0);
+        return new ReferenceTracer(
+                new Scene(new PictureSettings(1, 1, 2), new Camera(new Vec3(0.1, 3, 0), Vec3.ZERO, new Vec3(0, 0, -1), 1),
+                        new World(1, Rgb.BLACK), materials, List.copyOf(shapes), List.of(light)))
+                .pixel(0, 0);
     }
 
     private static Light sun() {
@@ -59,60 +61,63 @@ class TintedShadowTest {
     }
 
     @Test
-    void onePane_givesItsColour() {
-        assertThat(floor(List.of(pane("green", GREEN)), sun())).containsExactly(0.25f, 1, 0.5f);
+    void onePane_tintsShadow() {
+        assertThat(floorColor(List.of(pane("green", GREEN)), sun())).containsExactly(0.25f, 1, 0.5f);
     }
 
     @Test
-    void twoPanes_giveTheProduct() {
-        assertThat(floor(List.of(pane("green", GREEN), pane("rose", ROSE)), sun())).containsExactly(0.25f, 0.5f, 0.375f);
+    void twoPanes_multiplyTints() {
+        assertThat(floorColor(List.of(pane("green", GREEN), pane("rose", ROSE)), sun())).containsExactly(0.25f, 0.5f, 0.375f);
     }
 
     @Test
-    void lightBetweenTwoPanes_passesTheNearOneAlone() {
+    void lightBetweenPanes_passesOnlyNearPane() {
         Light bulb = Light.of("bulb", LightType.POINT).withPosition(new Vec3(0, 5.5, 0));
-        float[] lit = floor(List.of(pane("green", GREEN), pane("rose", ROSE)), bulb);
+        float[] lit = floorColor(List.of(pane("green", GREEN), pane("rose", ROSE)), bulb);
         assertThat(lit[0] / lit[1]).isCloseTo(0.25f, within(1e-6f));
         assertThat(lit[2] / lit[1]).isCloseTo(0.5f, within(1e-6f));
     }
 
     @Test
-    void fullShadows_staySo_andNoneLetAllThrough() {
+    void fullShadows_blockAndNoShadows_transmit() {
         Material green = pane("green", GREEN);
-        assertThat(floor(List.of(green.withClarity(green.clarity().withShadows(ShadowsThrown.FULL))), sun())).containsExactly(0, 0, 0);
-        assertThat(floor(List.of(green.withClarity(green.clarity().withShadows(ShadowsThrown.NONE))), sun())).containsExactly(1, 1, 1);
+        assertThat(floorColor(List.of(green.withTransmission(green.transmission().withShadows(ShadowCasting.FULL))), sun()))
+                .containsExactly(0, 0, 0);
+        assertThat(floorColor(List.of(green.withTransmission(green.transmission().withShadows(ShadowCasting.NONE))), sun()))
+                .containsExactly(1, 1, 1);
     }
 
     @Test
-    void whatLetsNothingThrough_throwsAFullShadow() {
-        Material stone = Material.of("stone").withClarity(Clarity.NONE.withShadows(ShadowsThrown.TINTED));
-        assertThat(floor(List.of(stone), sun())).containsExactly(0, 0, 0);
+    void opaquePane_castsFullShadow() {
+        Material stone = Material.of("stone").withTransmission(Transmission.NONE.withShadows(ShadowCasting.TINTED));
+        assertThat(floorColor(List.of(stone), sun())).containsExactly(0, 0, 0);
     }
 
     /** Head-on a surface of index 1.5 mirrors 4 %; a pane has two, and what goes to and fro between them passes in part. */
     @Test
-    void glass_keepsBackWhatItMirrors() {
+    void glass_withholdsReflectedLight() {
         Material glass = pane("glass", Rgb.WHITE);
-        assertThat(floor(List.of(glass.withClarity(glass.clarity().withIor(1.5))), sun())[0]).isCloseTo(1 - 0.08f / 1.04f, within(1e-6f));
+        assertThat(floorColor(List.of(glass.withTransmission(glass.transmission().withIor(1.5))), sun())[0]).isCloseTo(1 - 0.08f / 1.04f,
+                within(1e-6f));
         Material mirror = glass.withReflective(new Rgb(0.5, 0, 0));
-        assertThat(floor(List.of(mirror), sun())).containsExactly(0.5f, 1, 1);
+        assertThat(floorColor(List.of(mirror), sun())).containsExactly(0.5f, 1, 1);
     }
 
     /** The product goes through all sizes of floats down to 0, never below, and is no NaN beside the brightest light. */
     @Test
-    void manyPanes_endInDarkness() {
-        Light brightest = sun().withIntensity(Limits.MAX_INTENSITY);
+    void manyPanes_leaveNoLight() {
+        Light brightest = sun().withIntensity(SceneLimits.MAX_INTENSITY);
         float last = Float.POSITIVE_INFINITY;
         for (int n = 1; n < 12; n++) {
             List<Material> glass = new ArrayList<>();
             for (int i = 0; i < n; i++) {
                 glass.add(pane("dark " + i, new Rgb(1e-5, 1e-5, 1)));
             }
-            float[] lit = floor(glass, brightest);
-            assertThat(lit[2]).isEqualTo((float) Limits.MAX_INTENSITY);
+            float[] lit = floorColor(glass, brightest);
+            assertThat(lit[2]).isEqualTo((float) SceneLimits.MAX_INTENSITY);
             assertThat(lit[0]).isBetween(0f, last);
             // What floats cannot hold is less than anyone sees.
-            assertThat((double) lit[0]).isCloseTo(Limits.MAX_INTENSITY * Math.pow(1e-5, n), within(1e-6 * lit[0] + 1e-14));
+            assertThat((double) lit[0]).isCloseTo(SceneLimits.MAX_INTENSITY * Math.pow(1e-5, n), within(1e-6 * lit[0] + 1e-14));
             last = lit[0];
         }
         assertThat(last).isZero();
@@ -120,18 +125,18 @@ class TintedShadowTest {
 
     /** A billion distances inside: a tint that is nearly white is black there, and white stays white in every bit. */
     @Test
-    void hugeWayInside_leavesWhiteWhite() {
-        Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withClarity(new Clarity(Rgb.WHITE, 1, false,
-                new Rgb(1, 0.999999, 0), 1e-3, ShadowsThrown.TINTED));
+    void longPathThroughWhiteTint_staysWhite() {
+        Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withTransmission(new Transmission(Rgb.WHITE, 1, false,
+                new Rgb(1, 0.999999, 0), 1e-3, ShadowCasting.TINTED));
         Shape ball = new Shape(Solid.SPHERE, "ball", "liquid", new Placement(new Vec3(0, 2e6, 0), Vec3.ZERO, Vec3.ONE.times(1e6)));
         assertThat(pixel(List.of(WHITE, liquid), List.of(square("floor", "white", 0, 20), ball), sun())).containsExactly(1, 0, 0);
     }
 
     /** A ball of radius 1, which the way passes through its middle: 2 units inside. */
     @Test
-    void body_tintsByTheWayInside() {
-        Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withClarity(new Clarity(new Rgb(0.5, 1, 1), 1, false,
-                new Rgb(1, 0.5, 0.25), 1, ShadowsThrown.TINTED));
+    void solidBody_tintsByPathLength() {
+        Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withTransmission(new Transmission(new Rgb(0.5, 1, 1), 1, false,
+                new Rgb(1, 0.5, 0.25), 1, ShadowCasting.TINTED));
         Shape ball = new Shape(Solid.SPHERE, "ball", "liquid", new Placement(new Vec3(0, 6, 0), Vec3.ZERO, Vec3.ONE));
         float[] lit = pixel(List.of(WHITE, liquid), List.of(square("floor", "white", 0, 20), ball), sun());
         assertThat(lit[0]).as("two surfaces").isEqualTo(0.25f);

@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import lightning.base.math.Vec3;
-import lightning.render.trace.solid.Form;
-import lightning.render.trace.solid.Kind;
+import lightning.render.trace.solid.SolidGeometry;
+import lightning.render.trace.solid.SolidKind;
 import lightning.scene.Solid;
 
 /** The solids of the tests, and distances to them in their own space, without a place in a scene. */
 final class CanonicalSolids {
     /** One of each kind. */
-    static final List<Solid.Canonical> PLAIN = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM);
+    static final List<Solid.Canonical> BASIC = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM);
     /** Those with an inside. */
     static final List<Solid.Canonical> CLOSED = Stream.concat(Stream.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER), frustums(true)).toList();
     /** Those whose inside is seen. */
@@ -27,13 +27,13 @@ final class CanonicalSolids {
 
     /** Those without sharp edges. */
     static List<Solid.Canonical> blunt() {
-        return ALL.stream().filter(s -> top(s) < 10).toList();
+        return ALL.stream().filter(s -> topRadius(s) < 10).toList();
     }
 
     /** Any solid, tops of frustums included that only few have. */
-    static Solid.Canonical any(Random random) {
+    static Solid.Canonical randomSolid(Random random) {
         return switch (random.nextInt(7)) {
-            case 0, 1, 2 -> PLAIN.get(random.nextInt(4));
+            case 0, 1, 2 -> BASIC.get(random.nextInt(4));
             case 3 -> new Solid.Frustum(random.nextInt(4) == 0 ? 1 + Math.scalb(1.0, -random.nextInt(53))
                     : Math.pow(10, 18 * random.nextDouble() - 12), random.nextBoolean());
             case 4 -> new Solid.Frustum(2 * random.nextDouble(), random.nextBoolean());
@@ -51,7 +51,7 @@ final class CanonicalSolids {
     }
 
     /** The radius of a round solid at y = 1. */
-    static double top(Solid.Canonical solid) {
+    static double topRadius(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cylinder _ -> 1;
             case Solid.Cone _ -> 0;
@@ -60,7 +60,7 @@ final class CanonicalSolids {
     }
 
     /** A point well inside; the patch's is on it. */
-    static Vec3 middle(Solid.Canonical solid) {
+    static Vec3 center(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _ -> new Vec3(0.1, 0.2, -0.1);
             case Solid.Cone _ -> new Vec3(0.1, 0.3, 0.1);
@@ -71,9 +71,9 @@ final class CanonicalSolids {
     }
 
     private static double[] data(Solid.Canonical solid) {
-        double[] numbers = Kind.numbers(solid);
-        double[] data = new double[Form.MAP + numbers.length];
-        System.arraycopy(numbers, 0, data, Form.MAP, numbers.length);
+        double[] numbers = SolidKind.parameters(solid);
+        double[] data = new double[SolidGeometry.MAP_SIZE + numbers.length];
+        System.arraycopy(numbers, 0, data, SolidGeometry.MAP_SIZE, numbers.length);
         return data;
     }
 
@@ -81,7 +81,7 @@ final class CanonicalSolids {
     static double[] extent(Solid.Canonical solid) {
         double[] box = new double[6];
         for (int axis = 0; axis < 3; axis++) {
-            Kind.of(solid).form().extent(data(solid), 0, axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, 0, box, axis);
+            SolidKind.of(solid).geometry().extent(data(solid), 0, axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, 0, box, axis);
         }
         return box;
     }
@@ -89,12 +89,12 @@ final class CanonicalSolids {
     /** Whether a point belongs to the round side. */
     static boolean isSide(Solid.Canonical solid, double x, double y, double z) {
         double[] out = new double[3];
-        Kind.of(solid).form().outward(data(solid), 0, x, y, z, out);
+        SolidKind.of(solid).geometry().outwardNormal(data(solid), 0, x, y, z, out);
         return out[0] != 0 || out[2] != 0;
     }
 
     static double distance(Solid.Canonical solid, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return Kind.of(solid).form().distance(data(solid), 0, ox, oy, oz, dx, dy, dz);
+        return SolidKind.of(solid).geometry().distance(data(solid), 0, ox, oy, oz, dx, dy, dz);
     }
 
     static double sphere(double ox, double oy, double oz, double dx, double dy, double dz) {

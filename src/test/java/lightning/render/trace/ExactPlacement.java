@@ -18,28 +18,28 @@ final class ExactPlacement {
         this.placements = placements;
     }
 
-    /** The point of the scene that has own coordinates {@code own}. */
-    BigDecimal[] toScene(BigDecimal[] own) {
-        BigDecimal[] p = own;
+    /** The point of the scene that has own coordinates {@code local}. */
+    BigDecimal[] toScene(BigDecimal[] local) {
+        BigDecimal[] p = local;
         for (Placement placement : placements.reversed()) {
             BigDecimal[] scaled = {p[0].multiply(exact(placement.scale().x())), p[1].multiply(exact(placement.scale().y())),
                 p[2].multiply(exact(placement.scale().z()))};
             BigDecimal[] turned =
-                    turned(turned(turned(scaled, 0, placement.rotate().x()), 1, placement.rotate().y()), 2, placement.rotate().z());
-            BigDecimal[] at = ExactSolids.exact(placement.at().x(), placement.at().y(), placement.at().z());
+                    rotate(rotate(rotate(scaled, 0, placement.rotation().x()), 1, placement.rotation().y()), 2, placement.rotation().z());
+            BigDecimal[] at = ExactSolids.exact(placement.position().x(), placement.position().y(), placement.position().z());
             p = new BigDecimal[] {round(turned[0].add(at[0])), round(turned[1].add(at[1])), round(turned[2].add(at[2]))};
         }
         return p;
     }
 
     /** The own coordinates of a point of the scene. */
-    BigDecimal[] toOwn(BigDecimal[] scene) {
+    BigDecimal[] toLocal(BigDecimal[] scene) {
         BigDecimal[] p = scene;
         for (Placement placement : placements) {
-            Vec3 at = placement.at();
+            Vec3 at = placement.position();
             BigDecimal[] moved = {p[0].subtract(exact(at.x())), p[1].subtract(exact(at.y())), p[2].subtract(exact(at.z()))};
             BigDecimal[] turned =
-                    turned(turned(turned(moved, 2, -placement.rotate().z()), 1, -placement.rotate().y()), 0, -placement.rotate().x());
+                    rotate(rotate(rotate(moved, 2, -placement.rotation().z()), 1, -placement.rotation().y()), 0, -placement.rotation().x());
             p = new BigDecimal[] {turned[0].divide(exact(placement.scale().x()), DIGITS),
                 turned[1].divide(exact(placement.scale().y()), DIGITS),
                 turned[2].divide(exact(placement.scale().z()), DIGITS)};
@@ -48,7 +48,7 @@ final class ExactPlacement {
     }
 
     /** Counter-clockwise about an axis, seen from its positive end. */
-    private static BigDecimal[] turned(BigDecimal[] p, int axis, double degrees) {
+    private static BigDecimal[] rotate(BigDecimal[] p, int axis, double degrees) {
         BigDecimal radians = exact(degrees).remainder(BigDecimal.valueOf(360)).multiply(PI).divide(BigDecimal.valueOf(180), DIGITS);
         BigDecimal sine = series(radians, radians, 2);
         BigDecimal cosine = series(BigDecimal.ONE, radians, 1);

@@ -2,11 +2,11 @@ package lightning.render.trace;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.solid.SolidGeometry;
 import lightning.scene.Solid;
 
 /**
- * The canonical solids in numbers of 130 digits: what {@link Form} should say.
+ * The canonical solids in numbers of 130 digits: what {@link SolidGeometry} should say.
  *
  * <p>A solid may be grown or shrunk by a margin. A distance is right if it is right for some solid between
  * the shrunk and the grown one: then it is the exact answer to a ray, or to a shape, that differs from the given
@@ -16,7 +16,7 @@ final class ExactSolids {
     private static final MathContext DIGITS = new MathContext(130);
     private static final BigDecimal TWO = BigDecimal.TWO;
     /** Stands for an endless interval: farther than any distance of the tests. */
-    private static final BigDecimal ENDLESS = new BigDecimal("1e400");
+    private static final BigDecimal INFINITE = new BigDecimal("1e400");
 
     private ExactSolids() {}
 
@@ -26,17 +26,17 @@ final class ExactSolids {
             return in.compareTo(out) > 0;
         }
 
-        boolean has(BigDecimal t) {
+        boolean contains(BigDecimal t) {
             return t.compareTo(in) >= 0 && t.compareTo(out) <= 0;
         }
 
-        Interval cut(Interval other) {
+        Interval intersect(Interval other) {
             return new Interval(in.max(other.in), out.min(other.out));
         }
     }
 
-    private static final Interval NOWHERE = new Interval(ENDLESS, ENDLESS.negate());
-    private static final Interval EVERYWHERE = new Interval(ENDLESS.negate(), ENDLESS);
+    private static final Interval EMPTY = new Interval(INFINITE, INFINITE.negate());
+    private static final Interval ALL_REALS = new Interval(INFINITE.negate(), INFINITE);
 
     static BigDecimal[] exact(double... v) {
         BigDecimal[] e = new BigDecimal[v.length];
@@ -53,14 +53,14 @@ final class ExactSolids {
      * @param t      what was computed, {@code +∞} for a miss
      * @param margin how much the solid may be grown or shrunk, own units
      */
-    static String complaint(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, double margin) {
+    static String error(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, double margin) {
         if (CanonicalSolids.isOpen(solid)) {
-            return openComplaint(solid, o, d, t, new BigDecimal(margin));
+            return openSolidError(solid, o, d, t, new BigDecimal(margin));
         }
         BigDecimal zero = BigDecimal.ZERO;
-        Interval grown = inside(solid, o, d, new BigDecimal(margin));
-        Interval shrunk = inside(solid, o, d, new BigDecimal(-margin));
-        if (t == Form.MISS) {
+        Interval grown = insideInterval(solid, o, d, new BigDecimal(margin));
+        Interval shrunk = insideInterval(solid, o, d, new BigDecimal(-margin));
+        if (t == SolidGeometry.MISS) {
             return shrunk.isEmpty() || shrunk.out.compareTo(zero) <= 0 ? null : "missed, though inside at " + text(shrunk);
         }
         if (!(t > 0)) {
@@ -79,17 +79,17 @@ final class ExactSolids {
     }
 
     /** The same for a side alone, which is crossed between the ends of the shrunk interval and those of the grown one. */
-    private static String openComplaint(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, BigDecimal margin) {
-        Interval grown = side(solid, o, d, margin);
-        Interval shrunk = side(solid, o, d, margin.negate());
-        Interval rims = rims(o, d, margin.negate());
-        boolean first = !shrunk.isEmpty() && grown.in.signum() > 0 && rims.has(grown.in) && rims.has(shrunk.in);
-        boolean last = !shrunk.isEmpty() && shrunk.out.signum() > 0 && rims.has(shrunk.out) && rims.has(grown.out);
-        if (t == Form.MISS) {
+    private static String openSolidError(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, BigDecimal margin) {
+        Interval grown = sideInterval(solid, o, d, margin);
+        Interval shrunk = sideInterval(solid, o, d, margin.negate());
+        Interval rims = rimInterval(o, d, margin.negate());
+        boolean first = !shrunk.isEmpty() && grown.in.signum() > 0 && rims.contains(grown.in) && rims.contains(shrunk.in);
+        boolean last = !shrunk.isEmpty() && shrunk.out.signum() > 0 && rims.contains(shrunk.out) && rims.contains(grown.out);
+        if (t == SolidGeometry.MISS) {
             return first || last ? "missed, though within the side at " + text(shrunk) : null;
         }
         BigDecimal at = new BigDecimal(t);
-        if (!(t > 0) || grown.isEmpty() || !grown.has(at) || !rims(o, d, margin).has(at)) {
+        if (!(t > 0) || grown.isEmpty() || !grown.contains(at) || !rimInterval(o, d, margin).contains(at)) {
             return "hit at " + t + " in the open: the grown side is at " + text(grown);
         }
         boolean within = !shrunk.isEmpty() && at.compareTo(shrunk.in) > 0 && at.compareTo(shrunk.out) < 0;
@@ -102,61 +102,61 @@ final class ExactSolids {
     }
 
     /** Where a ray is inside the solid grown by a margin. */
-    static Interval inside(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+    static Interval insideInterval(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         if (solid instanceof Solid.Sphere) {
             BigDecimal radius = BigDecimal.ONE.add(grow);
-            return between(dot(d, d), dot(o, d).negate(), dot(o, o).subtract(square(radius)));
+            return rootInterval(dot(d, d), dot(o, d).negate(), dot(o, o).subtract(square(radius)));
         }
-        return side(solid, o, d, grow).cut(rims(o, d, grow));
+        return sideInterval(solid, o, d, grow).intersect(rimInterval(o, d, grow));
     }
 
     /** Where a ray is within the endless side of a round solid, grown by a margin at a right angle to it or, up to a cone, along x and z. */
-    static Interval side(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
-        BigDecimal lean = BigDecimal.ONE.subtract(new BigDecimal(CanonicalSolids.top(solid)));
+    static Interval sideInterval(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+        BigDecimal lean = BigDecimal.ONE.subtract(new BigDecimal(CanonicalSolids.topRadius(solid)));
         BigDecimal base = BigDecimal.ONE.add(grow.multiply(lean.abs().max(BigDecimal.ONE)));
         return solid instanceof Solid.Cylinder
-                ? between(square(d[0]).add(square(d[2])), o[0].multiply(d[0]).add(o[2].multiply(d[2])).negate(),
+                ? rootInterval(square(d[0]).add(square(d[2])), o[0].multiply(d[0]).add(o[2].multiply(d[2])).negate(),
                         square(o[0]).add(square(o[2])).subtract(square(base)))
-                : cone(o, d, base.subtract(lean.multiply(o[1])), lean.multiply(d[1]).negate());
+                : coneInterval(o, d, base.subtract(lean.multiply(o[1])), lean.multiply(d[1]).negate());
     }
 
-    /** Where a ray is inside what {@link lightning.render.trace.solid.Form} takes as convex: the solid or, without caps, its endless side. */
-    static Interval convex(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
-        return CanonicalSolids.isOpen(solid) ? side(solid, o, d, grow) : inside(solid, o, d, grow);
+    /** Where a ray is inside what {@link lightning.render.trace.solid.SolidGeometry} takes as convex: the solid or, without caps, its endless side. */
+    static Interval convexInterval(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+        return CanonicalSolids.isOpen(solid) ? sideInterval(solid, o, d, grow) : insideInterval(solid, o, d, grow);
     }
 
     /** Whether a part of a ray is surely between the rims. */
     static boolean isBetweenRims(BigDecimal[] o, BigDecimal[] d, BigDecimal from, BigDecimal to, double error) {
-        Interval rims = rims(o, d, new BigDecimal(-error));
-        return rims.has(from) && rims.has(to);
+        Interval rims = rimInterval(o, d, new BigDecimal(-error));
+        return rims.contains(from) && rims.contains(to);
     }
 
     /** Whether a part of a ray is surely beyond the rims. */
     static boolean isBeyondRims(BigDecimal[] o, BigDecimal[] d, BigDecimal from, BigDecimal to, double error) {
-        return rims(o, d, new BigDecimal(error)).cut(new Interval(from, to)).isEmpty();
+        return rimInterval(o, d, new BigDecimal(error)).intersect(new Interval(from, to)).isEmpty();
     }
 
     /** Where a ray is between the rims of a round solid, moved outwards by a margin. */
-    static Interval rims(BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
-        return slab(o[1], d[1], grow.negate(), BigDecimal.ONE.add(grow));
+    static Interval rimInterval(BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
+        return slabInterval(o[1], d[1], grow.negate(), BigDecimal.ONE.add(grow));
     }
 
     /** Where a·t² − 2·b·t + c ≤ 0, for a ≥ 0. */
-    private static Interval between(BigDecimal a, BigDecimal b, BigDecimal c) {
+    private static Interval rootInterval(BigDecimal a, BigDecimal b, BigDecimal c) {
         if (a.signum() == 0) {
-            return c.signum() <= 0 ? EVERYWHERE : NOWHERE;
+            return c.signum() <= 0 ? ALL_REALS : EMPTY;
         }
         BigDecimal disc = square(b).subtract(a.multiply(c));
         if (disc.signum() < 0) {
-            return NOWHERE;
+            return EMPTY;
         }
         BigDecimal root = disc.sqrt(DIGITS);
         return new Interval(b.subtract(root).divide(a, DIGITS), b.add(root).divide(a, DIGITS));
     }
 
-    private static Interval slab(BigDecimal o, BigDecimal d, BigDecimal low, BigDecimal high) {
+    private static Interval slabInterval(BigDecimal o, BigDecimal d, BigDecimal low, BigDecimal high) {
         if (d.signum() == 0) {
-            return o.compareTo(low) >= 0 && o.compareTo(high) <= 0 ? EVERYWHERE : NOWHERE;
+            return o.compareTo(low) >= 0 && o.compareTo(high) <= 0 ? ALL_REALS : EMPTY;
         }
         BigDecimal t0 = low.subtract(o).divide(d, DIGITS);
         BigDecimal t1 = high.subtract(o).divide(d, DIGITS);
@@ -164,32 +164,32 @@ final class ExactSolids {
     }
 
     /** Where √(x² + z²) ≤ h + t·dh: one interval, because that is convex. */
-    private static Interval cone(BigDecimal[] o, BigDecimal[] d, BigDecimal h, BigDecimal dh) {
+    private static Interval coneInterval(BigDecimal[] o, BigDecimal[] d, BigDecimal h, BigDecimal dh) {
         BigDecimal a = square(d[0]).add(square(d[2])).subtract(square(dh));
         BigDecimal b = h.multiply(dh).subtract(o[0].multiply(d[0])).subtract(o[2].multiply(d[2]));
         BigDecimal c = square(o[0]).add(square(o[2])).subtract(square(h));
         if (a.signum() == 0) {
             if (b.signum() == 0) {
-                return c.signum() <= 0 && h.signum() >= 0 ? EVERYWHERE : NOWHERE;
+                return c.signum() <= 0 && h.signum() >= 0 ? ALL_REALS : EMPTY;
             }
             if (b.signum() * dh.signum() < 0) {
-                return NOWHERE; // along a generator, within the other half of the double cone, where the radius is below 0
+                return EMPTY; // along a generator, within the other half of the double cone, where the radius is below 0
             }
             BigDecimal t = c.divide(b.multiply(TWO), DIGITS);
-            return b.signum() > 0 ? new Interval(t, ENDLESS) : new Interval(ENDLESS.negate(), t);
+            return b.signum() > 0 ? new Interval(t, INFINITE) : new Interval(INFINITE.negate(), t);
         }
         BigDecimal disc = square(b).subtract(a.multiply(c));
         if (disc.signum() < 0) {
-            return NOWHERE;
+            return EMPTY;
         }
         BigDecimal root = disc.sqrt(DIGITS);
         BigDecimal t0 = b.subtract(root).divide(a, DIGITS);
         BigDecimal t1 = b.add(root).divide(a, DIGITS);
         if (a.signum() < 0) {
-            return dh.signum() > 0 ? new Interval(t0.max(t1), ENDLESS) : new Interval(ENDLESS.negate(), t0.min(t1));
+            return dh.signum() > 0 ? new Interval(t0.max(t1), INFINITE) : new Interval(INFINITE.negate(), t0.min(t1));
         }
         BigDecimal middle = b.divide(a, DIGITS);
-        return h.add(middle.multiply(dh)).signum() >= 0 ? new Interval(t0, t1) : NOWHERE;
+        return h.add(middle.multiply(dh)).signum() >= 0 ? new Interval(t0, t1) : EMPTY;
     }
 
     private static BigDecimal dot(BigDecimal[] v, BigDecimal[] w) {

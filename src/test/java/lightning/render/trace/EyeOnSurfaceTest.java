@@ -8,7 +8,7 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.engine.lanes.PacketTracer;
 import lightning.render.engine.lanes.RayPacket;
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.solid.SolidGeometry;
 import lightning.sample.Slow;
 import lightning.scene.Solid;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,74 +20,76 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 @Slow
 class EyeOnSurfaceTest {
-    private static final int PLACES = Integer.getInteger("lightning.places", 50);
+    private static final int PLACEMENTS = Integer.getInteger("lightning.places", 50);
     private static final int RAYS = 12;
 
-    private final RayPacket p = new RayPacket();
-    private int seen;
-    private int missed;
-    private int open;
+    private final RayPacket packet = new RayPacket();
+    private int hitCount;
+    private int missCount;
+    private int undecidedCount;
 
     @ParameterizedTest
     @MethodSource("lightning.render.trace.CanonicalSolids#blunt")
-    void surfaceUnderTheEye_hidesNothing(Solid.Canonical solid) {
+    void surfaceUnderEye_hidesNothing(Solid.Canonical solid) {
         Random random = new Random(CanonicalSolids.ALL.indexOf(solid));
-        for (int n = 0; n < PLACES; n++) {
-            ExactPlace any = ExactPlace.random(solid, random);
-            Vec3 own = LightOnSurfaceTest.lightOn(solid, random);
-            Vec3 eye = ExactPlace.doubles(any.exact().toScene(ExactPlace.exact(own)));
-            ExactPlace place = ExactPlace.at(solid, any.placements(), eye);
-            double error = place.geometry().primitives().offEye(0) * place.geometry().primitives().rate(0);
-            assertThat(place.geometry().primitives().isUnderEye(0)).isTrue();
+        for (int n = 0; n < PLACEMENTS; n++) {
+            ExactPlacedSolid anyHit = ExactPlacedSolid.random(solid, random);
+            Vec3 local = LightOnSurfaceTest.lightOn(solid, random);
+            Vec3 eye = ExactPlacedSolid.doubles(anyHit.exact().toScene(ExactPlacedSolid.exact(local)));
+            ExactPlacedSolid place = ExactPlacedSolid.create(solid, anyHit.placements(), eye);
+            double error = place.geometry().primitives().eyeTolerance(0) * place.geometry().primitives().maxScale(0);
+            assertThat(place.geometry().primitives().isEyeOnSurface(0)).isTrue();
             for (int r = 0; r < RAYS && error < 1e-3; r++) {
                 Vec3 to = place.toRender(HardRay.direction(random));
                 if (to.maxAbs() > 0) {
-                    check(place, ExactPlace.exact(own), random.nextBoolean() ? to.normalized() : to.normalized().negated(), error);
+                    check(place, ExactPlacedSolid.exact(local), random.nextBoolean() ? to.normalized() : to.normalized().negated(), error);
                 }
             }
         }
-        assertThat(missed).as("rays that must meet nothing").isGreaterThan(PLACES * RAYS / 4);
-        assertThat(seen).as("rays that must meet the far side")
-                .isGreaterThan(solid.equals(Solid.PLANE) ? -1 : PLACES * RAYS / (CanonicalSolids.isOpen(solid) ? 40 : 4));
-        assertThat(open).as("rays of which the bound lets nobody tell").isLessThan(PLACES * RAYS / 20);
+        assertThat(missCount).as("rays that must meet nothing").isGreaterThan(PLACEMENTS * RAYS / 4);
+        assertThat(hitCount).as("rays that must meet the far side")
+                .isGreaterThan(solid.equals(Solid.PLANE) ? -1 : PLACEMENTS * RAYS / (CanonicalSolids.isOpen(solid) ? 40 : 4));
+        assertThat(undecidedCount).as("rays of which the bound lets nobody tell").isLessThan(PLACEMENTS * RAYS / 20);
     }
 
-    private void check(ExactPlace place, BigDecimal[] eye, Vec3 direction, double error) {
-        double t = place.geometry().distance(0, new Ray(Vec3.ZERO, direction));
-        BigDecimal[] end = place.toOwn(direction);
-        BigDecimal[] start = place.toOwn(Vec3.ZERO);
+    private void check(ExactPlacedSolid placedSolid, BigDecimal[] eye, Vec3 direction, double error) {
+        double t = placedSolid.geometry().distance(0, new Ray(Vec3.ZERO, direction));
+        BigDecimal[] end = placedSolid.toLocal(direction);
+        BigDecimal[] start = placedSolid.toLocal(Vec3.ZERO);
         BigDecimal[] d = {end[0].subtract(start[0]), end[1].subtract(start[1]), end[2].subtract(start[2])};
-        if (place.solid().equals(Solid.PLANE)) {
-            assertThat(t).isEqualTo(Form.MISS);
-            missed++;
+        if (placedSolid.solid().equals(Solid.PLANE)) {
+            assertThat(t).isEqualTo(SolidGeometry.MISS);
+            missCount++;
         } else {
-            ExactSolids.Interval grown = ExactSolids.convex(place.solid(), eye, d, new BigDecimal(error));
-            ExactSolids.Interval shrunk = ExactSolids.convex(place.solid(), eye, d, new BigDecimal(-error));
-            ExactSolids.Interval core = ExactSolids.convex(place.solid(), eye, d, new BigDecimal(-16 * error));
-            boolean side = CanonicalSolids.isOpen(place.solid());
+            ExactSolids.Interval grown = ExactSolids.convexInterval(placedSolid.solid(), eye, d, new BigDecimal(error));
+            ExactSolids.Interval shrunk = ExactSolids.convexInterval(placedSolid.solid(), eye, d, new BigDecimal(-error));
+            ExactSolids.Interval core = ExactSolids.convexInterval(placedSolid.solid(), eye, d, new BigDecimal(-16 * error));
+            boolean side = CanonicalSolids.isOpen(placedSolid.solid());
             boolean ends = !side || ExactSolids.isBetweenRims(eye, d, core.out(), grown.out(), error);
             boolean endsNowhere =
                     side && ExactSolids.isBeyondRims(eye, d, shrunk.isEmpty() ? grown.in() : shrunk.out(), grown.out(), error);
             if (!core.isEmpty() && core.out().signum() > 0 && ends) {
-                assertThat(t).as("%s solid %s from %s along %s", place.placements(), place.solid(), place.camera(), direction)
+                assertThat(t)
+                        .as("%s solid %s from %s along %s", placedSolid.placements(), placedSolid.solid(), placedSolid.camera(), direction)
                         .isBetween(core.out().doubleValue(), grown.out().doubleValue());
-                seen++;
+                hitCount++;
             } else if (grown.isEmpty() || endsNowhere
                     || !shrunk.isEmpty() && shrunk.out().signum() <= 0 && grown.out().add(shrunk.in()).signum() <= 0
-                    || grown.out().doubleValue() * ExactPlace.doubles(d).length() <= 3 * error) {
-                assertThat(t).as("%s solid %s from %s along %s", place.placements(), place.solid(), place.camera(), direction)
-                        .isEqualTo(Form.MISS);
-                missed++;
+                    || grown.out().doubleValue() * ExactPlacedSolid.doubles(d).length() <= 3 * error) {
+                assertThat(t)
+                        .as("%s solid %s from %s along %s", placedSolid.placements(), placedSolid.solid(), placedSolid.camera(), direction)
+                        .isEqualTo(SolidGeometry.MISS);
+                missCount++;
             } else {
-                open++;
+                undecidedCount++;
             }
         }
         for (int i = 0; i < RayPacket.WIDTH; i++) {
-            p.dx[i] = direction.x();
-            p.dy[i] = direction.y();
-            p.dz[i] = direction.z();
+            packet.dx[i] = direction.x();
+            packet.dy[i] = direction.y();
+            packet.dz[i] = direction.z();
         }
-        new PacketTracer(place.geometry()).nearest(p, RayPacket.WIDTH);
-        assertThat(p.t).containsOnly(t);
+        new PacketTracer(placedSolid.geometry()).findNearest(packet, RayPacket.WIDTH);
+        assertThat(packet.t).containsOnly(t);
     }
 }

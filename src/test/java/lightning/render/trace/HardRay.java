@@ -10,108 +10,108 @@ enum HardRay {
     /** From anywhere, up to 10⁸ away, to any point about the solid. */
     FROM_AFAR {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
-            return towards(inBox(solid, random), direction(random), distance(random));
+        Ray create(Solid.Canonical solid, Random random) {
+            return aimedRay(pointInBox(solid, random), direction(random), distance(random));
         }
     },
     /** Across the silhouette, nearer and nearer to it. */
     TANGENT {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
-            Vec3 p = onSurface(solid, random);
+        Ray create(Solid.Canonical solid, Random random) {
+            Vec3 p = pointOnSurface(solid, random);
             Vec3 n = normal(solid, p);
             Vec3 along = n.cross(direction(random)).normalized();
             double beside = random.nextInt(4) == 0 ? 0 : sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56));
-            return towards(p.plus(n.times(beside)), along, random.nextInt(4) == 0 ? 0 : distance(random));
+            return aimedRay(p.plus(n.times(beside)), along, random.nextInt(4) == 0 ? 0 : distance(random));
         }
     },
     /** Along the axes, with zeros of both signs. */
     ALONG_AN_AXIS {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
+        Ray create(Solid.Canonical solid, Random random) {
             double[] d = {random.nextBoolean() ? 0.0 : -0.0, random.nextBoolean() ? 0.0 : -0.0, random.nextBoolean() ? 0.0 : -0.0};
             d[random.nextInt(3)] = sign(random);
-            Vec3 to = random.nextBoolean() ? inBox(solid, random) : onSurface(solid, random);
-            return towards(to, new Vec3(d[0], d[1], d[2]), distance(random));
+            Vec3 to = random.nextBoolean() ? pointInBox(solid, random) : pointOnSurface(solid, random);
+            return aimedRay(to, new Vec3(d[0], d[1], d[2]), distance(random));
         }
     },
     /** Almost along the axis, inside and outside. */
     ALMOST_PARALLEL {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
+        Ray create(Solid.Canonical solid, Random random) {
             double tilt = Math.scalb(1.0, -random.nextInt(120));
             Vec3 d = new Vec3(tilt * (random.nextDouble() - 0.5), sign(random), tilt * (random.nextDouble() - 0.5));
             double r = random.nextInt(3) == 0 ? 1 + sign(random) * Math.scalb(random.nextDouble(), -random.nextInt(56))
                     : 1.2 * random.nextDouble();
-            return towards(ring(random).times(r).plus(new Vec3(0, random.nextDouble(), 0)), d, distance(random));
+            return aimedRay(pointOnCircle(random).times(r).plus(new Vec3(0, random.nextDouble(), 0)), d, distance(random));
         }
     },
     /** Through the apex or past it. */
     THROUGH_THE_APEX {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
+        Ray create(Solid.Canonical solid, Random random) {
             double past = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
-            return towards(Vec3.Y.plus(direction(random).times(past)), direction(random), distance(random));
+            return aimedRay(Vec3.Y.plus(direction(random).times(past)), direction(random), distance(random));
         }
     },
     /** Along a generator of the side, on it, beside it, and tilted against it. */
     ALONG_A_GENERATOR {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
-            Vec3 foot = random.nextBoolean() ? new Vec3(0, 0, sign(random)) : ring(random);
-            Vec3 d = onTop(solid, foot).minus(foot);
+        Ray create(Solid.Canonical solid, Random random) {
+            Vec3 foot = random.nextBoolean() ? new Vec3(0, 0, sign(random)) : pointOnCircle(random);
+            Vec3 d = pointOnTop(solid, foot).minus(foot);
             double tilt = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             double beside = random.nextInt(3) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
             Vec3 p = foot.plus(d.times(random.nextDouble())).plus(direction(random).times(beside));
-            return towards(p, d.times(sign(random)).plus(direction(random).times(tilt)), distance(random));
+            return aimedRay(p, d.times(sign(random)).plus(direction(random).times(tilt)), distance(random));
         }
     },
     /** Where cap and side meet. */
     NEAR_A_RIM {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
+        Ray create(Solid.Canonical solid, Random random) {
             double past = random.nextInt(4) == 0 ? 0 : Math.scalb(1.0, -random.nextInt(60));
-            Vec3 foot = ring(random);
-            Vec3 p = (random.nextBoolean() ? foot : onRim(solid, foot)).plus(direction(random).times(past));
-            return towards(p, direction(random), distance(random));
+            Vec3 foot = pointOnCircle(random);
+            Vec3 p = (random.nextBoolean() ? foot : pointOnRim(solid, foot)).plus(direction(random).times(past));
+            return aimedRay(p, direction(random), distance(random));
         }
     },
     /** In the plane of a cap, or of the patch, and almost. */
     IN_THE_PLANE {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
+        Ray create(Solid.Canonical solid, Random random) {
             double tilt = random.nextBoolean() ? 0 : Math.scalb(1.0, -random.nextInt(120));
             double above = random.nextBoolean() ? 0 : sign(random) * Math.scalb(1.0, -random.nextInt(60));
-            Vec3 d = ring(random).plus(new Vec3(0, tilt * sign(random), 0));
-            return towards(new Vec3(1.2 * random.nextDouble(), random.nextInt(2) + above, 1.2 * random.nextDouble()), d, distance(random));
+            Vec3 d = pointOnCircle(random).plus(new Vec3(0, tilt * sign(random), 0));
+            return aimedRay(new Vec3(1.2 * random.nextDouble(), random.nextInt(2) + above, 1.2 * random.nextDouble()), d, distance(random));
         }
     },
     /** From the surface itself, in all directions. */
     FROM_THE_SURFACE {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
-            return new Ray(onSurface(solid, random), direction(random));
+        Ray create(Solid.Canonical solid, Random random) {
+            return new Ray(pointOnSurface(solid, random), direction(random));
         }
     },
     /** From inside. */
     FROM_WITHIN {
         @Override
-        Ray make(Solid.Canonical solid, Random random) {
-            return new Ray(onSurface(solid, random).times(0.999 * random.nextDouble()), direction(random));
+        Ray create(Solid.Canonical solid, Random random) {
+            return new Ray(pointOnSurface(solid, random).times(0.999 * random.nextDouble()), direction(random));
         }
     };
 
     /** A ray with a direction of length 1. */
-    abstract Ray make(Solid.Canonical solid, Random random);
+    abstract Ray create(Solid.Canonical solid, Random random);
 
     /** The same with a direction of any length that tracers promise to take. */
-    Ray unnormalised(Solid.Canonical solid, Random random) {
-        Ray ray = make(solid, random);
+    Ray unnormalized(Solid.Canonical solid, Random random) {
+        Ray ray = create(solid, random);
         return new Ray(ray.origin(), ray.direction().times(Math.pow(10, 60 * random.nextDouble() - 30)));
     }
 
     /** Where the side's generator from a point of the base's rim ends. */
-    private static Vec3 onTop(Solid.Canonical solid, Vec3 foot) {
+    private static Vec3 pointOnTop(Solid.Canonical solid, Vec3 foot) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> Vec3.Y;
             case Solid.Frustum f -> foot.times(f.top()).plus(Vec3.Y);
@@ -119,15 +119,15 @@ enum HardRay {
     }
 
     /** The point of the upper rim over one of the base's. */
-    private static Vec3 onRim(Solid.Canonical solid, Vec3 foot) {
+    private static Vec3 pointOnRim(Solid.Canonical solid, Vec3 foot) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> foot.plus(Vec3.Y);
             case Solid.Frustum f -> foot.times(f.top()).plus(Vec3.Y);
         };
     }
 
-    static Vec3 onSurface(Solid.Canonical solid, Random random) {
-        Vec3 ring = ring(random);
+    static Vec3 pointOnSurface(Solid.Canonical solid, Random random) {
+        Vec3 ring = pointOnCircle(random);
         double h = random.nextDouble();
         double r = Math.sqrt(random.nextDouble());
         return switch (solid) {
@@ -156,13 +156,13 @@ enum HardRay {
         };
     }
 
-    private static Ray towards(Vec3 to, Vec3 direction, double distance) {
+    private static Ray aimedRay(Vec3 to, Vec3 direction, double distance) {
         Vec3 d = direction.normalized();
         return new Ray(to.minus(d.times(distance)), d);
     }
 
-    private static Vec3 inBox(Solid.Canonical solid, Random random) {
-        double wide = Math.max(1, CanonicalSolids.top(solid));
+    private static Vec3 pointInBox(Solid.Canonical solid, Random random) {
+        double wide = Math.max(1, CanonicalSolids.topRadius(solid));
         return new Vec3(wide * (2.4 * random.nextDouble() - 1.2), 2.4 * random.nextDouble() - 1.2,
                 wide * (2.4 * random.nextDouble() - 1.2));
     }
@@ -171,7 +171,7 @@ enum HardRay {
         return new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
     }
 
-    private static Vec3 ring(Random random) {
+    private static Vec3 pointOnCircle(Random random) {
         double angle = 2 * Math.PI * random.nextDouble();
         return new Vec3(Math.cos(angle), 0, Math.sin(angle));
     }

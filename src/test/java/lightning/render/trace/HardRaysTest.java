@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.solid.SolidGeometry;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
 import net.jqwik.api.Arbitraries;
@@ -44,49 +44,49 @@ class HardRaysTest {
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void canonicalSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid.Canonical solid, @ForAll Random random) {
+    void canonicalSolid_isHitAtExactDistance(@ForAll HardRay hard, @ForAll("solids") Solid.Canonical solid, @ForAll Random random) {
         for (int n = 0; n < RAYS; n++) {
-            Ray ray = hard.unnormalised(solid, random);
+            Ray ray = hard.unnormalized(solid, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
             double t = CanonicalSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-            assertThat(complaint(solid, ray, t)).as("%s %s", hard, ray).isNull();
+            assertThat(error(solid, ray, t)).as("%s %s", hard, ray).isNull();
         }
     }
 
-    private static String complaint(Solid.Canonical solid, Ray ray, double t) {
+    private static String error(Solid.Canonical solid, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         double margin = ULPS * ULP * Math.max(1, o.length());
-        return ExactSolids.complaint(solid, ExactSolids.exact(o.x(), o.y(), o.z()), ExactSolids.exact(d.x(), d.y(), d.z()), t, margin);
+        return ExactSolids.error(solid, ExactSolids.exact(o.x(), o.y(), o.z()), ExactSolids.exact(d.x(), d.y(), d.z()), t, margin);
     }
 
     /** The contrast, and the proof that these rays tell good formulas from bad ones. */
     @ParameterizedTest
     @FieldSource("TEXTBOOK")
-    void textbookFormulas_failOnEveryKindOfSolid(Solid.Canonical solid) {
+    void textbookFormulas_failForEverySolid(Solid.Canonical solid) {
         Random random = new Random(1);
         int wrong = 0;
         for (int n = 0; n < 1000; n++) {
-            Ray ray = HardRay.values()[n % HardRay.values().length].make(solid, random);
+            Ray ray = HardRay.values()[n % HardRay.values().length].create(solid, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
-            wrong += complaint(solid, ray, NaiveSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) != null ? 1 : 0;
+            wrong += error(solid, ray, NaiveSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z())) != null ? 1 : 0;
         }
-        assertThat(wrong).as("wrong answers for the " + solid.noun() + " among 1000 hard rays").isGreaterThan(50);
+        assertThat(wrong).as("wrong answers for the " + solid.typeName() + " among 1000 hard rays").isGreaterThan(50);
     }
 
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void placedSolid_isMetWhereItIs(@ForAll HardRay hard, @ForAll("solids") Solid.Canonical solid, @ForAll("scales") Vec3 scale,
+    void placedSolid_isHitAtExactDistance(@ForAll HardRay hard, @ForAll("solids") Solid.Canonical solid, @ForAll("scales") Vec3 scale,
             @ForAll Random random) {
         Vec3 at = HardRay.direction(random).times(random.nextInt(3) == 0 ? 0 : Math.pow(10, 8 * random.nextDouble()));
         Vec3 camera = random.nextBoolean() ? Vec3.ZERO : at.plus(HardRay.direction(random).times(scale.maxAbs()));
-        PrimitiveTable table = TraceScenes.one(solid, new Placement(at, Vec3.ZERO, scale), camera);
+        PrimitiveTable table = TraceScenes.singleShape(solid, new Placement(at, Vec3.ZERO, scale), camera);
         for (int n = 0; n < RAYS; n++) {
-            Ray own = hard.make(solid, random);
-            Vec3 o = new Vec3(own.origin().x() * scale.x(), own.origin().y() * scale.y(), own.origin().z() * scale.z())
+            Ray local = hard.create(solid, random);
+            Vec3 o = new Vec3(local.origin().x() * scale.x(), local.origin().y() * scale.y(), local.origin().z() * scale.z())
                     .plus(at.minus(camera));
-            Vec3 d = new Vec3(own.direction().x() * scale.x(), own.direction().y() * scale.y(), own.direction().z() * scale.z());
+            Vec3 d = new Vec3(local.direction().x() * scale.x(), local.direction().y() * scale.y(), local.direction().z() * scale.z());
             double t = table.distance(0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
             Vec3 far = at.minus(camera);
             double margin = ULPS * ULP * Math.max(Math.max(1 + (Math.abs(o.x()) + Math.abs(far.x())) / Math.abs(scale.x()),
@@ -96,13 +96,13 @@ class HardRaysTest {
                 // Where the shape stands, doubles are as far apart as it is large.
                 return;
             }
-            assertThat(ExactSolids.complaint(solid, own(o, camera, at, scale), own(d, Vec3.ZERO, Vec3.ZERO, scale), t, margin))
-                    .as("%s %s, scale %s at %s from %s", hard, own, scale, at, camera).isNull();
+            assertThat(ExactSolids.error(solid, toLocal(o, camera, at, scale), toLocal(d, Vec3.ZERO, Vec3.ZERO, scale), t, margin))
+                    .as("%s %s, scale %s at %s from %s", hard, local, scale, at, camera).isNull();
         }
     }
 
     /** (o + camera − at) / scale, in many digits. */
-    private static BigDecimal[] own(Vec3 o, Vec3 camera, Vec3 at, Vec3 scale) {
+    private static BigDecimal[] toLocal(Vec3 o, Vec3 camera, Vec3 at, Vec3 scale) {
         BigDecimal[] p = ExactSolids.exact(o.x(), o.y(), o.z());
         BigDecimal[] c = ExactSolids.exact(camera.x(), camera.y(), camera.z());
         BigDecimal[] a = ExactSolids.exact(at.x(), at.y(), at.z());
@@ -115,16 +115,16 @@ class HardRaysTest {
 
     /** A patch has no inside: the sign of t and the place in the patch decide. */
     @Property(edgeCases = EdgeCasesMode.NONE)
-    void patch_isMetWhereItIs(@ForAll HardRay hard, @ForAll Random random) {
+    void square_isHitAtExactDistance(@ForAll HardRay hard, @ForAll Random random) {
         for (int n = 0; n < RAYS; n++) {
-            Ray ray = hard.unnormalised(Solid.PLANE, random);
+            Ray ray = hard.unnormalized(Solid.PLANE, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
             double t = CanonicalSolids.plane(o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
             double margin = ULPS * ULP * Math.max(1, o.length());
             boolean ahead = o.y() != 0 && d.y() != 0 && o.y() > 0 != d.y() > 0;
             if (!ahead) {
-                assertThat(t).as("%s %s", hard, ray).isEqualTo(Form.MISS);
+                assertThat(t).as("%s %s", hard, ray).isEqualTo(SolidGeometry.MISS);
                 continue;
             }
             BigDecimal exact = new BigDecimal(o.y()).negate().divide(new BigDecimal(d.y()), new MathContext(130));
@@ -133,9 +133,9 @@ class HardRaysTest {
                 off = Math.max(off, new BigDecimal(axis[0]).add(exact.multiply(new BigDecimal(axis[1]))).abs().doubleValue() - 0.5);
             }
             if (Math.abs(off) > margin) {
-                assertThat(t < Form.MISS).as("%s %s: %s from the edge", hard, ray, off).isEqualTo(off < 0);
+                assertThat(t < SolidGeometry.MISS).as("%s %s: %s from the edge", hard, ray, off).isEqualTo(off < 0);
             }
-            if (t < Form.MISS) {
+            if (t < SolidGeometry.MISS) {
                 assertThat(new BigDecimal(t).subtract(exact).abs().doubleValue()).isLessThanOrEqualTo(ULP * t);
             }
         }

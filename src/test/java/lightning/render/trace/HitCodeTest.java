@@ -8,10 +8,10 @@ import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
@@ -30,7 +30,7 @@ class HitCodeTest {
     }
 
     @Property
-    void sidesAtARightAngle_differ(@ForAll @DoubleRange(min = -1, max = 1) double x, @ForAll @DoubleRange(min = -1, max = 1) double y,
+    void perpendicularSides_differ(@ForAll @DoubleRange(min = -1, max = 1) double x, @ForAll @DoubleRange(min = -1, max = 1) double y,
             @ForAll @DoubleRange(min = -1, max = 1) double z, @ForAll @DoubleRange(min = 0, max = 7) double turn) {
         Assume.that(x * x + y * y + z * z > 0.01);
         Vec3 n = new Vec3(x, y, z).normalized();
@@ -40,29 +40,30 @@ class HitCodeTest {
     }
 
     @Property
-    void neighbouringShapes_differ(@ForAll @IntRange(min = 0, max = 999_998) int shape) {
+    void neighboringShapes_differ(@ForAll @IntRange(min = 0, max = 999_998) int shape) {
         assertThat(of(shape, Vec3.Y)).isNotEqualTo(of(shape + 1, Vec3.Y));
     }
 
     /** Java's hashes of these names are the same. */
     @Example
-    void shapesOfNamesThatAreAlike_differ() {
-        List<Node> shapes = Stream.of("leg 1P", "leg 21", "Aa", "BB").<Node>map(name -> new Shape(Solid.SPHERE, name, "m",
+    void shapesWithSimilarNames_differ() {
+        List<SceneNode> shapes = Stream.of("leg 1P", "leg 21", "Aa", "BB").<SceneNode>map(name -> new Shape(Solid.SPHERE, name, "m",
                 Placement.IDENTITY)).toList();
         var geometry =
-                new Geometry(new Scene(Picture.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(Material.of("m")), shapes, List.of()));
-        assertThat(IntStream.range(0, 4).map(geometry::number).boxed().distinct()).hasSize(4);
+                new Geometry(
+                        new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(Material.of("m")), shapes, List.of()));
+        assertThat(IntStream.range(0, 4).map(geometry::shapeHash).boxed().distinct()).hasSize(4);
     }
 
     @Property
-    void shadesFarApart_differ(@ForAll @DoubleRange(min = 0, max = 0.8) double shade) {
+    void distantShades_differ(@ForAll @DoubleRange(min = 0, max = 0.8) double shade) {
         float dark = (float) shade;
         float light = (float) (shade + 0.15);
-        assertThat(HitCode.textured(7, dark, dark, dark)).isNotEqualTo(HitCode.textured(7, light, dark, dark));
+        assertThat(HitCode.withTexture(7, dark, dark, dark)).isNotEqualTo(HitCode.withTexture(7, light, dark, dark));
     }
 
     @Property
-    void whatIsSeenOverAnotherNumberOfMirrors_differs(@ForAll int code, @ForAll @IntRange(min = 0, max = 10) int mirrors) {
-        assertThat(HitCode.seen(code, mirrors)).isNotEqualTo(HitCode.seen(code, mirrors + 1));
+    void hitsOverDifferentMirrorCounts_differ(@ForAll int code, @ForAll @IntRange(min = 0, max = 10) int mirrors) {
+        assertThat(HitCode.atDepth(code, mirrors)).isNotEqualTo(HitCode.atDepth(code, mirrors + 1));
     }
 }

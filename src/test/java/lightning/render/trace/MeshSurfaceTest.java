@@ -10,12 +10,12 @@ import java.util.stream.Stream;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.render.trace.solid.Form;
-import lightning.sample.Meshes;
+import lightning.render.trace.solid.SolidGeometry;
+import lightning.sample.SampleMeshes;
 import lightning.scene.Camera;
 import lightning.scene.Material;
 import lightning.scene.Mesh;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
@@ -35,37 +35,37 @@ class MeshSurfaceTest {
     private final Random random = new Random(1);
 
     private static Scene scene(Solid solid, Placement placement) {
-        return new Scene(new Picture(SIDE, SIDE, 1), new Camera(new Vec3(2, 3, 6), new Vec3(0, 0.2, 0), Vec3.Y, 30), World.DEFAULT,
+        return new Scene(new PictureSettings(SIDE, SIDE, 1), new Camera(new Vec3(2, 3, 6), new Vec3(0, 0.2, 0), Vec3.Y, 30), World.DEFAULT,
                 List.of(),
                 List.of(new Shape(solid, "s", "default", placement)), List.of());
     }
 
     static Stream<Arguments> pairs() {
-        return Stream.of(Arguments.of(Meshes.ball(120, 180, true), Solid.SPHERE, 0.03),
-                Arguments.of(Meshes.ball(120, 180, false), Solid.SPHERE, 0.03),
-                Arguments.of(Meshes.cone(400), Solid.CONE, 0.03));
+        return Stream.of(Arguments.of(SampleMeshes.ball(120, 180, true), Solid.SPHERE, 0.03),
+                Arguments.of(SampleMeshes.ball(120, 180, false), Solid.SPHERE, 0.03),
+                Arguments.of(SampleMeshes.cone(400), Solid.CONE, 0.03));
     }
 
     @ParameterizedTest
     @MethodSource("pairs")
-    void meshOfASolid_hasItsOutlineWithinAPixelAndItsNormalsWithinAFacet(Mesh mesh, Solid solid, double facet) {
+    void tessellatedSolid_matchesOutlineWithinPixel_andNormalsWithinFacet(Mesh mesh, Solid solid, double facet) {
         Placement placement = new Placement(new Vec3(0.1, -0.2, 0.3), new Vec3(20, 30, 40), new Vec3(1, 1.3, 0.8));
-        Scene scene = scene(Meshes.solid(mesh), placement);
+        Scene scene = scene(SampleMeshes.solid(mesh), placement);
         Geometry triangles = new Geometry(scene);
         Geometry exact = new Geometry(scene(solid, placement));
-        Eye eye = new Eye(scene);
-        boolean[] seen = new boolean[SIDE * SIDE];
-        for (int i = 0; i < seen.length; i++) {
-            seen[i] = exact.nearest(eye.through(i % SIDE, i / SIDE)) == 0;
+        PixelRays eye = new PixelRays(scene);
+        boolean[] visible = new boolean[SIDE * SIDE];
+        for (int i = 0; i < visible.length; i++) {
+            visible[i] = exact.nearest(eye.ray(i % SIDE, i / SIDE)) == 0;
         }
         int both = 0;
         int bent = 0;
-        for (int i = 0; i < seen.length; i++) {
-            Ray ray = eye.through(i % SIDE, i / SIDE);
-            boolean met = triangles.nearest(ray) == 0;
-            if (met != seen[i]) {
-                assertThat(isRim(seen, i)).as("pixel %s", i).isTrue();
-            } else if (met) {
+        for (int i = 0; i < visible.length; i++) {
+            Ray ray = eye.ray(i % SIDE, i / SIDE);
+            boolean hit = triangles.nearest(ray) == 0;
+            if (hit != visible[i]) {
+                assertThat(isOutline(visible, i)).as("pixel %s", i).isTrue();
+            } else if (hit) {
                 both++;
                 SurfacePoint a = triangles.surface(0, ray);
                 SurfacePoint b = exact.surface(0, ray);
@@ -79,10 +79,10 @@ class MeshSurfaceTest {
         assertThat(bent).isLessThan(both / 50);
     }
 
-    private static boolean isRim(boolean[] seen, int i) {
+    private static boolean isOutline(boolean[] visible, int i) {
         for (int dy = -1; dy <= 1; dy++) {
             for (int dx = -1; dx <= 1; dx++) {
-                if (seen[i + dy * SIDE + dx] != seen[i]) {
+                if (visible[i + dy * SIDE + dx] != visible[i]) {
                     return true;
                 }
             }
@@ -99,26 +99,26 @@ class MeshSurfaceTest {
 
     @ParameterizedTest
     @MethodSource("places")
-    void raysThatLeaveAFlatConvexMesh_meetItNoMore(Vec3 scale, Vec3 at) {
+    void raysLeavingFlatConvexMesh_doNotHitItAgain(Vec3 scale, Vec3 at) {
         Vec3 place = new Vec3(at.x() * scale.x(), at.y() * scale.y(), at.z() * scale.z());
         int rays = 0;
         int acne = 0;
-        for (Mesh mesh : List.of(Meshes.cube(), Meshes.ball(7, 9, false), Meshes.cone(6))) {
+        for (Mesh mesh : List.of(SampleMeshes.cube(), SampleMeshes.ball(7, 9, false), SampleMeshes.cone(6))) {
             Placement placement = new Placement(place, new Vec3(37, 74, -37), scale);
-            Geometry geometry = new Geometry(TraceScenes.one(Meshes.solid(mesh), placement, Vec3.ZERO, new Vec3(0, 0, -1)));
+            Geometry geometry = new Geometry(TraceScenes.singleShape(SampleMeshes.solid(mesh), placement, Vec3.ZERO, new Vec3(0, 0, -1)));
             for (int n = 0; n < 3000; n++) {
                 int v = 3 * random.nextInt(mesh.vertexCount());
                 double inwards = random.nextInt(3) == 0 ? 1 : random.nextDouble();
                 Vec3 aim = placement.transform()
-                        .point(new Vec3(mesh.positions()[v], mesh.positions()[v + 1], mesh.positions()[v + 2]).times(inwards)
+                        .transformPoint(new Vec3(mesh.positions()[v], mesh.positions()[v + 1], mesh.positions()[v + 2]).times(inwards)
                                 .plus(HardRay.direction(random).normalized().times(0.3 * random.nextDouble())));
                 Ray ray = new Ray(Vec3.ZERO, aim.normalized());
                 if (geometry.nearest(ray) == 0) {
                     SurfacePoint p = geometry.surface(0, ray);
                     Vec3 normal = new Vec3(p.nx(), p.ny(), p.nz());
                     assertThat(normal.dot(ray.direction())).isLessThanOrEqualTo(1e-7);
-                    Ray leaving = new Ray(new Vec3(p.px(), p.py(), p.pz()), away(normal));
-                    acne += geometry.distance(0, leaving) < Form.MISS ? 1 : 0;
+                    Ray leaving = new Ray(new Vec3(p.px(), p.py(), p.pz()), outwardDirection(normal));
+                    acne += geometry.distance(0, leaving) < SolidGeometry.MISS ? 1 : 0;
                     rays++;
                 }
             }
@@ -127,7 +127,7 @@ class MeshSurfaceTest {
         assertThat(acne).as("acne among %s rays", rays).isZero();
     }
 
-    private Vec3 away(Vec3 normal) {
+    private Vec3 outwardDirection(Vec3 normal) {
         Vec3 d = HardRay.direction(random).normalized();
         double cosine = d.dot(normal);
         double lift = random.nextBoolean() ? Math.abs(cosine) : Math.scalb(1.0, -random.nextInt(22));
@@ -137,18 +137,18 @@ class MeshSurfaceTest {
 
     /** Light falls on a coarse round body up to where its round normals turn away from it, and no facet shades another. */
     @Test
-    void smoothRoundMesh_throwsNoShadowOnItself() {
-        Geometry smooth = new Geometry(scene(Meshes.solid(Meshes.ball(8, 12, true)), Placement.IDENTITY));
-        Eye eye = new Eye(scene(Solid.SPHERE, Placement.IDENTITY));
+    void smoothRoundMesh_castsNoShadowOnItself() {
+        Geometry smooth = new Geometry(scene(SampleMeshes.solid(SampleMeshes.ball(8, 12, true)), Placement.IDENTITY));
+        PixelRays eye = new PixelRays(scene(Solid.SPHERE, Placement.IDENTITY));
         int lit = 0;
         int shaded = 0;
         for (int n = 0; n < 20_000; n++) {
-            Ray ray = eye.through(random.nextInt(SIDE), random.nextInt(SIDE));
+            Ray ray = eye.ray(random.nextInt(SIDE), random.nextInt(SIDE));
             if (smooth.nearest(ray) == 0) {
                 SurfacePoint p = smooth.surface(0, ray);
-                Vec3 light = away(new Vec3(p.nx(), p.ny(), p.nz())).normalized();
+                Vec3 light = outwardDirection(new Vec3(p.nx(), p.ny(), p.nz())).normalized();
                 lit++;
-                shaded += smooth.blocked(new Ray(new Vec3(p.px(), p.py(), p.pz()), light), Form.MISS) ? 1 : 0;
+                shaded += smooth.isBlocked(new Ray(new Vec3(p.px(), p.py(), p.pz()), light), SolidGeometry.MISS) ? 1 : 0;
             }
         }
         assertThat(lit).isGreaterThan(3000);
@@ -157,25 +157,28 @@ class MeshSurfaceTest {
 
     /** The unit square as two triangles with the coordinates of the plane, under the same texture. */
     @Test
-    void colorsOfVertices_areFactorsBetweenThem_onTheTexture() {
+    void vertexColors_areInterpolated_andMultiplyTexture() {
         float[] v = {0, 0, 0, 4, 0, 0, 0, 4, 0};
         Mesh triangle = new Mesh(v, new int[] {0, 1, 2}, null, null, new float[] {1, 0, 0.5f, 0, 1, 0.5f, 0, 0, 0.5f});
         Ray ray = new Ray(new Vec3(2, 1, 9), new Vec3(0, 0, -1));
-        assertThat(point(Meshes.solid(triangle), Optional.empty(), ray).diffuse()).containsExactly(0.25f * 0.8f, 0.5f * 0.8f, 0.5f * 0.8f);
+        assertThat(point(SampleMeshes.solid(triangle), Optional.empty(), ray).diffuse()).containsExactly(0.25f * 0.8f, 0.5f * 0.8f,
+                0.5f * 0.8f);
         TextureMap red = new TextureMap("red.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0, 0}));
-        assertThat(point(Meshes.solid(triangle), Optional.of(red), ray).diffuse()).containsExactly(0.125f * 0.8f, 0, 0);
-        assertThat(point(Meshes.solid(triangle).withColors(false), Optional.empty(), ray).diffuse()).containsExactly(0.8f, 0.8f, 0.8f);
+        assertThat(point(SampleMeshes.solid(triangle), Optional.of(red), ray).diffuse()).containsExactly(0.125f * 0.8f, 0, 0);
+        assertThat(point(SampleMeshes.solid(triangle).withShowsColors(false), Optional.empty(), ray).diffuse()).containsExactly(0.8f, 0.8f,
+                0.8f);
     }
 
     private static SurfacePoint point(Solid solid, Optional<TextureMap> texture, Ray ray) {
-        Material material = Material.of("m").withDiffuse(Rgb.grey(0.8)).withTexture(texture);
-        Geometry geometry = new Geometry(new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
-                List.of(material), List.of(new Shape(solid, "s", "m", Placement.IDENTITY)), List.of()));
+        Material material = Material.of("m").withDiffuse(Rgb.gray(0.8)).withTexture(texture);
+        Geometry geometry =
+                new Geometry(new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                        List.of(material), List.of(new Shape(solid, "s", "m", Placement.IDENTITY)), List.of()));
         return geometry.surface(0, ray);
     }
 
     @Test
-    void textureOfAMesh_liesWhereItsCoordinatesPutIt() {
+    void meshTexture_followsTextureCoordinates() {
         float[] v = {-0.5f, 0, -0.5f, 0.5f, 0, -0.5f, -0.5f, 0, 0.5f, 0.5f, 0, 0.5f};
         Mesh square = new Mesh(v, new int[] {0, 2, 1, 1, 2, 3}, null, new float[] {0, 0, 1, 0, 0, 1, 1, 1}, null);
         float[] rgb = new float[3 * 7 * 5];
@@ -184,28 +187,29 @@ class MeshSurfaceTest {
         }
         Material painted = Material.of("default").withTexture(Optional.of(new TextureMap("a.png", 2, -3, new Texture(7, 5, rgb))));
         Placement placement = new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(4, 1, 4));
-        Geometry mesh = new Geometry(scene(Meshes.solid(square), placement).withMaterials(List.of(painted)));
+        Geometry mesh = new Geometry(scene(SampleMeshes.solid(square), placement).withMaterials(List.of(painted)));
         Geometry plane = new Geometry(scene(Solid.PLANE, placement).withMaterials(List.of(painted)));
-        Eye eye = new Eye(scene(Solid.PLANE, placement));
-        int seen = 0;
+        PixelRays eye = new PixelRays(scene(Solid.PLANE, placement));
+        int visible = 0;
         for (int i = 0; i < SIDE * SIDE; i++) {
-            Ray ray = eye.through(i % SIDE, i / SIDE);
+            Ray ray = eye.ray(i % SIDE, i / SIDE);
             if (mesh.nearest(ray) == 0 && plane.nearest(ray) == 0) {
-                seen++;
+                visible++;
                 for (int c = 0; c < 3; c++) {
                     assertThat(mesh.surface(0, ray).texel()[c]).isEqualTo(plane.surface(0, ray).texel()[c], within(1e-4f));
                 }
             }
         }
-        assertThat(seen).isGreaterThan(1000);
+        assertThat(visible).isGreaterThan(1000);
     }
 
     @Test
-    void bentNormals_faceTheViewerAndMirrorUpwards() {
-        for (Mesh mesh : List.of(Meshes.ball(3, 4, true), Meshes.ball(5, 8, true), Meshes.soup(60, 3), Meshes.soup(60, 6))) {
+    void bentNormals_faceViewer_andReflectAwayFromSurface() {
+        for (Mesh mesh : List.of(SampleMeshes.ball(3, 4, true), SampleMeshes.ball(5, 8, true), SampleMeshes.randomTriangles(60, 3),
+                SampleMeshes.randomTriangles(60, 6))) {
             Geometry geometry =
-                    new Geometry(scene(Meshes.solid(mesh), new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
-            Geometry flat = new Geometry(scene(Meshes.solid(new Mesh(mesh.positions(), mesh.triangles(), null, null, null)),
+                    new Geometry(scene(SampleMeshes.solid(mesh), new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
+            Geometry flat = new Geometry(scene(SampleMeshes.solid(new Mesh(mesh.positions(), mesh.triangles(), null, null, null)),
                     new Placement(Vec3.ZERO, new Vec3(10, 20, 30), new Vec3(1, 0.5, 2))));
             for (int n = 0; n < 3000; n++) {
                 Ray ray = new Ray(HardRay.direction(random).times(3), HardRay.direction(random).normalized());

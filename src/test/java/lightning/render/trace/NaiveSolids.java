@@ -1,10 +1,10 @@
 package lightning.render.trace;
 
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.solid.SolidGeometry;
 import lightning.scene.Solid;
 
 /**
- * The formulas of the textbook, kept as a contrast to {@link lightning.render.trace.solid.Form}: the quadratic formula as one learns it,
+ * The formulas of the textbook, kept as a contrast to {@link lightning.render.trace.solid.SolidGeometry}: the quadratic formula as one learns it,
  * the least positive root, side and caps each on its own.
  */
 final class NaiveSolids {
@@ -25,7 +25,7 @@ final class NaiveSolids {
         double b = ox * dx + oy * dy + oz * dz;
         double c = ox * ox + oy * oy + oz * oz - 1;
         double root = Math.sqrt(b * b - a * c);
-        return first((-b - root) / a, (-b + root) / a);
+        return nearestPositive((-b - root) / a, (-b + root) / a);
     }
 
     static double cylinder(double ox, double oy, double oz, double dx, double dy, double dz) {
@@ -33,8 +33,8 @@ final class NaiveSolids {
         double b = ox * dx + oz * dz;
         double c = ox * ox + oz * oz - 1;
         double root = Math.sqrt(b * b - a * c);
-        double side = first(within((-b - root) / a, oy, dy), within((-b + root) / a, oy, dy));
-        return first(side, first(cap(0, ox, oy, oz, dx, dy, dz), cap(1, ox, oy, oz, dx, dy, dz)));
+        double side = nearestPositive(insideHeight((-b - root) / a, oy, dy), insideHeight((-b + root) / a, oy, dy));
+        return nearestPositive(side, nearestPositive(cap(0, ox, oy, oz, dx, dy, dz), cap(1, ox, oy, oz, dx, dy, dz)));
     }
 
     static double cone(double ox, double oy, double oz, double dx, double dy, double dz) {
@@ -43,26 +43,26 @@ final class NaiveSolids {
         double b = ox * dx + oz * dz + h * dy;
         double c = ox * ox + oz * oz - h * h;
         double root = Math.sqrt(b * b - a * c);
-        double side = first(within((-b - root) / a, oy, dy), within((-b + root) / a, oy, dy));
-        return first(side, cap(0, ox, oy, oz, dx, dy, dz));
+        double side = nearestPositive(insideHeight((-b - root) / a, oy, dy), insideHeight((-b + root) / a, oy, dy));
+        return nearestPositive(side, cap(0, ox, oy, oz, dx, dy, dz));
     }
 
-    private static double within(double t, double oy, double dy) {
+    private static double insideHeight(double t, double oy, double dy) {
         double y = oy + t * dy;
-        return y >= 0 && y <= 1 ? t : Form.MISS;
+        return y >= 0 && y <= 1 ? t : SolidGeometry.MISS;
     }
 
     private static double cap(double height, double ox, double oy, double oz, double dx, double dy, double dz) {
         double t = (height - oy) / dy;
         double x = ox + t * dx;
         double z = oz + t * dz;
-        return x * x + z * z <= 1 ? t : Form.MISS;
+        return x * x + z * z <= 1 ? t : SolidGeometry.MISS;
     }
 
     /** The lesser of those above 0; NaN is a miss. */
-    private static double first(double s, double t) {
-        double a = s > 0 ? s : Form.MISS;
-        double b = t > 0 ? t : Form.MISS;
+    private static double nearestPositive(double s, double t) {
+        double a = s > 0 ? s : SolidGeometry.MISS;
+        double b = t > 0 ? t : SolidGeometry.MISS;
         return a < b ? a : b;
     }
 }

@@ -9,23 +9,23 @@ import java.util.function.ToDoubleFunction;
 import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.trace.primitive.Surface;
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.primitive.SurfaceHit;
+import lightning.render.trace.solid.SolidGeometry;
+import lightning.scene.AlphaCutout;
+import lightning.scene.BumpMapping;
 import lightning.scene.Camera;
-import lightning.scene.Clarity;
-import lightning.scene.Cutout;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Relief;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.scene.Transmission;
 import lightning.scene.World;
 
 /** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */
@@ -39,20 +39,21 @@ final class NumericsPictures {
     /** {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.render.trace.NumericsPictures}. */
     public static void main(String[] args) throws IOException {
         Files.createDirectories(FOLDER);
-        write("far-sphere", panel(x -> fromAfar(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
-                panel(x -> fromAfar(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), false)));
+        write("far-sphere", panel(x -> farView(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
+                panel(x -> farView(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), false)));
         Vec3 generator = new Vec3(0, -1, -1).normalized();
-        write("far-cone", panel(x -> fromAfar(Solid.CONE, x, 3e6, generator, true)),
-                panel(x -> fromAfar(Solid.CONE, x, 3e6, generator, false)));
+        write("far-cone", panel(x -> farView(Solid.CONE, x, 3e6, generator, true)),
+                panel(x -> farView(Solid.CONE, x, 3e6, generator, false)));
         Vec3 at = new Vec3(148376, 1234, -223423);
-        write("acne", panel(x -> shadowed(x, at, 2, Leaving.FROM_THE_HIT)), panel(x -> shadowed(x, at, 2, Leaving.LIGHTNING)));
-        write("epsilon", panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.BY_EPSILON)),
-                panel(x -> shadowed(x, new Vec3(0, 0, -4e-4), 1e-4, Leaving.LIGHTNING)));
+        write("acne", panel(x -> shadowValue(x, at, 2, RayOffset.FROM_THE_HIT)), panel(x -> shadowValue(x, at, 2, RayOffset.LIGHTNING)));
+        write("epsilon", panel(x -> shadowValue(x, new Vec3(0, 0, -4e-4), 1e-4, RayOffset.BY_EPSILON)),
+                panel(x -> shadowValue(x, new Vec3(0, 0, -4e-4), 1e-4, RayOffset.LIGHTNING)));
         Vec3 small = new Vec3(0, 0, -4e-4);
-        write("penumbra", panel(x -> soft(x, small, 1e-4, Leaving.BY_EPSILON)), panel(x -> soft(x, small, 1e-4, Leaving.LIGHTNING)));
-        write("lamp", panel(x -> lamp(x, false)), panel(x -> lamp(x, true)));
+        write("penumbra", panel(x -> softShadow(x, small, 1e-4, RayOffset.BY_EPSILON)),
+                panel(x -> softShadow(x, small, 1e-4, RayOffset.LIGHTNING)));
+        write("lamp", panel(x -> lightOnSurface(x, false)), panel(x -> lightOnSurface(x, true)));
         write("relief", panel(x -> bumpy(x, false)), panel(x -> bumpy(x, true)));
-        write("hole", panel(x -> fence(x, true)), panel(x -> fence(x, false)));
+        write("hole", panel(x -> fenceValue(x, true)), panel(x -> fenceValue(x, false)));
         write("glass-shadow", panel(x -> glassShadow(x, true)), panel(x -> glassShadow(x, false)));
         write("far-scene", panel(x -> normalFromFloats(x, new Vec3(4e6, 2e6, -3e6))), panel(x -> normalFromFloats(x, Vec3.ZERO)));
     }
@@ -75,82 +76,82 @@ final class NumericsPictures {
                 java.util.Arrays.fill(rgb, 3 * (y * width + x), 3 * (y * width + x) + 3, value);
             }
         }
-        PictureFile.write(FOLDER.resolve("numerics-" + name + ".png"), Film.ofScanlines(width, SIZE, rgb), ViewTransform.DEFAULT);
+        ImageFile.write(FOLDER.resolve("numerics-" + name + ".png"), Film.ofScanlines(width, SIZE, rgb), ViewTransform.DEFAULT);
     }
 
     /** Parallel rays against one canonical solid, shaded by its normal. */
-    private static double fromAfar(Solid.Canonical solid, double[] x, double distance, Vec3 d, boolean naive) {
+    private static double farView(Solid.Canonical solid, double[] x, double distance, Vec3 d, boolean naive) {
         Vec3 right = new Vec3(1, 0, 0);
         Vec3 up = right.cross(d);
         Vec3 middle = solid.equals(Solid.SPHERE) ? Vec3.ZERO : new Vec3(0, 0.4, 0);
         Vec3 o = middle.plus(right.times(x[0])).plus(up.times(x[1])).minus(d.times(distance));
-        Geometry geometry = new Geometry(TraceScenes.one(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
+        Geometry geometry = new Geometry(TraceScenes.singleShape(solid, Placement.IDENTITY, Vec3.ZERO, new Vec3(0, 0, -1)));
         double t = naive ? NaiveSolids.distance(solid, o.x(), o.y(), o.z(), d.x(), d.y(), d.z()) : geometry.distance(0, new Ray(o, d));
-        if (t == Form.MISS) {
+        if (t == SolidGeometry.MISS) {
             return 0.02;
         }
-        Surface surface = new Surface();
-        surface.at(geometry.primitives(), 0, 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        SurfaceHit surface = new SurfaceHit();
+        surface.compute(geometry.primitives(), 0, 0, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
         return 0.1 + Math.max(0, TO_LIGHT.dot(new Vec3(surface.nx, surface.ny, surface.nz)));
     }
 
-    private enum Leaving { FROM_THE_HIT, BY_EPSILON, LIGHTNING }
+    private enum RayOffset { FROM_THE_HIT, BY_EPSILON, LIGHTNING }
 
     /** The same by a light as wide as 40 degrees, the mean of 256 directions. */
-    private static double soft(double[] x, Vec3 at, double scale, Leaving leaving) {
+    private static double softShadow(double[] x, Vec3 at, double scale, RayOffset leaving) {
         int samples = 256;
         Vec3 right = TO_LIGHT.cross(Vec3.Y).normalized();
         Vec3 up = right.cross(TO_LIGHT);
         double sum = 0;
         for (int s = 0; s < samples; s++) {
             double radius = Math.tan(Math.toRadians(20)) * Math.sqrt((s + 0.5) / samples);
-            double turn = 2 * Math.PI * 0.6180339887498949 * s;
-            sum += shadowed(x, at, scale, leaving,
-                    TO_LIGHT.plus(right.times(radius * Math.cos(turn))).plus(up.times(radius * Math.sin(turn))).normalized());
+            double rotation = 2 * Math.PI * 0.6180339887498949 * s;
+            sum += shadowValue(x, at, scale, leaving,
+                    TO_LIGHT.plus(right.times(radius * Math.cos(rotation))).plus(up.times(radius * Math.sin(rotation))).normalized());
         }
         return sum / samples;
     }
 
-    private static double shadowed(double[] x, Vec3 at, double scale, Leaving leaving) {
-        return shadowed(x, at, scale, leaving, TO_LIGHT);
+    private static double shadowValue(double[] x, Vec3 at, double scale, RayOffset leaving) {
+        return shadowValue(x, at, scale, leaving, TO_LIGHT);
     }
 
     /** A ball over a floor, seen from the origin, with its shadow. */
-    private static double shadowed(double[] x, Vec3 at, double scale, Leaving leaving, Vec3 toLight) {
+    private static double shadowValue(double[] x, Vec3 at, double scale, RayOffset leaving, Vec3 toLight) {
         Geometry geometry = new Geometry(TraceScenes.ballOnFloor(at, scale));
         Vec3 forward = at.normalized();
         Vec3 right = forward.cross(Vec3.Y).normalized();
         Vec3 up = right.cross(forward);
         Vec3 target = at.plus(right.times(1.6 * scale * x[0])).plus(up.times(1.6 * scale * x[1]));
         Ray ray = new Ray(Vec3.ZERO, target.normalized());
-        int shape = geometry.nearestOfAll(ray);
+        int shape = geometry.nearestBruteForce(ray);
         if (shape < 0) {
             return 0.02;
         }
         SurfacePoint p = geometry.surface(shape, ray);
         Vec3 normal = new Vec3(p.nx(), p.ny(), p.nz());
         Vec3 hit = ray.direction().times(geometry.distance(shape, ray));
-        Vec3 from = leaving == Leaving.LIGHTNING ? new Vec3(p.px(), p.py(), p.pz())
+        Vec3 from = leaving == RayOffset.LIGHTNING ? new Vec3(p.px(), p.py(), p.pz())
                 : new Vec3((float) hit.x(), (float) hit.y(), (float) hit.z());
-        double least = leaving == Leaving.BY_EPSILON ? 1e-4 : 0;
+        double minDistance = leaving == RayOffset.BY_EPSILON ? 1e-4 : 0;
         boolean dark = false;
         for (int s = 0; s < geometry.primitiveCount(); s++) {
             double t = geometry.distance(s, new Ray(from, toLight));
-            dark |= t > least && t < Form.MISS;
+            dark |= t > minDistance && t < SolidGeometry.MISS;
         }
         return 0.1 + (dark ? 0 : Math.max(0, toLight.dot(normal)));
     }
 
-    /** A bumpy ball lit from its left; {@code asks} is whether the ways to the light are asked for the ball itself. */
-    private static double bumpy(double[] x, boolean asks) {
+    /** A bumpy ball lit from its left; {@code usesLift} is whether the ways to the light are asked for the ball itself. */
+    private static double bumpy(double[] x, boolean usesLift) {
         Geometry geometry = new Geometry(bumpyBall());
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -9).normalized());
-        if (geometry.nearestOfAll(ray) < 0) {
+        if (geometry.nearestBruteForce(ray) < 0) {
             return 0.02;
         }
         SurfacePoint p = geometry.surface(0, ray);
         Vec3 toLight = new Vec3(-0.95, 0.3, 0.1).normalized();
-        boolean dark = asks && geometry.blockedByAny(new Ray(new Vec3(p.px(), p.py(), p.pz()), toLight), Form.MISS);
+        boolean dark = usesLift && geometry.isBlockedBruteForce(new Ray(new Vec3(p.px(), p.py(), p.pz()), toLight), SolidGeometry.MISS);
         return 0.05 + (dark ? 0 : Math.max(0, toLight.dot(new Vec3(p.nx(), p.ny(), p.nz()))));
     }
 
@@ -161,15 +162,16 @@ final class NumericsPictures {
             heights[i] =
                     (float) (0.5 + 0.5 * Math.sin(2 * Math.PI * (i / 3 % side) / side) * Math.sin(2 * Math.PI * (i / 3 / side) / side));
         }
-        Relief relief =
-                Relief.NONE.withBump(Optional.of(new TextureMap("bumps.png", 12, 6, new Texture(side, side, heights)))).withHeight(0.08);
-        return new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
-                List.of(Material.of("bumps").withRelief(relief)),
+        BumpMapping relief =
+                BumpMapping.NONE.withBump(Optional.of(new TextureMap("bumps.png", 12, 6, new Texture(side, side, heights))))
+                        .withHeight(0.08);
+        return new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                List.of(Material.of("bumps").withBumpMapping(relief)),
                 List.of(new Shape(Solid.SPHERE, "ball", "bumps", new Placement(new Vec3(0, 0, -9), Vec3.ZERO, Vec3.ONE))), List.of());
     }
 
     /** A fence 5·10⁻⁵ before a wall; {@code anew} is whether a ray that found a hole begins anew 10⁻⁴ behind it. */
-    private static double fence(double[] x, boolean anew) {
+    private static double fenceValue(double[] x, boolean anew) {
         int side = 16;
         float[] there = new float[3 * side * side];
         for (int i = 0; i < there.length; i++) {
@@ -178,51 +180,52 @@ final class NumericsPictures {
         var laths = new TextureMap("fence.png", 5, 5, new Texture(side, side, there));
         Vec3 upright = new Vec3(90, 0, 0);
         Vec3 size = new Vec3(2, 1, 2);
-        Scene scene = new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
-                List.of(Material.of("cut").withCutout(Cutout.NONE.withCutout(Optional.of(laths)))),
+        Scene scene = new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                List.of(Material.of("cut").withCutout(AlphaCutout.NONE.withMap(Optional.of(laths)))),
                 List.of(new Shape(Solid.PLANE, "fence", "cut", new Placement(new Vec3(0, 0, -4), upright, size)),
                         new Shape(Solid.PLANE, "wall", "default", new Placement(new Vec3(0, 0, -4 - 5e-5), upright, size))),
                 List.of());
         Geometry geometry = new Geometry(scene);
         Geometry whole = new Geometry(scene.withMaterials(List.of(Material.of("cut"))));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -4).normalized());
-        int met = geometry.nearestOfAll(ray);
-        if (anew && whole.nearestOfAll(ray) == 0 && met != 0) {
+        int hit = geometry.nearestBruteForce(ray);
+        if (anew && whole.nearestBruteForce(ray) == 0 && hit != 0) {
             Vec3 behind = ray.direction().times(whole.distance(0, ray) + 1e-4);
-            met = whole.nearestOfAll(new Ray(behind, ray.direction()));
+            hit = whole.nearestBruteForce(new Ray(behind, ray.direction()));
         }
-        return met == 0 ? 0.8 : met == 1 ? 0.25 : 0.02;
+        return hit == 0 ? 0.8 : hit == 1 ? 0.25 : 0.02;
     }
 
     /** A floor under a ball of glass and a sun; {@code inside} is whether the share at which light leaves is that of its angle inside. */
     private static double glassShadow(double[] x, boolean inside) {
-        Clarity glass = Clarity.NONE.withClear(Rgb.WHITE).withIor(1.5);
+        Transmission glass = Transmission.NONE.withColor(Rgb.WHITE).withIor(1.5);
         double out = Math.sqrt(x[0] * x[0] + x[1] * x[1]);
         if (out >= 1) {
             return 0.8;
         }
         float sine = (float) out;
         float cosine = (float) Math.sqrt(1 - out * out);
-        float enters = Refraction.mirrored(glass, false, 0, cosine, sine, 0, -1, 0);
-        float leaves = Refraction.mirrored(glass, inside, 0, cosine, sine, 0, -1, 0);
+        float enters = Refraction.fresnelReflectance(glass, false, 0, cosine, sine, 0, -1, 0);
+        float leaves = Refraction.fresnelReflectance(glass, inside, 0, cosine, sine, 0, -1, 0);
         return 0.8 * (1 - enters) * (1 - leaves);
     }
 
-    /** A lamp on a tilted square above a floor, seen from above; {@code lies} is whether it is asked if the lamp lies on the square. */
-    private static double lamp(double[] x, boolean lies) {
+    /** A lamp on a tilted square above a floor, seen from above; {@code liesOnSurface} is whether it is asked if the lamp lies on the square. */
+    private static double lightOnSurface(double[] x, boolean liesOnSurface) {
         Placement square = new Placement(new Vec3(0, 2, -0.5), new Vec3(37, 20, 10), new Vec3(1.5, 1, 1.5));
         Vec3 eye = new Vec3(0, 7, 5);
-        Geometry geometry = new Geometry(TraceScenes.overFloor(Solid.PLANE, square, eye));
-        Vec3 light = geometry.toRenderSpace(square.transform().point(new Vec3(0.1, 0, 0.2)));
+        Geometry geometry = new Geometry(TraceScenes.shapeOverFloor(Solid.PLANE, square, eye));
+        Vec3 light = geometry.toRenderSpace(square.transform().transformPoint(new Vec3(0.1, 0, 0.2)));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(3 * x[0], 0.5 + 2.5 * x[1], -2 * x[1]).minus(eye).normalized());
-        int shape = geometry.nearestOfAll(ray);
+        int shape = geometry.nearestBruteForce(ray);
         if (shape < 0) {
             return 0.02;
         }
         SurfacePoint p = geometry.surface(shape, ray);
         Vec3 from = new Vec3(p.px(), p.py(), p.pz());
         Vec3 to = light.minus(from);
-        boolean dark = lies ? geometry.blockedByAny(from, geometry.end(light)) : geometry.blockedByAny(new Ray(from, to), 1);
+        boolean dark = liesOnSurface ? geometry.isBlockedBruteForce(from, geometry.shadowRayTarget(light))
+                : geometry.isBlockedBruteForce(new Ray(from, to), 1);
         return 0.1 + (dark ? 0 : Math.max(0, to.normalized().dot(new Vec3(p.nx(), p.ny(), p.nz()))));
     }
 

@@ -9,13 +9,13 @@ import lightning.base.math.Ray;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.Clarity;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
+import lightning.scene.Transmission;
 import lightning.scene.World;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -26,17 +26,17 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What textbooks of optics say of a ray at a surface, and of one at a ball of glass. */
 class RefractionTest {
-    private static final Clarity GLASS = Clarity.NONE.withClear(Rgb.WHITE).withIor(1.5);
+    private static final Transmission GLASS = Transmission.NONE.withColor(Rgb.WHITE).withIor(1.5);
     /** A stored direction or normal is off by as much. */
     private static final double FLOAT = 0x1p-22;
 
-    private static float share(Clarity clarity, boolean inside, double angle) {
-        return Refraction.mirrored(clarity, inside, 0, 1, 0, (float) Math.sin(angle), (float) -Math.cos(angle), 0);
+    private static float reflectance(Transmission clarity, boolean inside, double angle) {
+        return Refraction.fresnelReflectance(clarity, inside, 0, 1, 0, (float) Math.sin(angle), (float) -Math.cos(angle), 0);
     }
 
     private static double[] direction(double eta, double angle) {
         double[] to = new double[3];
-        return Refraction.direct(0, 1, 0, (float) Math.sin(angle), (float) -Math.cos(angle), 0, eta, to) ? to : null;
+        return Refraction.writeDirection(0, 1, 0, (float) Math.sin(angle), (float) -Math.cos(angle), 0, eta, to) ? to : null;
     }
 
     /** From 0 to a right angle, evenly, or next to either by ten to a power. */
@@ -55,7 +55,7 @@ class RefractionTest {
     }
 
     @Property(tries = 200)
-    void sinesOfTheAngles_haveSnellsRatio(@ForAll long seed) {
+    void refractedAngles_followSnellsLaw(@ForAll long seed) {
         Random random = new Random(seed);
         double angle = angle(random);
         double ior = ior(random);
@@ -69,67 +69,70 @@ class RefractionTest {
     /** Inside glass nothing leaves from the angle on whose sine is 1/ior, and all is mirrored. */
     @ParameterizedTest
     @ValueSource(doubles = {1.33, 1.5, 2.42, 4})
-    void criticalAngle_dividesWhatLeavesFromWhatIsMirroredInAll(double ior) {
+    void criticalAngle_separatesRefractionFromTotalReflection(double ior) {
         double critical = Math.asin(1 / ior);
         assertThat(direction(ior, critical + 1e-5)).isNull();
-        assertThat(share(GLASS.withIor(ior), true, critical + 1e-5)).isEqualTo(1);
+        assertThat(reflectance(GLASS.withIor(ior), true, critical + 1e-5)).isEqualTo(1);
         assertThat(direction(ior, critical - 1e-5)[0]).isCloseTo(1, within(1e-3));
-        assertThat(share(GLASS.withIor(ior), true, critical - 1e-5)).isBetween(0.9f, 0.9999f);
+        assertThat(reflectance(GLASS.withIor(ior), true, critical - 1e-5)).isBetween(0.9f, 0.9999f);
     }
 
     /** ((n − 1)/(n + 1))²: 4 % of glass, 17 % of diamond; the same from inside. */
     @ParameterizedTest
     @CsvSource({"1.33, 0.020059", "1.5, 0.04", "2.42, 0.172395", "1, 0"})
-    void headOn_aSurfaceMirrorsWhatItsIndexSays(double ior, double expected) {
-        assertThat((double) share(GLASS.withIor(ior), false, 0)).isCloseTo(expected, within(1e-6));
-        assertThat((double) share(GLASS.withIor(ior), true, 0)).isCloseTo(expected, within(1e-6));
+    void normalIncidence_reflectsByIndexOfRefraction(double ior, double expected) {
+        assertThat((double) reflectance(GLASS.withIor(ior), false, 0)).isCloseTo(expected, within(1e-6));
+        assertThat((double) reflectance(GLASS.withIor(ior), true, 0)).isCloseTo(expected, within(1e-6));
     }
 
     /** At the angle whose tangent is n one polarization is not mirrored at all: half of sin²(θ − θ') is left. */
     @Test
-    void brewstersAngle_mirrorsOnePolarizationAlone() {
+    void brewstersAngle_reflectsOnePolarization() {
         double angle = Math.atan(1.5);
         double s = Math.sin(angle - Math.asin(Math.sin(angle) / 1.5));
-        assertThat((double) share(GLASS, false, angle)).isCloseTo(s * s / 2, within(1e-6));
+        assertThat((double) reflectance(GLASS, false, angle)).isCloseTo(s * s / 2, within(1e-6));
     }
 
     @Property(tries = 200)
-    void share_isTheSameOnTheWayBack(@ForAll long seed) {
+    void reflectance_isSameInReverseDirection(@ForAll long seed) {
         Random random = new Random(seed);
         double angle = angle(random);
         double ior = ior(random);
-        Clarity clarity = GLASS.withIor(ior);
-        assertThat(share(clarity, false, angle)).isBetween(0f, 1f);
-        assertThat(share(clarity, true, angle)).isBetween(0f, 1f);
+        Transmission clarity = GLASS.withIor(ior);
+        assertThat(reflectance(clarity, false, angle)).isBetween(0f, 1f);
+        assertThat(reflectance(clarity, true, angle)).isBetween(0f, 1f);
         // Nearer to the critical angle inside, the float of a direction decides how much is mirrored.
         angle = Math.min(angle, 1.5);
-        assertThat((double) share(clarity, false, angle)).isCloseTo(share(clarity, true, Math.asin(Math.sin(angle) / ior)), within(1e-3));
-        assertThat(share(clarity, false, angle)).isBetween(0f, 1f);
+        assertThat((double) reflectance(clarity, false, angle)).isCloseTo(reflectance(clarity, true, Math.asin(Math.sin(angle) / ior)),
+                within(1e-3));
+        assertThat(reflectance(clarity, false, angle)).isBetween(0f, 1f);
     }
 
     /** Two faces send to and fro what neither lets out: F + (1 − F)²·F·(1 + F² + …). */
     @Test
-    void pane_mirrorsWithBothItsFaces() {
+    void thinPane_reflectsOnBothFaces() {
         double f = 0.04;
         double sum = f;
         for (int k = 0; k < 10; k++) {
             sum += (1 - f) * (1 - f) * Math.pow(f, 2 * k + 1);
         }
-        assertThat((double) share(GLASS.withThin(true), false, 0)).isCloseTo(sum, within(1e-7));
+        assertThat((double) reflectance(GLASS.withThin(true), false, 0)).isCloseTo(sum, within(1e-7));
         assertThat(direction(Refraction.eta(GLASS.withThin(true), false), 1.2)[0]).isCloseTo(Math.sin(1.2), within(1e-7));
     }
 
     /** Along the surface, where all is 0 or 1, and at the numbers' end. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1 + 0x1p-52, 1.5, 4})
-    void grazingRays_giveNumbers(double ior) {
-        Clarity clarity = GLASS.withIor(ior);
+    void grazingRays_haveFiniteReflectance(double ior) {
+        Transmission clarity = GLASS.withIor(ior);
         for (float c : new float[] {0, Float.MIN_VALUE, 1e-20f, 1, 1 + 0x1p-22f}) {
             for (boolean inside : new boolean[] {false, true}) {
-                assertThat(Refraction.mirrored(clarity, inside, 0, 1, 0, (float) Math.sqrt(Math.max(0, 1 - c * c)), -c, 0)).isBetween(0f,
-                        1f);
+                assertThat(Refraction.fresnelReflectance(clarity, inside, 0, 1, 0, (float) Math.sqrt(Math.max(0, 1 - c * c)), -c, 0))
+                        .isBetween(0f,
+                                1f);
                 double[] to = new double[3];
-                if (Refraction.direct(0, 1, 0, (float) Math.sqrt(Math.max(0, 1 - c * c)), -c, 0, Refraction.eta(clarity, inside), to)) {
+                if (Refraction.writeDirection(0, 1, 0, (float) Math.sqrt(Math.max(0, 1 - c * c)), -c, 0, Refraction.eta(clarity, inside),
+                        to)) {
                     assertThat(Math.hypot(to[0], to[1])).isCloseTo(1, within(1e-12));
                 }
             }
@@ -142,9 +145,9 @@ class RefractionTest {
      */
     @ParameterizedTest
     @CsvSource({"4, 1e-5", "1e4, 1e-2", "1e-3, 1e-5"})
-    void ballOfGlass_turnsRaysAsGeometrySays(double distance, double off) {
-        Scene scene = new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
-                List.of(Material.of("glass").withClarity(GLASS)),
+    void glassBall_deflectsRaysByGeometry(double distance, double off) {
+        Scene scene = new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40), World.DEFAULT,
+                List.of(Material.of("glass").withTransmission(GLASS)),
                 List.of(new Shape(Solid.SPHERE, "ball", "glass",
                         new Placement(new Vec3(0, 0, -distance), Vec3.ZERO, new Vec3(distance / 4, distance / 4, distance / 4)))),
                 List.of());
@@ -152,14 +155,15 @@ class RefractionTest {
         for (double b : new double[] {0, 0.1, 0.5, 0.9, 0.99}) {
             double angle = Math.asin(b / 4);
             Ray ray = new Ray(Vec3.ZERO, new Vec3(Math.sin(angle), 0, -Math.cos(angle)));
-            SurfacePoint entered = geometry.surface(geometry.nearestOfAll(ray), ray);
-            assertThat(entered.behind().isInside()).isFalse();
-            Ray inside = entered.refracted();
-            SurfacePoint left = geometry.surface(geometry.nearestOfAll(inside), inside);
-            assertThat(left.behind().isInside()).isTrue();
-            assertThat((double) left.behind().inside()).isCloseTo(2 * Math.cos(Math.asin(b / 1.5)) * distance / 4, within(off * distance));
-            Ray out = left.refracted();
-            assertThat(geometry.nearestOfAll(out)).isNegative();
+            SurfacePoint entered = geometry.surface(geometry.nearestBruteForce(ray), ray);
+            assertThat(entered.backSide().isInside()).isFalse();
+            Ray inside = entered.refractedRay();
+            SurfacePoint left = geometry.surface(geometry.nearestBruteForce(inside), inside);
+            assertThat(left.backSide().isInside()).isTrue();
+            assertThat((double) left.backSide().insideDistance()).isCloseTo(2 * Math.cos(Math.asin(b / 1.5)) * distance / 4,
+                    within(off * distance));
+            Ray out = left.refractedRay();
+            assertThat(geometry.nearestBruteForce(out)).isNegative();
             double turned = Math.acos(Math.min(1, out.direction().dot(ray.direction())));
             assertThat(turned).as("at " + b).isCloseTo(2 * (Math.asin(b) - Math.asin(b / 1.5)), within(1e-3));
         }

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
-import lightning.base.math.Power;
+import lightning.base.math.PowerFunction;
 import lightning.base.math.Ray;
 import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
-import lightning.render.trace.primitive.Surface;
+import lightning.render.trace.primitive.SurfaceHit;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
 
@@ -25,7 +25,7 @@ final class RobustCost {
     private static final int TURNS = 12_001;
 
     private static double sink;
-    private static String only;
+    private static String selectedCase;
 
     private RobustCost() {}
 
@@ -40,33 +40,33 @@ final class RobustCost {
             }
             return;
         }
-        only = args[0];
+        selectedCase = args[0];
         compare("ray and sphere", rays(Solid.SPHERE), r -> NaiveSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]),
                 r -> CanonicalSolids.sphere(r[0], r[1], r[2], r[3], r[4], r[5]));
         compare("ray and cylinder", rays(Solid.CYLINDER), r -> NaiveSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]),
                 r -> CanonicalSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]));
         compare("ray and cone", rays(Solid.CONE), r -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]),
                 r -> CanonicalSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]));
-        compare("stored point: rounded, or moved by its bound", rays(Solid.SPHERE), RobustCost::rounded, RobustCost::moved);
+        compare("stored point: rounded, or moved by its bound", rays(Solid.SPHERE), RobustCost::roundedPoint, RobustCost::offsetPoint);
         compare("V·R: as it is, or over the lengths", rays(Solid.SPHERE), RobustCost::dot, RobustCost::unitDot);
-        compare("power: of the library, or Lightning's own", powers(), r -> Math.pow(r[0], r[1]), r -> Power.of(r[0], r[1]));
+        compare("power: of the library, or Lightning's own", powers(), r -> Math.pow(r[0], r[1]), r -> PowerFunction.pow(r[0], r[1]));
         Placement[] placements = placements();
         compare("inverse of a placement: by cofactors, or turned back", indices(),
-                r -> cofactors(placements[(int) r[0]].transform()).m00(), r -> placements[(int) r[0]].directionsBack().m00());
+                r -> cofactors(placements[(int) r[0]].transform()).m00(), r -> placements[(int) r[0]].directionsToLocal().m00());
     }
 
-    private static void compare(String what, double[][] cases, ToDoubleFunction<double[]> textbook, ToDoubleFunction<double[]> robust) {
-        if (!what.contains(only)) {
+    private static void compare(String name, double[][] cases, ToDoubleFunction<double[]> textbook, ToDoubleFunction<double[]> robust) {
+        if (!name.contains(selectedCase)) {
             return;
         }
         double[] textbooks = new double[TURNS];
         double[] robusts = new double[TURNS];
-        for (int turn = 0; turn < TURNS; turn++) {
-            textbooks[turn] = nanoseconds(cases, textbook);
-            robusts[turn] = nanoseconds(cases, robust);
+        for (int rotation = 0; rotation < TURNS; rotation++) {
+            textbooks[rotation] = nanoseconds(cases, textbook);
+            robusts[rotation] = nanoseconds(cases, robust);
         }
         // The first half is for the compiler.
-        System.out.printf(Locale.ROOT, "%-52s %5.1f %10.1f%n", what, median(textbooks), median(robusts));
+        System.out.printf(Locale.ROOT, "%-52s %5.1f %10.1f%n", name, median(textbooks), median(robusts));
     }
 
     private static double nanoseconds(double[][] cases, ToDoubleFunction<double[]> formula) {
@@ -86,10 +86,10 @@ final class RobustCost {
     }
 
     private static double[][] rays(Solid.Canonical solid) {
-        Random random = new Random(CanonicalSolids.PLAIN.indexOf(solid));
+        Random random = new Random(CanonicalSolids.BASIC.indexOf(solid));
         double[][] rays = new double[CASES][];
         for (int i = 0; i < CASES; i++) {
-            Ray ray = HardRay.FROM_AFAR.make(solid, random);
+            Ray ray = HardRay.FROM_AFAR.create(solid, random);
             Vec3 o = ray.origin();
             Vec3 d = ray.direction();
             rays[i] = new double[] {o.x(), o.y(), o.z(), d.x(), d.y(), d.z()};
@@ -119,14 +119,14 @@ final class RobustCost {
     }
 
     /** The three coordinates of a point as floats. */
-    private static double rounded(double[] r) {
+    private static double roundedPoint(double[] r) {
         return (float) r[0] + (float) r[1] + (float) r[2];
     }
 
-    /** As {@link Surface#at} does it, the direction for the normal. */
-    private static double moved(double[] r) {
-        double off = (Math.abs(r[0] * r[3]) + Math.abs(r[1] * r[4]) + Math.abs(r[2] * r[5])) * Surface.OFFSET
-                + ((Math.abs(r[0]) + Math.abs(r[1]) + Math.abs(r[2])) * Surface.ERROR + Surface.ERROR);
+    /** As {@link SurfaceHit#compute} does it, the direction for the normal. */
+    private static double offsetPoint(double[] r) {
+        double off = (Math.abs(r[0] * r[3]) + Math.abs(r[1] * r[4]) + Math.abs(r[2] * r[5])) * SurfaceHit.OFFSET
+                + ((Math.abs(r[0]) + Math.abs(r[1]) + Math.abs(r[2])) * SurfaceHit.HIT_ERROR + SurfaceHit.HIT_ERROR);
         return (float) (r[0] + r[3] * off) + (float) (r[1] + r[4] * off) + (float) (r[2] + r[5] * off);
     }
 

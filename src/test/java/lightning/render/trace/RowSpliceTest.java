@@ -13,15 +13,15 @@ import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.scene.Camera;
-import lightning.scene.Clarity;
 import lightning.scene.Material;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
+import lightning.scene.Transmission;
 import lightning.scene.World;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -34,7 +34,7 @@ class RowSpliceTest {
     private static final int PARENTS = 200;
 
     @Property
-    void everyColumn_followsItsRow(@ForAll Random random, @ForAll @IntRange(min = 1, max = 100) int known,
+    void eachColumn_followsItsRow(@ForAll Random random, @ForAll @IntRange(min = 1, max = 100) int known,
             @ForAll @IntRange(max = 100) int more) {
         MaterialTable before = materials(random);
         MaterialTable after = materials(random);
@@ -46,10 +46,10 @@ class RowSpliceTest {
         HitRows old = rows(random, parents.subList(0, known), before);
         HitRows added = more == 0 ? null : rows(random, parents.subList(known, known + more), after);
 
-        HitRows now = RowSplice.joined(PARENTS, old, added, after).rows();
+        HitRows now = RowSplice.join(PARENTS, old, added, after).rows();
 
         assertThat(now.count).isEqualTo(known + more);
-        assertThat(now.clear).isEqualTo(old.clear + (added == null ? 0 : added.clear));
+        assertThat(now.transparentCount).isEqualTo(old.transparentCount + (added == null ? 0 : added.transparentCount));
         for (int i = 0; i < now.count; i++) {
             HitRows origin = rowOf(old, now.parent[i]) >= 0 ? old : added;
             int row = rowOf(origin, now.parent[i]);
@@ -64,11 +64,11 @@ class RowSpliceTest {
     /** All columns; those of what is behind clear surfaces where there are any. */
     private static List<HitRows.Column> columns(HitRows rows) {
         return Arrays.stream(HitRows.Column.values())
-                .filter(column -> rows.clear > 0 || !HitRows.Part.CLEAR.columns().contains(column)).toList();
+                .filter(column -> rows.transparentCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column)).toList();
     }
 
     @Test
-    void everyArrayOfRows_isAColumn() {
+    void eachRowArray_isColumn() {
         HitRows rows = new HitRows(1, true, true, true, true);
         long arrays = Arrays.stream(HitRows.class.getFields()).filter(f -> f.getType().isArray())
                 .filter(f -> !f.getName().startsWith("run")).count();
@@ -99,11 +99,11 @@ class RowSpliceTest {
         Collections.sort(ranks);
         for (int i = 0; i < rows.count; i++) {
             if (i + 1 == rows.count || !ranks.get(i).equals(ranks.get(i + 1))) {
-                rows.addRun(materials.ranked(ranks.get(i)), i + 1);
+                rows.addRun(materials.materialAtRank(ranks.get(i)), i + 1);
             }
         }
-        rows.reflective = (int) ranks.stream().filter(rank -> rank < materials.reflectiveCount()).count();
-        rows.clear = (int) ranks.stream().filter(rank -> rank < materials.clearCount()).count();
+        rows.reflectiveCount = (int) ranks.stream().filter(rank -> rank < materials.reflectiveCount()).count();
+        rows.transparentCount = (int) ranks.stream().filter(rank -> rank < materials.transparentCount()).count();
         return rows;
     }
 
@@ -131,13 +131,14 @@ class RowSpliceTest {
         List<Material> materials = new ArrayList<>();
         for (int m = 0; m < MATERIALS; m++) {
             names.add("m" + m);
-            materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.grey(random.nextInt(2)))
-                    .withClarity(m == 1 ? Clarity.NONE.withClear(Rgb.WHITE) : Clarity.NONE)
+            materials.add(Material.of("m" + m).withDiffuse(Rgb.WHITE).withShininess(1).withReflective(Rgb.gray(random.nextInt(2)))
+                    .withTransmission(m == 1 ? Transmission.NONE.withColor(Rgb.WHITE) : Transmission.NONE)
                     .withTexture(Optional.of(new TextureMap("t.png", 1, 1, texture))));
         }
         var plane = new Shape(Solid.PLANE, "p", "m0", Placement.IDENTITY);
         Camera camera = new Camera(Vec3.ZERO, new Vec3(0, 0, -1), Vec3.Y, 40);
-        return new MaterialTable(names, Set.of(), new Scene(Picture.DEFAULT, camera, World.DEFAULT, materials, List.of(plane), List.of()),
-                null, MaterialTable.MIRRORS);
+        return new MaterialTable(names, Set.of(),
+                new Scene(PictureSettings.DEFAULT, camera, World.DEFAULT, materials, List.of(plane), List.of()),
+                null, MaterialTable.CASTS_REFLECTIONS);
     }
 }

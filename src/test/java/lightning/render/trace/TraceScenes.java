@@ -5,21 +5,21 @@ import java.util.List;
 import java.util.Random;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.sample.Meshes;
+import lightning.sample.SampleMeshes;
 import lightning.scene.Camera;
-import lightning.scene.Group;
 import lightning.scene.Material;
-import lightning.scene.Node;
-import lightning.scene.Picture;
+import lightning.scene.NodeGroup;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
 
 /** Scenes to trace: like those of the paper, and arbitrary ones. */
 public final class TraceScenes {
-    private final List<Node> nodes = new ArrayList<>();
+    private final List<SceneNode> nodes = new ArrayList<>();
 
     private TraceScenes add(Solid solid, Vec3 at, Vec3 rotate, Vec3 scale) {
         String name = "s" + nodes.size();
@@ -33,14 +33,14 @@ public final class TraceScenes {
         return add(solid, new Vec3(x, y, z), Vec3.ZERO, new Vec3(sx, sy, sz));
     }
 
-    private Scene seenFrom(double x, double y, double z) {
+    private Scene withCameraAt(double x, double y, double z) {
         Camera camera = new Camera(new Vec3(x, y, z), new Vec3(0, 1, 0), Vec3.Y, 40);
-        return new Scene(Picture.DEFAULT, camera, World.DEFAULT, List.of(), nodes, List.of());
+        return new Scene(PictureSettings.DEFAULT, camera, World.DEFAULT, List.of(), nodes, List.of());
     }
 
     /** One shape alone, seen from a camera. */
-    static PrimitiveTable one(Solid solid, Placement placement, Vec3 camera) {
-        return new Geometry(one(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
+    static PrimitiveTable singleShape(Solid solid, Placement placement, Vec3 camera) {
+        return new Geometry(singleShape(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
     }
 
     /** A ball of radius 1 about (0, 0, −5) on a floor, seen from the origin. */
@@ -49,37 +49,39 @@ public final class TraceScenes {
     }
 
     /** One shape alone about (0, 0, −5), its base at a height of −0.5, seen from the origin. */
-    public static Scene alone(Solid solid) {
-        return one(solid, new Placement(new Vec3(0, -0.5, -5), Vec3.ZERO, Vec3.ONE), Vec3.ZERO, new Vec3(0, 0, -5));
+    public static Scene singleSolid(Solid solid) {
+        return singleShape(solid, new Placement(new Vec3(0, -0.5, -5), Vec3.ZERO, Vec3.ONE), Vec3.ZERO, new Vec3(0, 0, -5));
     }
 
     /** A ball of a radius, and a floor under it, seen from the origin. */
     static Scene ballOnFloor(Vec3 at, double radius) {
-        List<Node> nodes = new TraceScenes().add(Solid.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))
+        List<SceneNode> nodes = new TraceScenes().add(Solid.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))
                 .add(Solid.PLANE, at.minus(new Vec3(0, radius, 0)), Vec3.ZERO, new Vec3(8 * radius, 1, 8 * radius)).nodes;
-        return new Scene(Picture.DEFAULT, new Camera(Vec3.ZERO, at, Vec3.Y, 40), World.DEFAULT, List.of(), nodes, List.of());
+        return new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, at, Vec3.Y, 40), World.DEFAULT, List.of(), nodes, List.of());
     }
 
     /** One shape alone, seen from a camera that looks at a point. */
-    static Scene one(Solid solid, Placement placement, Vec3 from, Vec3 to) {
-        return new Scene(Picture.DEFAULT, new Camera(from, to, Vec3.Y, 40), World.DEFAULT, List.of(),
-                new TraceScenes().add(solid, placement.at(), placement.rotate(), placement.scale()).nodes, List.of());
+    static Scene singleShape(Solid solid, Placement placement, Vec3 from, Vec3 to) {
+        return new Scene(PictureSettings.DEFAULT, new Camera(from, to, Vec3.Y, 40), World.DEFAULT, List.of(),
+                new TraceScenes().add(solid, placement.position(), placement.rotation(), placement.scale()).nodes, List.of());
     }
 
     /** One shape over a floor of 12 × 12, seen from a camera. */
-    static Scene overFloor(Solid solid, Placement placement, Vec3 camera) {
-        return new TraceScenes().add(solid, placement.at(), placement.rotate(), placement.scale()).add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
-                .seenFrom(camera.x(), camera.y(), camera.z());
+    static Scene shapeOverFloor(Solid solid, Placement placement, Vec3 camera) {
+        return new TraceScenes().add(solid, placement.position(), placement.rotation(), placement.scale())
+                .add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
+                .withCameraAt(camera.x(), camera.y(), camera.z());
     }
 
     /** One shape within groups, the outermost first, seen from a camera. */
-    static Scene one(Solid solid, List<Placement> placements, Vec3 camera) {
-        Placement own = placements.getLast();
-        Node node = new TraceScenes().add(solid, own.at(), own.rotate(), own.scale()).nodes.getFirst();
+    static Scene singleShape(Solid solid, List<Placement> placements, Vec3 camera) {
+        Placement local = placements.getLast();
+        SceneNode node = new TraceScenes().add(solid, local.position(), local.rotation(), local.scale()).nodes.getFirst();
         for (int g = placements.size() - 2; g >= 0; g--) {
-            node = new Group("g" + g, placements.get(g), List.of(node));
+            node = new NodeGroup("g" + g, placements.get(g), List.of(node));
         }
-        return new Scene(Picture.DEFAULT, new Camera(camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())), Vec3.Y, 40), World.DEFAULT,
+        return new Scene(PictureSettings.DEFAULT, new Camera(camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())), Vec3.Y, 40),
+                World.DEFAULT,
                 List.of(), List.of(node), List.of());
     }
 
@@ -91,7 +93,7 @@ public final class TraceScenes {
                 .add(Solid.SPHERE, -2.2, 0.8, 0.5, 0.8, 0.8, 0.8)
                 .add(Solid.SPHERE, 2.1, 0.7, 0.8, 0.7, 0.7, 0.7)
                 .add(Solid.SPHERE, 0.6, 0.4, 2, 0.4, 0.4, 0.4)
-                .seenFrom(0, 3, 9);
+                .withCameraAt(0, 3, 9);
     }
 
     /** Four spheres, two cones and four cylinders over a floor: a bird. */
@@ -108,7 +110,7 @@ public final class TraceScenes {
                 .add(Solid.CYLINDER, new Vec3(-0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
                 .add(Solid.CYLINDER, new Vec3(0.3, 0.05, 0.1), new Vec3(90, 0, 0), new Vec3(0.07, 0.5, 0.05))
                 .add(Solid.PLANE, 0, 0, 0, 10, 1, 10)
-                .seenFrom(4, 3, 7);
+                .withCameraAt(4, 3, 7);
     }
 
     /** A log house: 270 cylinders in four walls. */
@@ -128,7 +130,7 @@ public final class TraceScenes {
         for (int post = 0; post < 6; post++) {
             s.add(Solid.CYLINDER, -3 + 1.2 * post, 0, 4, 0.1, 4, 0.1);
         }
-        return s.seenFrom(9, 5, 12);
+        return s.withCameraAt(9, 5, 12);
     }
 
     /** Small shapes of all kinds spread in a cube. */
@@ -137,47 +139,47 @@ public final class TraceScenes {
         TraceScenes s = new TraceScenes();
         double size = 3 / Math.cbrt(count);
         for (int i = 0; i < count; i++) {
-            s.add(CanonicalSolids.any(random), vector(random, 4), vector(random, 180),
+            s.add(CanonicalSolids.randomSolid(random), vector(random, 4), vector(random, 180),
                     new Vec3(size * (0.2 + random.nextDouble()), size * (0.2 + random.nextDouble()), size * (0.2 + random.nextDouble())));
         }
-        return s.seenFrom(0, 2, 12);
+        return s.withCameraAt(0, 2, 12);
     }
 
     /** Shapes of scales from 10⁻³ to 10⁶, some of them far away, many of them equal. */
-    public static Scene wild(int count, long seed) {
+    public static Scene randomScene(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
         double moved = random.nextBoolean() ? 0 : 1e7 * random.nextDouble();
         for (int i = 0; i < count; i++) {
             Vec3 at = vector(random, Math.pow(10, random.nextInt(6) - 1)).plus(new Vec3(moved, 0, -moved));
-            Vec3 turn = random.nextInt(3) == 0 ? new Vec3(90 * random.nextInt(4), 90 * random.nextInt(4), 0) : vector(random, 180);
+            Vec3 rotation = random.nextInt(3) == 0 ? new Vec3(90 * random.nextInt(4), 90 * random.nextInt(4), 0) : vector(random, 180);
             Vec3 scale = new Vec3(scale(random), scale(random), scale(random));
-            Solid solid = random.nextInt(5) == 0 ? Meshes.some().get(random.nextInt(7)) : CanonicalSolids.any(random);
+            Solid solid = random.nextInt(5) == 0 ? SampleMeshes.samples().get(random.nextInt(7)) : CanonicalSolids.randomSolid(random);
             for (int copy = random.nextInt(8) == 0 ? 2 : 1; copy > 0; copy--) {
-                s.add(solid, at, turn, scale);
+                s.add(solid, at, rotation, scale);
             }
         }
         Vec3 from = vector(random, 10).plus(new Vec3(moved, 0, -moved));
-        return new Scene(Picture.DEFAULT, new Camera(from, from.plus(new Vec3(0, 0, -1)), Vec3.Y, 40), World.DEFAULT,
+        return new Scene(PictureSettings.DEFAULT, new Camera(from, from.plus(new Vec3(0, 0, -1)), Vec3.Y, 40), World.DEFAULT,
                 List.of(), s.nodes, List.of());
     }
 
     /** Equal spheres, all in one place. */
-    public static Scene heap(int count) {
+    public static Scene overlappingShapes(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
             s.add(Solid.SPHERE, 0, 1, 0, 1, 1, 1);
         }
-        return s.seenFrom(0, 1, 8);
+        return s.withCameraAt(0, 1, 8);
     }
 
     /** Shapes of all kinds, equal ones and their mirror images, all in one place. */
-    public static Scene mixedHeap(int count) {
+    public static Scene mixedOverlappingShapes(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
             s.add(CanonicalSolids.ALL.get(i / 2 % CanonicalSolids.ALL.size()), 0, 1, 0, i % 3 == 0 ? -1 : 1, 1, i % 5 == 0 ? -1 : 1);
         }
-        return s.seenFrom(0, 1, 8);
+        return s.withCameraAt(0, 1, 8);
     }
 
     /** Shapes within shapes that share a cap, a rim, a base or a line of contact; the inner ones first and last. */
@@ -189,7 +191,7 @@ public final class TraceScenes {
                     .add(Solid.SPHERE, 0, 0, 0, scale, scale, scale)
                     .add(Solid.PLANE, 0, 0, 0, 2 * scale, scale, 2 * scale);
         }
-        return s.seenFrom(0, 1, 8);
+        return s.withCameraAt(0, 1, 8);
     }
 
     /** Shapes whose boxes are flat, or as thin as a shape may be: in one plane, on each other and crossing. */
@@ -203,32 +205,32 @@ public final class TraceScenes {
                     .add(Solid.SPHERE, 0, 1, 0.25 * i, 0.5, 1e-9, 1)
                     .add(Solid.CONE, 0.25 * i, 1, 0, 1e-9, 1, 1e-9);
         }
-        return s.seenFrom(0, 1, 8);
+        return s.withCameraAt(0, 1, 8);
     }
 
     /** Shapes in turned groups that stretch one axis and squeeze another, more and more. */
-    public static Scene skewed(int count, long seed) {
+    public static Scene skewedShapes(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
             TraceScenes one = new TraceScenes();
-            one.add(CanonicalSolids.any(random), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
-            Node node = one.nodes.getFirst();
+            one.add(CanonicalSolids.randomSolid(random), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
+            SceneNode node = one.nodes.getFirst();
             int levels = random.nextInt(4);
             // Nested scales multiply; together they stay within what a scene may have, 10⁻⁹ to 10⁹.
             double stretch = Math.scalb(1.0, random.nextInt(1 + 28 / Math.max(1, levels)));
             for (int level = levels; level > 0; level--) {
                 Placement turned = new Placement(vector(random, 1), vector(random, 180), new Vec3(stretch, 1, 1 / stretch));
-                node = new Group("g" + i + "_" + level, turned, List.of(node));
+                node = new NodeGroup("g" + i + "_" + level, turned, List.of(node));
             }
-            s.nodes.add(new Group("g" + i, Placement.IDENTITY, List.of(rename(node, i))));
+            s.nodes.add(new NodeGroup("g" + i, Placement.IDENTITY, List.of(rename(node, i))));
         }
-        return s.seenFrom(0, 2, 12);
+        return s.withCameraAt(0, 2, 12);
     }
 
-    private static Node rename(Node node, int i) {
+    private static SceneNode rename(SceneNode node, int i) {
         return switch (node) {
-            case Group g -> new Group(g.name(), g.placement(), List.of(rename(g.children().getFirst(), i)));
+            case NodeGroup g -> new NodeGroup(g.name(), g.placement(), List.of(rename(g.children().getFirst(), i)));
             case Shape x -> x.withName("s" + i);
         };
     }
@@ -238,8 +240,8 @@ public final class TraceScenes {
         return random.nextInt(4) == 0 ? -s : s;
     }
 
-    private static Vec3 vector(Random random, double reach) {
-        return new Vec3((random.nextDouble() - 0.5) * 2 * reach, (random.nextDouble() - 0.5) * 2 * reach,
-                (random.nextDouble() - 0.5) * 2 * reach);
+    private static Vec3 vector(Random random, double extent) {
+        return new Vec3((random.nextDouble() - 0.5) * 2 * extent, (random.nextDouble() - 0.5) * 2 * extent,
+                (random.nextDouble() - 0.5) * 2 * extent);
     }
 }

@@ -10,7 +10,7 @@ import lightning.base.work.Progress;
 import lightning.format.jen.JenReader;
 import lightning.render.engine.choice.Engines;
 import lightning.render.trace.Geometry;
-import lightning.sample.EngineMix;
+import lightning.sample.MixedEngineChoice;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
@@ -30,40 +30,40 @@ class WarmUpTest {
     }
 
     @AfterEach
-    void mixedAgain() {
-        Engines.use(new EngineMix(2));
+    void restoreMixedEngines() {
+        Engines.use(new MixedEngineChoice(2));
     }
 
     @Test
-    void process_usesWhatIsFastestOnceThatIsWarm() {
-        assertThat(Engines.areFastest()).isFalse();
+    void warmProcess_usesFastestEngine() {
+        assertThat(Engines.isFastestInUse()).isFalse();
         WarmUp.run(scene, geometry, Progress.NONE);
-        assertThat(Engines.areFastest()).isTrue();
-        assertThat(Engines.OF_PROCESS.forTile(0)).isEqualTo(Engines.hasLanes() ? Engines.LANES : Engines.SCALAR);
+        assertThat(Engines.isFastestInUse()).isTrue();
+        assertThat(Engines.CURRENT.forTile(0)).isEqualTo(Engines.hasLanes() ? Engines.LANES : Engines.SCALAR);
     }
 
     @Test
-    void stoppedOnItsWay_leavesTheProcessAsItWas() {
-        assertThatThrownBy(() -> WarmUp.run(scene, geometry, stopping(10))).isInstanceOf(CancellationException.class);
-        assertThat(Engines.OF_PROCESS.forTile(0)).isEqualTo(Engines.SCALAR);
+    void canceledWarmUp_leavesEngineUnchanged() {
+        assertThatThrownBy(() -> WarmUp.run(scene, geometry, cancelAfter(10))).isInstanceOf(CancellationException.class);
+        assertThat(Engines.CURRENT.forTile(0)).isEqualTo(Engines.SCALAR);
     }
 
     @Test
-    void shortWork_warmsNothingUp() {
-        new LateWarmUp(scene).close();
-        assertThat(Engines.areFastest()).isFalse();
+    void shortWork_doesNotWarmUp() {
+        new DelayedWarmUp(scene).close();
+        assertThat(Engines.isFastestInUse()).isFalse();
     }
 
     /** Stops when it was asked a number of times. */
-    private static Progress stopping(int after) {
+    private static Progress cancelAfter(int tileCount) {
         AtomicInteger asked = new AtomicInteger();
         return new Progress() {
             @Override
-            public void tiles(int done, int total) {}
+            public void report(int done, int total) {}
 
             @Override
-            public boolean isCancelled() {
-                return asked.incrementAndGet() > after;
+            public boolean isCanceled() {
+                return asked.incrementAndGet() > tileCount;
             }
         };
     }

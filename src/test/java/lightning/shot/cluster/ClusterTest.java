@@ -10,23 +10,23 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.base.work.Wait;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.Slow;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
-import lightning.shot.LocalKeeper;
-import lightning.shot.RelitShot;
+import lightning.shot.LocalFrameHost;
 import lightning.shot.ShotListener;
-import lightning.shot.Take;
+import lightning.shot.ShotRelighter;
+import lightning.shot.ShotRevision;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,31 +43,31 @@ final class ClusterTest {
 
     private final List<AutoCloseable> open = new ArrayList<>();
 
-    private FrameNode node(LocalNetwork.End end, String release) throws Exception {
+    private RenderNode node(LocalNetwork.Endpoint end, String release) throws Exception {
         return node(end, release, 1 << 28);
     }
 
     /** @param room bytes that its frames may take */
-    private FrameNode node(LocalNetwork.End end, String release, long room) throws Exception {
+    private RenderNode node(LocalNetwork.Endpoint end, String release, long room) throws Exception {
         Path own = folder.resolve("node" + open.size());
-        var node = new FrameNode(end, new FrameNode.Settings(release, 1, 1 << 30, own,
-                () -> LocalKeeper.firm(Options.DEFAULT.withThreads(1), room, own, 0), _ -> {}));
+        var node = new RenderNode(end, new RenderNode.Settings(release, 1, 1 << 30, own,
+                () -> LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), room, own, 0), _ -> {}));
         node.start();
         open.add(node);
         return node;
     }
 
-    private static Take edited(Take take, String assignment) {
+    private static ShotRevision edited(ShotRevision take, String assignment) {
         Scene scene = PropertyEdit.apply(take.scene(), assignment);
-        return new Take(scene, take.shot());
+        return new ShotRevision(scene, take.shot());
     }
 
-    private static void awaitAll(RelitShot shot) throws Exception {
-        Wait.until("all frames are current", shot::isIdle);
+    private static void awaitAll(ShotRelighter shot) throws Exception {
+        Await.until("all frames are current", shot::isIdle);
     }
 
     /** A node may be lost after all frames were current, and while a film is on its way: then another traces it. */
-    private static void checkAll(RelitShot shot, Take take) throws Exception {
+    private static void checkAll(ShotRelighter shot, ShotRevision take) throws Exception {
         for (int frame = 1; frame <= LAST; frame++) {
             Film film = null;
             while (film == null) {
@@ -75,7 +75,7 @@ final class ClusterTest {
                 assertThat(shot.state(frame)).isIn(FrameState.CURRENT, FrameState.MISSING);
                 film = shot.film(frame).orElse(null);
             }
-            FilmAssert.assertSameBits(film, new ReferenceTracer(take.at(frame)).trace(), "cluster-" + frame);
+            FilmAssert.assertSameBits(film, new ReferenceTracer(take.sceneAt(frame)).trace(), "cluster-" + frame);
         }
     }
 
@@ -85,45 +85,45 @@ final class ClusterTest {
         for (AutoCloseable each : open) {
             each.close();
         }
-        Wait.untilEnded("lightning-node");
-        Wait.untilEnded("lightning-films");
+        Await.untilThreadEnded("lightning-node");
+        Await.untilThreadEnded("lightning-films");
     }
 
     @Test
-    void frames_areTracedAndRelitByNodes_withTheirTextures() throws Exception {
-        Take take = textured();
+    void frames_withTextures_areTracedAndRelitByNodes() throws Exception {
+        ShotRevision take = textured();
         var network = new LocalNetwork(1, 0);
-        node(network.end(), "r");
-        node(network.end(), "r");
-        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
-                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+        node(network.addEndpoint(), "r");
+        node(network.addEndpoint(), "r");
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
+                NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.edit(take);
+            shot.setRevision(take);
             checkAll(shot, take);
-            Take edited = edited(take, "lamp.intensity=0.3");
-            shot.edit(edited);
+            ShotRevision edited = edited(take, "lamp.intensity=0.3");
+            shot.setRevision(edited);
             checkAll(shot, edited);
-            assertThat(shot.bytes().memory()).isPositive();
+            assertThat(shot.usage().memoryBytes()).isPositive();
         }
     }
 
     @Test
-    void smallFilm_isTheMeanOfTheWholeOne() throws Exception {
-        Take take = textured();
+    void downscaledFilm_isMeanOfFull() throws Exception {
+        ShotRevision take = textured();
         var network = new LocalNetwork(1, 0);
-        node(network.end(), "r");
-        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
-                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+        node(network.addEndpoint(), "r");
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
+                NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.edit(take);
+            shot.setRevision(take);
             awaitAll(shot);
-            Film whole = new ReferenceTracer(take.at(3)).trace();
-            FilmAssert.assertSameBits(shot.film(3, 20, 9).orElseThrow(), new Downscale(12, 9).of(whole), "small-3");
-            FilmAssert.assertSameBits(shot.film(3, 50, 30).orElseThrow(), whole, "whole-3");
+            Film full = new ReferenceTracer(take.sceneAt(3)).trace();
+            FilmAssert.assertSameBits(shot.film(3, 20, 9).orElseThrow(), new Downscale(12, 9).apply(full), "small-3");
+            FilmAssert.assertSameBits(shot.film(3, 50, 30).orElseThrow(), full, "whole-3");
         }
     }
 
-    private Take textured() throws Exception {
+    private ShotRevision textured() throws Exception {
         Files.createDirectories(folder.resolve("textures"));
         var image = new java.awt.image.BufferedImage(4, 4, java.awt.image.BufferedImage.TYPE_INT_RGB);
         image.setRGB(1, 2, 0xff8040);
@@ -138,135 +138,135 @@ final class ClusterTest {
                 shot { frames 1 6 camera { from { 1 0 1 6 6 2 1 5 } } }
                 """);
         JenDocument document = JenReader.read(folder.resolve("textured.jen"));
-        return new Take(document.scene(), document.shot().orElseThrow());
+        return new ShotRevision(document.scene(), document.shot().orElseThrow());
     }
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
-    void nodesThatAreCutAndComeBackWhileEditsGoOn_loseNoFrame(long seed) throws Exception {
-        Take take = textured();
+    void reconnectingNodes_duringEdits_loseNoFrame(long seed) throws Exception {
+        ShotRevision take = textured();
         var random = new Random(seed);
         var network = new LocalNetwork(seed, 0.01);
-        List<LocalNetwork.End> ends = new ArrayList<>();
+        List<LocalNetwork.Endpoint> ends = new ArrayList<>();
         for (int i = 0; i < 3; i++) {
-            ends.add(network.end());
+            ends.add(network.addEndpoint());
             node(ends.getLast(), "r");
         }
-        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
-                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
+                NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
             for (int edit = 0; edit < 12; edit++) {
                 take = edited(take, "lamp.intensity=" + (1 + edit));
-                shot.edit(take);
+                shot.setRevision(take);
                 shot.focus(1 + random.nextInt(LAST));
                 Thread.sleep(random.nextInt(30));
-                network.cut(ends.get(random.nextInt(3)), random.nextBoolean());
+                network.setDisconnected(ends.get(random.nextInt(3)), random.nextBoolean());
                 if (random.nextInt(6) == 0) {
-                    ends.add(network.end());
+                    ends.add(network.addEndpoint());
                     node(ends.getLast(), "r");
                 }
             }
-            for (LocalNetwork.End end : ends) {
-                network.cut(end, false);
+            for (LocalNetwork.Endpoint end : ends) {
+                network.setDisconnected(end, false);
             }
             checkAll(shot, take);
         }
     }
 
     @Test
-    void framesOfALostNode_areMissingUntilOthersTraceThem() throws Exception {
-        Take take = textured();
+    void framesOfLostNode_areMissingUntilRetraced() throws Exception {
+        ShotRevision take = textured();
         var network = new LocalNetwork(1, 0);
-        LocalNetwork.End end = network.end();
+        LocalNetwork.Endpoint end = network.addEndpoint();
         node(end, "r");
-        List<String> gone = Collections.synchronizedList(new ArrayList<>());
+        List<String> lostFrames = Collections.synchronizedList(new ArrayList<>());
         var listener = new ShotListener() {
             @Override
-            public void gone(lightning.shot.KeeperGoneException problem) {
-                gone.add(problem.getMessage());
+            public void hostLost(lightning.shot.HostLostException problem) {
+                lostFrames.add(problem.getMessage());
             }
         };
-        try (RelitShot shot = RelitShot.of(1, LAST, listener);
-                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, listener);
+                NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.edit(take);
+            shot.setRevision(take);
             awaitAll(shot);
             assertThat(machines.count()).isEqualTo(1);
-            network.cut(end, true);
-            Wait.until("it is told that the node is gone", () -> !gone.isEmpty());
-            assertThat(gone).containsExactly("the node member 0 is there no more; others trace its frames again");
+            network.setDisconnected(end, true);
+            Await.until("it is told that the node is gone", () -> !lostFrames.isEmpty());
+            assertThat(lostFrames).containsExactly("the node member 0 is there no more; others trace its frames again");
             assertThat(shot.state(1)).isEqualTo(FrameState.MISSING);
             assertThat(shot.film(1)).isEmpty();
-            node(network.end(), "r");
+            node(network.addEndpoint(), "r");
             checkAll(shot, take);
         }
     }
 
     @Test
-    void nodeThatAloneSawTheCoordinatorLeave_isTakenAnew() throws Exception {
-        Take take = textured();
+    void nodeThatSawCoordinatorLeave_isReadmitted() throws Exception {
+        ShotRevision take = textured();
         var network = new LocalNetwork(1, 0);
-        FrameNode node = node(network.end(), "r");
-        LocalNetwork.End asking = network.end();
-        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
-                Machines machines = new Machines(asking, "r", folder, shot, _ -> {})) {
+        RenderNode node = node(network.addEndpoint(), "r");
+        LocalNetwork.Endpoint asking = network.addEndpoint();
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
+                NodePool machines = new NodePool(asking, "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.edit(take);
+            shot.setRevision(take);
             awaitAll(shot);
-            node.changed(Set.of());
+            node.membersChanged(Set.of());
             checkAll(shot, take);
         }
     }
 
     @Test
-    void nodeOfAnotherRelease_isLeftAsideWithASentence() throws Exception {
+    void nodeOfOtherRelease_isRejected() throws Exception {
         var network = new LocalNetwork(1, 0);
-        node(network.end(), "other");
-        List<String> said = Collections.synchronizedList(new ArrayList<>());
-        try (RelitShot shot = RelitShot.of(1, LAST, ShotListener.NONE);
-                Machines machines = new Machines(network.end(), "r", folder, shot, said::add)) {
+        node(network.addEndpoint(), "other");
+        List<String> log = Collections.synchronizedList(new ArrayList<>());
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
+                NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, log::add)) {
             machines.start();
-            Wait.until("it is told why the node is left aside", () -> !said.isEmpty());
-            assertThat(said).containsExactly("member 0 is left aside: it runs other, this machine r");
+            Await.until("it is told why the node is left aside", () -> !log.isEmpty());
+            assertThat(log).containsExactly("member 0 is left aside: it runs other, this machine r");
             assertThat(machines.count()).isZero();
         }
     }
 
     @Test
-    void framesThatANodeHasNoRoomFor_areTracedByAnother_andFailWithASentenceWhereThereIsNone() throws Exception {
-        Take take = textured();
+    void frameRejectedByNode_isTracedByAnother_orFails() throws Exception {
+        ShotRevision take = textured();
         long each;
-        try (LocalKeeper keeper = new LocalKeeper(Options.DEFAULT.withThreads(1), 1 << 28)) {
-            keeper.bring(1, take, Progress.NONE);
-            each = keeper.bytes().memory();
+        try (LocalFrameHost keeper = new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 1 << 28)) {
+            keeper.update(1, take, Progress.NONE);
+            each = keeper.usage().memoryBytes();
         }
         var joined = new AtomicInteger();
         List<String> failed = Collections.synchronizedList(new ArrayList<>());
         var listener = new ShotListener() {
             @Override
-            public void failed(int frame, Throwable problem) {
+            public void frameFailed(int frame, Throwable problem) {
                 failed.add(problem.getMessage());
             }
 
             @Override
-            public void joined() {
+            public void hostAdded() {
                 joined.incrementAndGet();
             }
         };
         var network = new LocalNetwork(1, 0);
-        node(network.end(), "r", 5 * each / 2);
-        try (RelitShot shot = RelitShot.of(1, LAST, listener);
-                Machines machines = new Machines(network.end(), "r", folder, shot, _ -> {})) {
+        node(network.addEndpoint(), "r", 5 * each / 2);
+        try (ShotRelighter shot = ShotRelighter.of(1, LAST, listener);
+                NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, _ -> {})) {
             machines.start();
-            shot.edit(take);
+            shot.setRevision(take);
             awaitAll(shot);
             assertThat(failed).hasSize(LAST - 2).allSatisfy(sentence -> assertThat(sentence)
                     .matches("nobody has room for it: the node member 0: the frame takes about .* MB, and there is room for .* MB more"));
-            node(network.end(), "r", LAST * each);
-            Wait.until("the node is asked too", () -> joined.get() == 2);
+            node(network.addEndpoint(), "r", LAST * each);
+            Await.until("the node is asked too", () -> joined.get() == 2);
             checkAll(shot, take);
-            Take edited = edited(take, "lamp.at=2 4 3");
-            shot.edit(edited);
+            ShotRevision edited = edited(take, "lamp.at=2 4 3");
+            shot.setRevision(edited);
             checkAll(shot, edited);
             assertThat(failed).hasSize(LAST - 2);
         }

@@ -14,16 +14,16 @@ public final class FreePort {
     /** More than the tests of a process ask for. */
     private static final int BLOCK = 64;
 
-    private static int told = FIRST + (int) (ProcessHandle.current().pid() % BLOCKS) * BLOCK;
+    private static int nextCandidate = FIRST + (int) (ProcessHandle.current().pid() % BLOCKS) * BLOCK;
 
     private FreePort() {}
 
     /** The next of this machine's own address that is free now. */
     public static synchronized int next() {
-        while (!isFree(++told)) {
+        while (!isFree(++nextCandidate)) {
             // Another program's.
         }
-        return told;
+        return nextCandidate;
     }
 
     private static boolean isFree(int port) {

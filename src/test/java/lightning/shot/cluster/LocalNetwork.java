@@ -13,64 +13,64 @@ import java.util.concurrent.Executors;
 
 /** Members in one process, whose messages can be lost and whose connections can be cut. */
 final class LocalNetwork {
-    private final Map<Member, End> ends = new LinkedHashMap<>();
-    private final Set<Member> cut = new HashSet<>();
+    private final Map<ClusterMember, Endpoint> endpoints = new LinkedHashMap<>();
+    private final Set<ClusterMember> disconnected = new HashSet<>();
     private final Random random;
-    private final double lost;
+    private final double lossRate;
 
     /** @param lost the share of messages that never arrives */
     LocalNetwork(long seed, double lost) {
         random = new Random(seed);
-        this.lost = lost;
+        this.lossRate = lost;
     }
 
-    End end() {
-        return new End(new Member(UUID.randomUUID()));
+    Endpoint addEndpoint() {
+        return new Endpoint(new ClusterMember(UUID.randomUUID()));
     }
 
     /** Cuts a member from all others, or gives it back to them. */
-    synchronized void cut(End end, boolean is) {
-        if (is ? cut.add(end.self) : cut.remove(end.self)) {
-            tell();
+    synchronized void setDisconnected(Endpoint end, boolean is) {
+        if (is ? disconnected.add(end.self) : disconnected.remove(end.self)) {
+            notifyMembers();
         }
     }
 
-    private synchronized void add(End end) {
-        ends.put(end.self, end);
-        tell();
+    private synchronized void add(Endpoint end) {
+        endpoints.put(end.self, end);
+        notifyMembers();
     }
 
-    private synchronized void remove(End end) {
-        ends.remove(end.self);
-        tell();
+    private synchronized void remove(Endpoint end) {
+        endpoints.remove(end.self);
+        notifyMembers();
     }
 
-    private void tell() {
-        for (End end : new ArrayList<>(ends.values())) {
-            Set<Member> others = new HashSet<>(ends.keySet());
-            others.removeIf(other -> other.equals(end.self) || !reach(end.self, other));
-            end.inbox.execute(() -> end.listener.changed(Set.copyOf(others)));
+    private void notifyMembers() {
+        for (Endpoint end : new ArrayList<>(endpoints.values())) {
+            Set<ClusterMember> others = new HashSet<>(endpoints.keySet());
+            others.removeIf(other -> other.equals(end.self) || !canReach(end.self, other));
+            end.inbox.execute(() -> end.listener.membersChanged(Set.copyOf(others)));
         }
     }
 
-    private boolean reach(Member a, Member b) {
-        return !cut.contains(a) && !cut.contains(b);
+    private boolean canReach(ClusterMember a, ClusterMember b) {
+        return !disconnected.contains(a) && !disconnected.contains(b);
     }
 
-    private synchronized void deliver(End from, Member to, byte[] bytes) {
-        End end = ends.get(to);
-        if (end != null && ends.containsKey(from.self) && reach(from.self, to) && random.nextDouble() >= lost) {
-            end.inbox.execute(() -> end.listener.heard(from.self, bytes));
+    private synchronized void deliver(Endpoint from, ClusterMember to, byte[] bytes) {
+        Endpoint end = endpoints.get(to);
+        if (end != null && endpoints.containsKey(from.self) && canReach(from.self, to) && random.nextDouble() >= lossRate) {
+            end.inbox.execute(() -> end.listener.messageReceived(from.self, bytes));
         }
     }
 
     /** One member. */
-    final class End implements Network {
-        private final Member self;
+    final class Endpoint implements ClusterNetwork {
+        private final ClusterMember self;
         private final ExecutorService inbox = Executors.newSingleThreadExecutor();
         private Listener listener;
 
-        private End(Member self) {
+        private Endpoint(ClusterMember self) {
             this.self = self;
         }
 
@@ -81,7 +81,7 @@ final class LocalNetwork {
         }
 
         @Override
-        public void send(Member to, byte[] bytes) {
+        public void send(ClusterMember to, byte[] bytes) {
             deliver(this, to, bytes);
         }
 
@@ -91,9 +91,9 @@ final class LocalNetwork {
         }
 
         @Override
-        public String name(Member member) {
+        public String addressOf(ClusterMember member) {
             synchronized (LocalNetwork.this) {
-                return "member " + List.copyOf(ends.keySet()).indexOf(member);
+                return "member " + List.copyOf(endpoints.keySet()).indexOf(member);
             }
         }
 

@@ -11,9 +11,9 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
-import lightning.base.text.Release;
+import lightning.base.text.ReleaseInfo;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenReader;
 import lightning.format.jen.PropertyEdit;
@@ -21,10 +21,10 @@ import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
 import lightning.sample.Slow;
 import lightning.shot.FrameState;
-import lightning.shot.KeeperGoneException;
-import lightning.shot.RelitShot;
+import lightning.shot.HostLostException;
 import lightning.shot.ShotListener;
-import lightning.shot.Take;
+import lightning.shot.ShotRelighter;
+import lightning.shot.ShotRevision;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -39,7 +39,7 @@ final class NodeKillTest {
     private static final int KILLS = Integer.getInteger("lightning.kills", 1);
     private static final int NODES = 3;
     private static final int LAST = 12;
-    private static final long PATIENCE_NANOSECONDS = 240_000_000_000L;
+    private static final long TIMEOUT_NANOSECONDS = 240_000_000_000L;
     /** Longer than silence and question together. */
     private static final long STOPPED_MILLISECONDS = 22_000;
 
@@ -48,9 +48,9 @@ final class NodeKillTest {
 
     @Test
     @EnabledOnOs({OS.LINUX, OS.MAC})
-    void nodesThatAreKilledAtRandomMoments_costNoFrame() throws Exception {
-        Take take = take();
-        SelfSigned.write(folder.resolve("shared.p12"));
+    void randomlyKilledNodes_loseNoFrame() throws Exception {
+        ShotRevision take = revision();
+        SelfSignedCertificate.write(folder.resolve("shared.p12"));
         List<Integer> ports = new ArrayList<>();
         for (int i = 0; i < NODES; i++) {
             ports.add(FreePort.next());
@@ -59,7 +59,7 @@ final class NodeKillTest {
         var lost = new AtomicInteger();
         var listener = new ShotListener() {
             @Override
-            public void gone(KeeperGoneException problem) {
+            public void hostLost(HostLostException problem) {
                 lost.incrementAndGet();
             }
         };
@@ -68,30 +68,30 @@ final class NodeKillTest {
             for (int port : ports) {
                 nodes.add(new NodeProcess(port, ports, folder));
             }
-            InetAddress here = InetAddress.getLoopbackAddress();
-            var place = new Place(here, Place.ASKING_PORT, Place.ASKING_PORTS,
-                    ports.stream().map(port -> new InetSocketAddress(here, port)).toList(), folder.resolve("shared.p12"),
-                    Place.Timing.DEFAULT);
-            try (RelitShot shot = RelitShot.of(1, LAST, listener);
-                    Machines machines = new Machines(new TlsNetwork(place), Release.ofMachine(), folder, shot, _ -> {});
-                    Workers workers = new Workers(2)) {
+            InetAddress loopback = InetAddress.getLoopbackAddress();
+            var config = new NodeConfig(loopback, NodeConfig.CLIENT_PORT, NodeConfig.CLIENT_PORTS,
+                    ports.stream().map(port -> new InetSocketAddress(loopback, port)).toList(), folder.resolve("shared.p12"),
+                    NodeConfig.Timing.DEFAULT);
+            try (ShotRelighter shot = ShotRelighter.of(1, LAST, listener);
+                    NodePool machines = new NodePool(new TlsNetwork(config), ReleaseInfo.machineText(), folder, shot, _ -> {});
+                    WorkerPool workers = new WorkerPool(2)) {
                 machines.start();
                 await("all nodes are in use", () -> machines.count() == NODES);
-                shot.edit(take);
+                shot.setRevision(take);
                 awaitAll(shot);
                 for (int kill = 0; kill < KILLS; kill++) {
-                    take = new Take(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
-                    shot.edit(take);
+                    take = new ShotRevision(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
+                    shot.setRevision(take);
                     shot.focus(1 + random.nextInt(LAST));
                     Thread.sleep(random.nextInt(150));
                     int which = random.nextInt(NODES);
                     if (kill % 10 == 9) {
-                        nodes.get(which).stop(true);
+                        nodes.get(which).setSuspended(true);
                         Thread.sleep(STOPPED_MILLISECONDS);
-                        take = new Take(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
-                        shot.edit(take);
+                        take = new ShotRevision(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
+                        shot.setRevision(take);
                         Thread.sleep(random.nextInt(500));
-                        nodes.get(which).stop(false);
+                        nodes.get(which).setSuspended(false);
                     } else {
                         nodes.get(which).kill();
                         nodes.set(which, new NodeProcess(ports.get(which), ports, folder));
@@ -117,7 +117,7 @@ final class NodeKillTest {
         };
     }
 
-    private Take take() throws Exception {
+    private ShotRevision revision() throws Exception {
         Path scene = Files.writeString(folder.resolve("a.jen"), """
                 jen 1
                 picture { size 160 100  depth 2 }
@@ -132,22 +132,22 @@ final class NodeKillTest {
                 shot { frames 1 12 camera { from { 1 0 2 7  12 3 2 6 } } }
                 """);
         JenDocument document = JenReader.read(scene);
-        return new Take(document.scene(), document.shot().orElseThrow());
+        return new ShotRevision(document.scene(), document.shot().orElseThrow());
     }
 
-    private static void awaitAll(RelitShot shot) throws InterruptedException {
+    private static void awaitAll(ShotRelighter shot) throws InterruptedException {
         await("all frames are current", shot::isIdle);
     }
 
-    private static void await(String what, BooleanSupplier holds) throws InterruptedException {
+    private static void await(String description, BooleanSupplier condition) throws InterruptedException {
         long start = System.nanoTime();
-        while (!holds.getAsBoolean()) {
-            assertThat(System.nanoTime() - start).as("nanoseconds until " + what).isLessThan(PATIENCE_NANOSECONDS);
+        while (!condition.getAsBoolean()) {
+            assertThat(System.nanoTime() - start).as("nanoseconds until " + description).isLessThan(TIMEOUT_NANOSECONDS);
             Thread.sleep(5);
         }
     }
 
-    private static void checkAll(RelitShot shot, Take take, Workers workers) throws InterruptedException {
+    private static void checkAll(ShotRelighter shot, ShotRevision take, WorkerPool workers) throws InterruptedException {
         for (int frame = 1; frame <= LAST; frame++) {
             Film film = null;
             while (film == null) {
@@ -155,8 +155,8 @@ final class NodeKillTest {
                 assertThat(shot.state(frame)).isIn(FrameState.CURRENT, FrameState.MISSING);
                 film = shot.film(frame).orElse(null);
             }
-            Film traced = new TraditionalTracer(take.at(frame)).trace(workers, Progress.NONE).film();
-            assertThat(film.sameBits(traced)).as("frame " + frame).isTrue();
+            Film traced = new TraditionalTracer(take.sceneAt(frame)).trace(workers, Progress.NONE).film();
+            assertThat(film.hasSameBits(traced)).as("frame " + frame).isTrue();
         }
     }
 }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 
 /** A node in a process of its own, as the command line starts it. */
 final class NodeProcess implements AutoCloseable {
@@ -36,7 +36,7 @@ final class NodeProcess implements AutoCloseable {
 
     /** Waits until it ends by itself; returns its exit code. */
     int exit() throws InterruptedException {
-        if (!process.waitFor(Wait.MOST_SECONDS, TimeUnit.SECONDS)) {
+        if (!process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
             throw new IllegalStateException("a process that does not end");
         }
         return process.exitValue();
@@ -51,7 +51,7 @@ final class NodeProcess implements AutoCloseable {
     }
 
     /** Stops it, or lets it go on: what a network that is cut looks like to others. */
-    void stop(boolean is) throws IOException, InterruptedException {
+    void setSuspended(boolean is) throws IOException, InterruptedException {
         new ProcessBuilder("kill", is ? "-STOP" : "-CONT", String.valueOf(pid())).start().waitFor();
     }
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,13 +19,13 @@ final class SharedFolderTest {
     private Path folder;
 
     @Test
-    void secondNodeOfAFolder_isRefused_andTheFolderOfAKilledOneIsFree() throws Exception {
-        SelfSigned.write(folder.resolve("shared.p12"));
+    void secondNodeInFolder_isRejected_folderOfKilledNodeIsFree() throws Exception {
+        SelfSignedCertificate.write(folder.resolve("shared.p12"));
         int port = FreePort.next();
         Path log = folder.resolve("node-" + port + ".log");
         var first = new NodeProcess(port, List.of(), folder);
         try (first) {
-            Wait.until("the node takes part", () -> Files.readString(log).contains("a node at"));
+            Await.until("the node takes part", () -> Files.readString(log).contains("a node at"));
             assertThat(folder.resolve("lightning-node-127.0.0.1-" + port)).isDirectory();
             try (var second = new NodeProcess(port, List.of(), folder)) {
                 assertThat(second.exit()).isEqualTo(2);
@@ -34,7 +34,7 @@ final class SharedFolderTest {
         }
         Files.delete(log);
         try (var _ = new NodeProcess(port, List.of(), folder)) {
-            Wait.until("the node takes part", () -> Files.readString(log).contains("a node at"));
+            Await.until("the node takes part", () -> Files.readString(log).contains("a node at"));
         }
     }
 }

@@ -19,7 +19,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import lightning.sample.Slow;
 import org.jgroups.Address;
 import org.jgroups.BytesMessage;
@@ -41,7 +41,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 @Slow
 final class TlsNetworkTest {
-    private static final Place.Timing QUICK = new Place.Timing(500, 8000, 1000, 1500);
+    private static final NodeConfig.Timing QUICK = new NodeConfig.Timing(500, 8000, 1000, 1500);
 
     @TempDir
     static Path folder;
@@ -52,74 +52,74 @@ final class TlsNetworkTest {
     static void makeCertificates() throws IOException {
         certificate = folder.resolve("shared.p12");
         other = folder.resolve("other.p12");
-        SelfSigned.write(certificate);
-        SelfSigned.write(other);
+        SelfSignedCertificate.write(certificate);
+        SelfSignedCertificate.write(other);
     }
 
     /** What a member heard. */
-    private static final class Heard implements Network.Listener {
+    private static final class RecordingListener implements ClusterNetwork.Listener {
         final BlockingQueue<byte[]> messages = new LinkedBlockingQueue<>();
-        final BlockingQueue<Set<Member>> views = new LinkedBlockingQueue<>();
+        final BlockingQueue<Set<ClusterMember>> views = new LinkedBlockingQueue<>();
 
         @Override
-        public void heard(Member from, byte[] bytes) {
+        public void messageReceived(ClusterMember from, byte[] bytes) {
             messages.add(bytes);
         }
 
         @Override
-        public void changed(Set<Member> others) {
+        public void membersChanged(Set<ClusterMember> others) {
             views.add(others);
         }
 
-        Set<Member> awaitOthers(int count) throws InterruptedException {
-            for (Set<Member> view = next();; view = next()) {
+        Set<ClusterMember> awaitOthers(int count) throws InterruptedException {
+            for (Set<ClusterMember> view = next();; view = next()) {
                 if (view.size() == count) {
                     return view;
                 }
             }
         }
 
-        private Set<Member> next() throws InterruptedException {
-            Set<Member> view = views.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
+        private Set<ClusterMember> next() throws InterruptedException {
+            Set<ClusterMember> view = views.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
             assertThat(view).as("a change of members").isNotNull();
             return view;
         }
     }
 
-    private static Place place(int port, int join, Path certificate) {
-        InetAddress here = InetAddress.getLoopbackAddress();
-        return new Place(here, port, 1, List.of(new InetSocketAddress(here, join)), certificate, QUICK);
+    private static NodeConfig config(int port, int join, Path certificate) {
+        InetAddress loopback = InetAddress.getLoopbackAddress();
+        return new NodeConfig(loopback, port, 1, List.of(new InetSocketAddress(loopback, join)), certificate, QUICK);
     }
 
     @Test
-    void membersOfOneCertificate_hearEachOther() throws Exception {
+    void membersWithSameCertificate_communicate() throws Exception {
         int first = FreePort.next();
         int second = FreePort.next();
-        var a = new Heard();
-        var b = new Heard();
-        try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(second, first, certificate))) {
+        var a = new RecordingListener();
+        var b = new RecordingListener();
+        try (var one = new TlsNetwork(config(first, first, certificate)); var two = new TlsNetwork(config(second, first, certificate))) {
             one.join(a);
             two.join(b);
-            Member to = a.awaitOthers(1).iterator().next();
+            ClusterMember to = a.awaitOthers(1).iterator().next();
             byte[] large = new byte[1 << 20];
             large[5] = 7;
             one.send(to, large);
-            assertThat(b.messages.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isEqualTo(large);
-            assertThat(one.name(to)).isEqualTo("127.0.0.1:" + second);
+            assertThat(b.messages.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo(large);
+            assertThat(one.addressOf(to)).isEqualTo("127.0.0.1:" + second);
         }
     }
 
     /** JGroups lets a member send some megabytes before it must hear that these were taken. */
     @Test
-    void moreThanAMemberTakesAtOnce_arrivesWhole() throws Exception {
+    void largeMessage_arrivesComplete() throws Exception {
         int first = FreePort.next();
-        var a = new Heard();
-        var b = new Heard();
-        try (var one = new TlsNetwork(place(first, first, certificate));
-                var two = new TlsNetwork(place(FreePort.next(), first, certificate))) {
+        var a = new RecordingListener();
+        var b = new RecordingListener();
+        try (var one = new TlsNetwork(config(first, first, certificate));
+                var two = new TlsNetwork(config(FreePort.next(), first, certificate))) {
             one.join(a);
             two.join(b);
-            Member to = a.awaitOthers(1).iterator().next();
+            ClusterMember to = a.awaitOthers(1).iterator().next();
             Thread sender = Thread.ofPlatform().daemon().start(() -> {
                 for (int i = 0; i < 24; i++) {
                     byte[] message = new byte[1 << 20];
@@ -128,19 +128,20 @@ final class TlsNetworkTest {
                 }
             });
             for (int i = 0; i < 24; i++) {
-                assertThat(b.messages.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS)).as("message " + i).hasSize(1 << 20).startsWith(i);
+                assertThat(b.messages.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).as("message " + i).hasSize(1 << 20).startsWith(i);
             }
             sender.join();
         }
     }
 
     @Test
-    void strangerWithAnotherCertificate_staysAlone() throws Exception {
+    void memberWithOtherCertificate_isIsolated() throws Exception {
         int first = FreePort.next();
-        var a = new Heard();
-        var stranger = new Heard();
-        try (var one = new TlsNetwork(place(first, first, certificate)); var two = new TlsNetwork(place(FreePort.next(), first, other))) {
-            one.join(a);
+        var a = new RecordingListener();
+        var stranger = new RecordingListener();
+        try (var member = new TlsNetwork(config(first, first, certificate));
+                var two = new TlsNetwork(config(FreePort.next(), first, other))) {
+            member.join(a);
             two.join(stranger);
             // Long enough for parts of a cluster to find each other.
             Thread.sleep(2 * QUICK.merge());
@@ -150,15 +151,15 @@ final class TlsNetworkTest {
     }
 
     @Test
-    void strangerWithoutACertificate_isRefused() throws Exception {
+    void connectionWithoutCertificate_isRejected() throws Exception {
         int port = FreePort.next();
-        try (var one = new TlsNetwork(place(port, port, certificate))) {
-            one.join(new Heard());
+        try (var member = new TlsNetwork(config(port, port, certificate))) {
+            member.join(new RecordingListener());
             // It trusts whomever it meets, but has nothing to show.
             var context = javax.net.ssl.SSLContext.getInstance("TLSv1.3");
-            context.init(null, new javax.net.ssl.TrustManager[] {new TrustsAll()}, null);
+            context.init(null, new javax.net.ssl.TrustManager[] {new TrustAllManager()}, null);
             try (SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(InetAddress.getLoopbackAddress(), port)) {
-                socket.setSoTimeout(Wait.MOST_SECONDS * 1000);
+                socket.setSoTimeout(Await.TIMEOUT_SECONDS * 1000);
                 assertThatThrownBy(() -> {
                     socket.startHandshake();
                     // With TLS 1.3 the refusal comes behind the client's own end of the handshake; who was let in hears nothing.
@@ -166,7 +167,7 @@ final class TlsNetworkTest {
                 }).isInstanceOf(SSLException.class).hasMessageContaining("certificate");
             }
             try (Socket plain = new Socket(InetAddress.getLoopbackAddress(), port)) {
-                plain.setSoTimeout(Wait.MOST_SECONDS * 1000);
+                plain.setSoTimeout(Await.TIMEOUT_SECONDS * 1000);
                 plain.getOutputStream().write(new byte[100]);
                 InputStream in = plain.getInputStream();
                 // An alert of TLS, then the end.
@@ -175,7 +176,7 @@ final class TlsNetworkTest {
         }
     }
 
-    private static final class TrustsAll extends javax.net.ssl.X509ExtendedTrustManager {
+    private static final class TrustAllManager extends javax.net.ssl.X509ExtendedTrustManager {
         @Override
         public void checkClientTrusted(java.security.cert.X509Certificate[] chain, String type, Socket socket) {}
 
@@ -201,24 +202,24 @@ final class TlsNetworkTest {
     }
 
     @Test
-    void messagesThatNameClasses_areNeverRead() throws Exception {
+    void serializedObjects_areNeverRead() throws Exception {
         int port = FreePort.next();
-        try (var one = new TlsNetwork(place(port, port, certificate))) {
-            one.join(new Heard());
+        try (var member = new TlsNetwork(config(port, port, certificate))) {
+            member.join(new RecordingListener());
             for (short type : new short[] {Message.NIO_MSG, Message.COMPOSITE_MSG, Message.FRAG_MSG, Message.EARLYBATCH_MSG}) {
                 assertThatThrownBy(() -> MessageFactory.create(type)).isInstanceOf(IllegalArgumentException.class);
             }
             assertThat((Message) MessageFactory.create(Message.BYTES_MSG)).isInstanceOf(BytesMessage.class);
             for (Object object : List.of("words", 1, new View(UUID.randomUUID(), 1, List.of(UUID.randomUUID())),
                     new ObjectWrapperSerializable(new ArrayList<>()))) {
-                assertThatThrownBy(() -> again(new ObjectMessage(null, object))).isInstanceOf(IOException.class)
+                assertThatThrownBy(() -> roundTrip(new ObjectMessage(null, object))).isInstanceOf(IOException.class)
                         .hasMessageContaining("expected numbers of messages, found an object");
             }
         }
     }
 
     /** What a message is to who reads it. */
-    private static Message again(Message message) throws Exception {
+    private static Message roundTrip(Message message) throws Exception {
         var out = new ByteArrayDataOutputStream();
         message.writeTo(out);
         Message read = MessageFactory.create(message.getType());
@@ -227,37 +228,37 @@ final class TlsNetworkTest {
     }
 
     @Test
-    void messagesOfItsProtocols_areRead() throws Exception {
+    void protocolMessages_areRead() throws Exception {
         int port = FreePort.next();
-        try (var one = new TlsNetwork(place(port, port, certificate))) {
-            one.join(new Heard());
+        try (var one = new TlsNetwork(config(port, port, certificate))) {
+            one.join(new RecordingListener());
             SeqnoList missing = new SeqnoList(200, 7).add(8, 100, 206);
-            SeqnoList wanted = again(new ObjectMessage(null, missing)).getObject();
-            assertThat(wanted).containsExactly(8L, 100L, 206L);
+            SeqnoList requested = roundTrip(new ObjectMessage(null, missing)).getObject();
+            assertThat(requested).containsExactly(8L, 100L, 206L);
             Address[] members = {UUID.randomUUID()};
             var digest = new Digest(members, new long[] {3, 5});
-            assertThat(again(new ObjectMessage(null, digest)).<Digest>getObject()).isEqualTo(digest);
+            assertThat(roundTrip(new ObjectMessage(null, digest)).<Digest>getObject()).isEqualTo(digest);
             MutableDigest sofar = new MutableDigest(members).set(digest);
-            assertThat(again(new ObjectMessage(null, sofar)).<Digest>getObject()).isEqualTo(digest);
-            assertThat(again(new LongMessage(null, 5_000_000)).<Long>getObject()).isEqualTo(5_000_000);
-            assertThatThrownBy(() -> again(new ObjectMessage(null, new SeqnoList(1 << 21, 7)))).isInstanceOf(IOException.class)
+            assertThat(roundTrip(new ObjectMessage(null, sofar)).<Digest>getObject()).isEqualTo(digest);
+            assertThat(roundTrip(new LongMessage(null, 5_000_000)).<Long>getObject()).isEqualTo(5_000_000);
+            assertThatThrownBy(() -> roundTrip(new ObjectMessage(null, new SeqnoList(1 << 21, 7)))).isInstanceOf(IOException.class)
                     .hasMessageContaining("expected 1 to 1048576 numbers of messages");
         }
     }
 
     @Test
-    void certificate_isItsOwnersAlone() throws IOException {
+    void certificateFile_isOwnerOnly() throws IOException {
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(certificate))).isEqualTo("rw-------");
         byte[] before = Files.readAllBytes(certificate);
-        assertThatThrownBy(() -> SelfSigned.write(certificate)).isInstanceOf(IOException.class);
+        assertThatThrownBy(() -> SelfSignedCertificate.write(certificate)).isInstanceOf(IOException.class);
         assertThat(Files.readAllBytes(certificate)).isEqualTo(before);
     }
 
     @Test
-    void fileThatIsNoCertificate_isRefusedWithASentence() throws IOException {
+    void invalidCertificate_isRejected() throws IOException {
         Path file = Files.writeString(folder.resolve("no.p12"), "no");
-        var network = new TlsNetwork(place(FreePort.next(), 7800, file));
-        assertThatThrownBy(() -> network.join(new Heard())).isInstanceOf(JoinException.class).hasMessageContaining("no.p12")
+        var network = new TlsNetwork(config(FreePort.next(), 7800, file));
+        assertThatThrownBy(() -> network.join(new RecordingListener())).isInstanceOf(JoinException.class).hasMessageContaining("no.p12")
                 .hasMessageContaining("expected a key");
         network.close();
     }

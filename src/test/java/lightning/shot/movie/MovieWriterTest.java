@@ -12,7 +12,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import org.junit.jupiter.api.Test;
@@ -27,7 +27,7 @@ class MovieWriterTest {
     Path folder;
 
     static boolean hasFfmpeg() {
-        return Ffmpeg.installed().isPresent();
+        return Ffmpeg.find().isPresent();
     }
 
     private static Film gray(int width, int height, float light) {
@@ -37,8 +37,8 @@ class MovieWriterTest {
     }
 
     private void write(Ffmpeg ffmpeg, Path file, double rate, Film... films) throws IOException {
-        SafeFile.at(file).writeByName(temporary -> {
-            try (var movie = new MovieWriter(ffmpeg, MovieKind.of(file).orElseThrow(), rate, ViewTransform.DEFAULT, temporary)) {
+        AtomicFile.of(file).writeToPath(temporary -> {
+            try (var movie = new MovieWriter(ffmpeg, MovieFormat.of(file).orElseThrow(), rate, ViewTransform.DEFAULT, temporary)) {
                 for (Film film : films) {
                     movie.add(film);
                 }
@@ -63,9 +63,9 @@ class MovieWriterTest {
     @ParameterizedTest
     @EnumSource
     @EnabledIf("hasFfmpeg")
-    void film_hasItsFramesItsRateAndAnEvenSize(MovieKind kind) throws Exception {
+    void movie_hasFramesRateAndEvenSize(MovieFormat kind) throws Exception {
         Path file = folder.resolve("a" + kind.ending());
-        write(Ffmpeg.required(), file, 12.5, gray(33, 17, 0), gray(33, 17, 0.2f), gray(33, 17, 1));
+        write(Ffmpeg.require(), file, 12.5, gray(33, 17, 0), gray(33, 17, 0.2f), gray(33, 17, 1));
         assertThat(output("ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
                 "stream=width,height,r_frame_rate,nb_read_frames,pix_fmt", "-of", "csv=p=0", file.toString()))
                 .isEqualTo("34,18,yuv420p,25/2,3");
@@ -74,22 +74,22 @@ class MovieWriterTest {
 
     @Test
     @EnabledIf("hasFfmpeg")
-    void pictures_areAsTheDisplayShowsThem() throws Exception {
+    void frames_matchDisplay() throws Exception {
         Path file = folder.resolve("a.mp4");
-        write(Ffmpeg.required(), file, 24, gray(16, 16, 0), gray(16, 16, 0.2f), gray(16, 16, 1));
+        write(Ffmpeg.require(), file, 24, gray(16, 16, 0), gray(16, 16, 0.2f), gray(16, 16, 1));
         Path raw = folder.resolve("raw");
         output("ffmpeg", "-v", "error", "-i", file.toString(), "-f", "rawvideo", "-pix_fmt", "rgb24", raw.toString());
         byte[] pixels = Files.readAllBytes(raw);
         for (int i = 0; i < 3; i++) {
-            int wanted = ViewTransform.DEFAULT.encode(new float[] {0, 0.2f, 1}[i]);
+            int expected = ViewTransform.DEFAULT.encode(new float[] {0, 0.2f, 1}[i]);
             // A film keeps brightness in 219 steps, and no more of it than its encoder does.
-            assertThat(pixels[i * 3 * 256] & 0xFF).isBetween(wanted - 3, wanted + 3);
+            assertThat(pixels[i * 3 * 256] & 0xFF).isBetween(expected - 3, expected + 3);
         }
     }
 
     @Test
     @EnabledIf("hasFfmpeg")
-    void filmThatCannotBeMade_isToldAndLeavesTheOldOne() throws Exception {
+    void failedMovie_isReportedAndKeepsOldFile() throws Exception {
         Path file = Files.writeString(folder.resolve("a.mp4"), "old");
         Path script = Files.writeString(folder.resolve("ffmpeg"), "#!/bin/sh\necho 'no codec here' >&2\nexit 3\n");
         Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwxr-xr-x"));
@@ -100,15 +100,15 @@ class MovieWriterTest {
     }
 
     @Test
-    void ffmpeg_isTheFirstProgramOfThatNameOnThePath() throws Exception {
+    void ffmpeg_isFirstOnPath() throws Exception {
         Path first = Files.createDirectory(folder.resolve("first"));
         Path second = Files.createDirectory(folder.resolve("second"));
         Files.writeString(first.resolve("ffmpeg"), "no program");
         Path program = Files.writeString(second.resolve("ffmpeg"), "#!/bin/sh\n");
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwxr-xr-x"));
-        assertThat(Ffmpeg.in(first + File.pathSeparator + File.pathSeparator + second)).contains(new Ffmpeg(program));
-        assertThat(Ffmpeg.in(first.toString())).isEmpty();
-        assertThat(Ffmpeg.in(null)).isEmpty();
-        assertThat(Ffmpeg.missing()).contains("ffmpeg, which is not installed here");
+        assertThat(Ffmpeg.findIn(first + File.pathSeparator + File.pathSeparator + second)).contains(new Ffmpeg(program));
+        assertThat(Ffmpeg.findIn(first.toString())).isEmpty();
+        assertThat(Ffmpeg.findIn(null)).isEmpty();
+        assertThat(Ffmpeg.missingMessage()).contains("ffmpeg, which is not installed here");
     }
 }

@@ -10,10 +10,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
-import lightning.base.file.OrdinaryFile;
+import lightning.base.file.RegularFile;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Stage;
@@ -24,13 +24,13 @@ import lightning.scene.Stage;
  */
 public final class CueFolder {
     /** More than these are not listed. */
-    public static final int MOST = 200;
+    public static final int MAX_CUES = 200;
     /** Characters of a name. */
-    private static final int LONGEST = 60;
+    private static final int MAX_NAME_LENGTH = 60;
     /** Those that some system takes for more than a part of a name. */
-    private static final String UNFIT = "/\\:*?\"<>|";
-    private static final String LIGHTS = ".jen";
-    private static final String PICTURE = ".png";
+    private static final String FORBIDDEN_CHARACTERS = "/\\:*?\"<>|";
+    private static final String LIGHTS_EXTENSION = ".jen";
+    private static final String PICTURE_EXTENSION = ".png";
 
     private final Path scene;
     private final Path folder;
@@ -39,7 +39,7 @@ public final class CueFolder {
     public CueFolder(Path scene) {
         this.scene = scene.toAbsolutePath();
         String name = scene.getFileName().toString();
-        String stem = name.endsWith(LIGHTS) ? name.substring(0, name.length() - LIGHTS.length()) : name;
+        String stem = name.endsWith(LIGHTS_EXTENSION) ? name.substring(0, name.length() - LIGHTS_EXTENSION.length()) : name;
         folder = this.scene.resolveSibling(stem + ".cues");
     }
 
@@ -49,17 +49,19 @@ public final class CueFolder {
     }
 
     /** Why a cue cannot have a name: a clause; empty where it can. */
-    public static Optional<String> refusal(String name) {
+    public static Optional<String> nameProblem(String name) {
         if (name.isBlank()) {
-            return Optional.of(Texts.of("a cue needs a name"));
+            return Optional.of(Messages.tr("a cue needs a name"));
         }
-        if (name.length() > LONGEST) {
-            return Optional.of(Texts.of("the name of a cue may have {0} characters, this has {1}", LONGEST, name.length()));
+        if (name.length() > MAX_NAME_LENGTH) {
+            return Optional.of(Messages.tr("the name of a cue may have {0} characters, this has {1}", MAX_NAME_LENGTH, name.length()));
         }
-        Optional<String> unfit = name.chars().filter(c -> UNFIT.indexOf(c) >= 0 || Character.isISOControl(c)).boxed().findFirst()
-                .map(c -> Texts.of("the name of a cue is that of a file, which cannot have {0}", Quote.of(Character.toString(c))));
-        return unfit.or(() -> name.startsWith(".") || name.endsWith(".") || !name.equals(name.strip())
-                ? Optional.of(Texts.of("the name of a cue begins and ends with neither a space nor a full stop, {0} does", Quote.of(name)))
+        Optional<String> forbidden = name.chars().filter(c -> FORBIDDEN_CHARACTERS.indexOf(c) >= 0 || Character.isISOControl(c)).boxed()
+                .findFirst()
+                .map(c -> Messages.tr("the name of a cue is that of a file, which cannot have {0}", Quote.of(Character.toString(c))));
+        return forbidden.or(() -> name.startsWith(".") || name.endsWith(".") || !name.equals(name.strip())
+                ? Optional
+                        .of(Messages.tr("the name of a cue begins and ends with neither a space nor a full stop, {0} does", Quote.of(name)))
                 : Optional.empty());
     }
 
@@ -73,55 +75,55 @@ public final class CueFolder {
         if (!Files.exists(folder)) {
             return List.of();
         }
-        check(folder);
+        checkInsideSceneFolder(folder);
         List<Path> files;
         try (Stream<Path> all = Files.list(folder)) {
-            files = all.filter(f -> f.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(LIGHTS)
-                    && !f.getFileName().toString().startsWith(".")).sorted().limit(MOST).toList();
+            files = all.filter(f -> f.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(LIGHTS_EXTENSION)
+                    && !f.getFileName().toString().startsWith(".")).sorted().limit(MAX_CUES).toList();
         }
         List<Cue> cues = new ArrayList<>();
         for (Path file : files) {
-            cues.add(cue(file, stage));
+            cues.add(readCue(file, stage));
         }
         return cues;
     }
 
-    private Cue cue(Path file, Stage stage) {
+    private Cue readCue(Path file, Stage stage) {
         String title = file.getFileName().toString();
-        String name = title.substring(0, title.length() - LIGHTS.length());
+        String name = title.substring(0, title.length() - LIGHTS_EXTENSION.length());
         Optional<Lighting> lighting = Optional.empty();
         String problem = "";
         try {
-            check(file);
+            checkInsideSceneFolder(file);
             lighting = Optional.of(Lighting.read(file, scene.getParent(), stage));
         } catch (IOException e) {
-            problem = e.getMessage() == null ? Texts.of("{0} cannot be read", Quote.path(file)) : e.getMessage();
+            problem = e.getMessage() == null ? Messages.tr("{0} cannot be read", Quote.path(file)) : e.getMessage();
         }
-        return new Cue(name, file, lighting, problem, picture(file(name, PICTURE)));
+        return new Cue(name, file, lighting, problem, readPicture(file(name, PICTURE_EXTENSION)));
     }
 
-    private Optional<Film> picture(Path file) {
+    private Optional<Film> readPicture(Path file) {
         if (!Files.exists(file)) {
             return Optional.empty();
         }
         try {
-            check(file);
-            OrdinaryFile.check(file, "a PNG picture");
-            return Optional.of(PictureFile.read(file));
+            checkInsideSceneFolder(file);
+            RegularFile.check(file, "a PNG picture");
+            return Optional.of(ImageFile.read(file));
         } catch (IOException e) {
             return Optional.empty();
         }
     }
 
     /** No link leads out of the scene's folder. */
-    private void check(Path file) throws IOException {
+    private void checkInsideSceneFolder(Path file) throws IOException {
         if (!file.toRealPath().startsWith(scene.getParent().toRealPath())) {
-            throw new IOException(Texts.of("{0}: leads out of the scene's folder", Quote.path(file)));
+            throw new IOException(Messages.tr("{0}: leads out of the scene's folder", Quote.path(file)));
         }
     }
 
-    private Path file(String name, String ending) {
-        return folder.resolve(name + ending);
+    private Path file(String name, String extension) {
+        return folder.resolve(name + extension);
     }
 
     /**
@@ -130,22 +132,22 @@ public final class CueFolder {
      * @param film what is seen, by {@code view}
      * @throws IOException if it cannot be written; the old one is then unchanged, or has a new picture
      */
-    public void keep(String name, Lighting lighting, Film film, ViewTransform view) throws IOException {
-        Optional<String> refusal = refusal(name);
-        if (refusal.isPresent()) {
-            throw new IOException(refusal.get());
+    public void save(String name, Lighting lighting, Film film, ViewTransform view) throws IOException {
+        Optional<String> problem = nameProblem(name);
+        if (problem.isPresent()) {
+            throw new IOException(problem.get());
         }
         if (!Files.exists(folder)) {
             Files.createDirectory(folder);
         }
-        check(folder);
-        PictureFile.write(file(name, PICTURE), film, view);
-        lighting.write(file(name, LIGHTS));
+        checkInsideSceneFolder(folder);
+        ImageFile.write(file(name, PICTURE_EXTENSION), film, view);
+        lighting.write(file(name, LIGHTS_EXTENSION));
     }
 
     /** Whether there is one of that name. */
     public boolean has(String name) {
-        return Files.exists(file(name, LIGHTS));
+        return Files.exists(file(name, LIGHTS_EXTENSION));
     }
 
     /**
@@ -154,28 +156,28 @@ public final class CueFolder {
      * @throws IOException if there is one of that name, or it cannot be moved
      */
     public void rename(String from, String to) throws IOException {
-        Optional<String> refusal = refusal(to);
-        if (refusal.isPresent()) {
-            throw new IOException(refusal.get());
+        Optional<String> problem = nameProblem(to);
+        if (problem.isPresent()) {
+            throw new IOException(problem.get());
         }
-        check(folder);
-        for (String ending : List.of(LIGHTS, PICTURE)) {
-            if (Files.exists(file(to, ending))) {
-                throw new FileAlreadyExistsException(file(to, ending).toString(), null, Texts.of("is there already"));
+        checkInsideSceneFolder(folder);
+        for (String extension : List.of(LIGHTS_EXTENSION, PICTURE_EXTENSION)) {
+            if (Files.exists(file(to, extension))) {
+                throw new FileAlreadyExistsException(file(to, extension).toString(), null, Messages.tr("is there already"));
             }
         }
-        if (Files.exists(file(from, PICTURE))) {
-            Files.move(file(from, PICTURE), file(to, PICTURE));
+        if (Files.exists(file(from, PICTURE_EXTENSION))) {
+            Files.move(file(from, PICTURE_EXTENSION), file(to, PICTURE_EXTENSION));
         }
-        Files.move(file(from, LIGHTS), file(to, LIGHTS));
+        Files.move(file(from, LIGHTS_EXTENSION), file(to, LIGHTS_EXTENSION));
     }
 
-    /** Takes a cue away: its files get the ending {@code .gone}, from which {@link #bringBack} brings them back. */
+    /** Takes a cue away: its files get the ending {@code .gone}, from which {@link #restore} brings them back. */
     public void remove(String name) throws IOException {
-        check(folder);
-        for (String ending : List.of(LIGHTS, PICTURE)) {
-            if (Files.exists(file(name, ending))) {
-                Files.move(file(name, ending), file(name, ending + ".gone"), StandardCopyOption.REPLACE_EXISTING);
+        checkInsideSceneFolder(folder);
+        for (String extension : List.of(LIGHTS_EXTENSION, PICTURE_EXTENSION)) {
+            if (Files.exists(file(name, extension))) {
+                Files.move(file(name, extension), file(name, extension + ".gone"), StandardCopyOption.REPLACE_EXISTING);
             }
         }
     }
@@ -185,14 +187,14 @@ public final class CueFolder {
      *
      * @throws IOException if there is one of that name again, or nothing to bring back
      */
-    public void bringBack(String name) throws IOException {
-        check(folder);
+    public void restore(String name) throws IOException {
+        checkInsideSceneFolder(folder);
         if (has(name)) {
-            throw new FileAlreadyExistsException(file(name, LIGHTS).toString(), null, Texts.of("is there already"));
+            throw new FileAlreadyExistsException(file(name, LIGHTS_EXTENSION).toString(), null, Messages.tr("is there already"));
         }
-        for (String ending : List.of(PICTURE, LIGHTS)) {
-            if (Files.exists(file(name, ending + ".gone"))) {
-                Files.move(file(name, ending + ".gone"), file(name, ending), StandardCopyOption.REPLACE_EXISTING);
+        for (String extension : List.of(PICTURE_EXTENSION, LIGHTS_EXTENSION)) {
+            if (Files.exists(file(name, extension + ".gone"))) {
+                Files.move(file(name, extension + ".gone"), file(name, extension), StandardCopyOption.REPLACE_EXISTING);
             }
         }
     }

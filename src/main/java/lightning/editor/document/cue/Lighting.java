@@ -6,18 +6,18 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import lightning.base.file.SafeFile;
-import lightning.base.text.Texts;
-import lightning.editor.document.Change;
+import lightning.base.file.AtomicFile;
+import lightning.base.text.Messages;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
 import lightning.format.jen.JenDocument;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
-import lightning.scene.Bank;
 import lightning.scene.Camera;
 import lightning.scene.Light;
-import lightning.scene.Picture;
-import lightning.scene.Rig;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.Stage;
 import lightning.scene.World;
@@ -28,7 +28,7 @@ import lightning.scene.World;
  * @param world ambience, background and environment
  * @param rig   lights and banks
  */
-public record Lighting(World world, Rig rig) {
+public record Lighting(World world, LightRig rig) {
 
     /** How a scene is lit. */
     public static Lighting of(Scene scene) {
@@ -39,46 +39,47 @@ public record Lighting(World world, Rig rig) {
      * The scene lit so: its own shapes, materials and camera stay. Links to shapes that it does not have are left out. Refused where a
      * light has the name of a shape.
      */
-    public Change on(Scene scene) {
-        return Change.of(() -> scene.withWorld(world).withRig(Rig.of(linked(rig.lights(), scene.stage()), rig.banks())));
+    public EditOutcome applyTo(Scene scene) {
+        return EditOutcome
+                .of(() -> scene.withWorld(world).withRig(LightRig.of(withValidLinks(rig.lights(), scene.stage()), rig.lightGroups())));
     }
 
-    /** The scene with these lights and banks in place of its own; the world stays. Refused as {@link #on}. */
-    public Change rigOn(Scene scene) {
-        return new Lighting(scene.world(), rig).on(scene);
+    /** The scene with these lights and banks in place of its own; the world stays. Refused as {@link #applyTo}. */
+    public EditOutcome applyRigTo(Scene scene) {
+        return new Lighting(scene.world(), rig).applyTo(scene);
     }
 
     /** The scene with these lights and banks beside its own, with free names where theirs are taken. */
-    public Change addedTo(Scene scene) {
-        return Change.of(() -> {
+    public EditOutcome addTo(Scene scene) {
+        return EditOutcome.of(() -> {
             Map<String, String> names = new HashMap<>(Map.of("", ""));
-            Scene more = scene;
-            for (Bank bank : rig.banks()) {
-                names.put(bank.name(), LightEdits.freeName(more, bank.name()));
-                more = more.withRig(more.rig().plus(bank.withName(names.get(bank.name()))));
+            Scene extended = scene;
+            for (LightGroup group : rig.lightGroups()) {
+                names.put(group.name(), LightEdits.freeName(extended, group.name()));
+                extended = extended.withRig(extended.rig().addLightGroup(group.withName(names.get(group.name()))));
             }
-            for (Light light : linked(rig.lights(), scene.stage())) {
-                more = LightEdits.add(more, light.withBank(names.get(light.bank()))).or(more);
+            for (Light light : withValidLinks(rig.lights(), scene.stage())) {
+                extended = LightEdits.add(extended, light.withLightGroup(names.get(light.lightGroup()))).sceneOr(extended);
             }
-            if (more.lights().size() < scene.lights().size() + rig.lights().size()) {
-                throw new IllegalArgumentException(Texts.of("the scene has no room for {0} lights more", rig.lights().size()));
+            if (extended.lights().size() < scene.lights().size() + rig.lights().size()) {
+                throw new IllegalArgumentException(Messages.tr("the scene has no room for {0} lights more", rig.lights().size()));
             }
-            return more;
+            return extended;
         });
     }
 
-    private static List<Light> linked(List<Light> lights, Stage stage) {
+    private static List<Light> withValidLinks(List<Light> lights, Stage stage) {
         List<Light> all = new ArrayList<>();
         for (Light light : lights) {
-            all.add(light.withIlluminates(light.illuminates().within(stage::hasNode))
-                    .withShadowedBy(light.shadowedBy().within(stage::hasNode)));
+            all.add(light.withIlluminates(light.illuminates().retain(stage::hasNode))
+                    .withShadowedBy(light.shadowedBy().retain(stage::hasNode)));
         }
         return all;
     }
 
     /** Writes it to a file, at once or not at all. */
     public void write(Path file) throws IOException {
-        JenDocument.of(new Scene(Picture.DEFAULT, Camera.DEFAULT, world, Stage.EMPTY, rig)).save(SafeFile.at(file));
+        JenDocument.of(new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, world, Stage.EMPTY, rig)).save(AtomicFile.of(file));
     }
 
     /**
@@ -90,7 +91,7 @@ public record Lighting(World world, Rig rig) {
      */
     public static Lighting read(Path file, Path folder, Stage stage) throws IOException {
         try {
-            return of(JenReader.lights(file, folder, stage));
+            return of(JenReader.readLights(file, folder, stage));
         } catch (JenException e) {
             throw new IOException(e.problems().getFirst().toString(), e);
         }

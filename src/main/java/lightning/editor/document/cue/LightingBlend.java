@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.Set;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.scene.Attribute;
-import lightning.scene.Bank;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
-import lightning.scene.Quantity;
-import lightning.scene.Rig;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
+import lightning.scene.NumericKind;
+import lightning.scene.SceneAttribute;
 import lightning.scene.World;
 
 /**
@@ -30,18 +30,18 @@ import lightning.scene.World;
  */
 public final class LightingBlend {
     /** Of two directions of length 1, the cosine from which on they are taken as the same, or as opposite. */
-    private static final double NEAR = 1 - 1e-12;
+    private static final double PARALLEL_COSINE = 1 - 1e-12;
 
     private final Lighting from;
     private final Lighting to;
     private final double t;
-    private final boolean banked;
+    private final boolean hasSameGroups;
 
     private LightingBlend(Lighting from, Lighting to, double t) {
         this.from = from;
         this.to = to;
         this.t = t;
-        banked = from.rig().banks().equals(to.rig().banks());
+        hasSameGroups = from.rig().lightGroups().equals(to.rig().lightGroups());
     }
 
     /**
@@ -50,121 +50,122 @@ public final class LightingBlend {
      * @param t 0 at its begin, 1 at its end
      * @throws IllegalArgumentException if it has more lights than a scene may have
      */
-    public static Lighting at(Lighting from, Lighting to, double t) {
+    public static Lighting blend(Lighting from, Lighting to, double t) {
         return t <= 0 ? from : t >= 1 ? to : new LightingBlend(from, to, t).lighting();
     }
 
     private Lighting lighting() {
         List<Light> lights = new ArrayList<>();
         List<Light> added = new ArrayList<>();
-        Set<String> taken = new HashSet<>();
-        from.rig().banks().forEach(b -> taken.add(b.name()));
-        to.rig().banks().forEach(b -> taken.add(b.name()));
-        from.rig().lights().forEach(l -> taken.add(l.name()));
-        to.rig().lights().forEach(l -> taken.add(l.name()));
-        for (Light a : from.rig().lights()) {
-            Optional<Light> b = to.rig().light(a.name());
-            if (b.isPresent() && goesOn(a, b.get())) {
-                lights.add(between(a, b.get()));
+        Set<String> takenNames = new HashSet<>();
+        from.rig().lightGroups().forEach(toLight -> takenNames.add(toLight.name()));
+        to.rig().lightGroups().forEach(toLight -> takenNames.add(toLight.name()));
+        from.rig().lights().forEach(l -> takenNames.add(l.name()));
+        to.rig().lights().forEach(l -> takenNames.add(l.name()));
+        for (Light fromLight : from.rig().lights()) {
+            Optional<Light> toLight = to.rig().light(fromLight.name());
+            if (toLight.isPresent() && canInterpolate(fromLight, toLight.get())) {
+                lights.add(interpolate(fromLight, toLight.get()));
             } else {
-                lights.add(faded(from.rig(), a, 1 - t));
-                b.ifPresent(l -> added.add(faded(to.rig(), l, t).withName(free(l.name(), taken))));
+                lights.add(fade(from.rig(), fromLight, 1 - t));
+                toLight.ifPresent(l -> added.add(fade(to.rig(), l, t).withName(freeName(l.name(), takenNames))));
             }
         }
-        to.rig().lights().stream().filter(b -> from.rig().light(b.name()).isEmpty()).forEach(b -> added.add(faded(to.rig(), b, t)));
+        to.rig().lights().stream().filter(toLight -> from.rig().light(toLight.name()).isEmpty())
+                .forEach(toLight -> added.add(fade(to.rig(), toLight, t)));
         lights.addAll(added);
-        List<Bank> banks = banked ? from.rig().banks() : List.of();
-        return new Lighting(world(), Rig.of(lights, banks));
+        List<LightGroup> banks = hasSameGroups ? from.rig().lightGroups() : List.of();
+        return new Lighting(world(), LightRig.of(lights, banks));
     }
 
-    private static String free(String name, Set<String> taken) {
+    private static String freeName(String name, Set<String> takenNames) {
         int number = 2;
-        while (!taken.add(name + number)) {
+        while (!takenNames.add(name + number)) {
             number++;
         }
         return name + number;
     }
 
-    private boolean goesOn(Light a, Light b) {
+    private boolean canInterpolate(Light a, Light b) {
         return a.type() == b.type() && a.gobo().equals(b.gobo()) && a.profile().equals(b.profile())
                 && a.illuminates().equals(b.illuminates()) && a.shadowedBy().equals(b.shadowedBy())
-                && (!banked || a.bank().equals(b.bank()));
+                && (!hasSameGroups || a.lightGroup().equals(b.lightGroup()));
     }
 
     /** A light as it shines by its own switches and solo, or by its bank's too where banks do not stay; off where it is dark. */
-    private Light shown(Rig rig, Light light) {
-        Light acting = banked ? light : rig.acting(light);
-        return acting.withOn(rig.shines(light)).withSolo(false);
+    private Light effectiveLight(LightRig rig, Light light) {
+        Light effective = hasSameGroups ? light : rig.effectiveLight(light);
+        return effective.withOn(rig.isActive(light)).withSolo(false);
     }
 
-    private Light faded(Rig rig, Light light, double share) {
-        Light shown = shown(rig, light);
-        return shown.withIntensity(shown.intensity() * share);
+    private Light fade(LightRig rig, Light light, double share) {
+        Light effective = effectiveLight(rig, light);
+        return effective.withIntensity(effective.intensity() * share);
     }
 
-    private Light between(Light a, Light b) {
-        Light first = shown(from.rig(), a);
-        Light last = shown(to.rig(), b);
+    private Light interpolate(Light a, Light b) {
+        Light first = effectiveLight(from.rig(), a);
+        Light last = effectiveLight(to.rig(), b);
         Light light = first;
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
-            light = number(attribute, light, first, last);
+            light = interpolateAttribute(attribute, light, first, last);
         }
-        double was = first.on() ? first.intensity() : 0;
-        double is = last.on() ? last.intensity() : 0;
-        double intensity = mean(was, is);
-        return light.withDirection(turned(first.direction(), last.direction()))
-                .withArea(light.area().withUp(turned(first.area().up(), last.area().up())))
-                .withIntensity(first.on() || last.on() ? intensity : mean(first.intensity(), last.intensity()))
-                .withColor(color(first.color(), was, last.color(), is))
+        double fromIntensity = first.on() ? first.intensity() : 0;
+        double toIntensity = last.on() ? last.intensity() : 0;
+        double intensity = lerp(fromIntensity, toIntensity);
+        return light.withDirection(slerp(first.direction(), last.direction()))
+                .withArea(light.area().withUp(slerp(first.area().up(), last.area().up())))
+                .withIntensity(first.on() || last.on() ? intensity : lerp(first.intensity(), last.intensity()))
+                .withColor(color(first.color(), fromIntensity, last.color(), toIntensity))
                 .withOn(first.on() || last.on());
     }
 
     /** The colour by which the mean intensity is the mean weight: between the two colours, so within their range. */
-    private Rgb color(Rgb a, double was, Rgb b, double is) {
-        double share = was == is ? t : t * is / mean(was, is);
-        return a.equals(b) ? a : mean(a, b, share);
+    private Rgb color(Rgb a, double fromIntensity, Rgb b, double toIntensity) {
+        double share = fromIntensity == toIntensity ? t : t * toIntensity / lerp(fromIntensity, toIntensity);
+        return a.equals(b) ? a : lerp(a, b, share);
     }
 
-    private static Rgb mean(Rgb a, Rgb b, double share) {
-        return new Rgb(mean(a.r(), b.r(), share), mean(a.g(), b.g(), share), mean(a.b(), b.b(), share));
+    private static Rgb lerp(Rgb a, Rgb b, double share) {
+        return new Rgb(lerp(a.r(), b.r(), share), lerp(a.g(), b.g(), share), lerp(a.b(), b.b(), share));
     }
 
-    private double mean(double a, double b) {
-        return mean(a, b, t);
+    private double lerp(double a, double b) {
+        return lerp(a, b, t);
     }
 
-    private static double mean(double a, double b, double share) {
+    private static double lerp(double a, double b, double share) {
         return a == b ? a : Math.clamp((1 - share) * a + share * b, Math.min(a, b), Math.max(a, b));
     }
 
     /** What is made of numbers goes linearly, whole ones to the larger; all else stays. */
-    private <T, V> T number(Attribute<T, V> attribute, T to, T first, T last) {
-        if (!(attribute.kind() instanceof Quantity<V> quantity)) {
+    private <T, V> T interpolateAttribute(SceneAttribute<T, V> attribute, T to, T first, T last) {
+        if (!(attribute.kind() instanceof NumericKind<V> quantity)) {
             return to;
         }
-        V value = attribute.of(first);
+        V value = attribute.get(first);
         for (int i = 0; i < quantity.labels().size(); i++) {
-            double a = quantity.number(attribute.of(first), i);
-            double b = quantity.number(attribute.of(last), i);
-            double mean = quantity.whole() ? Math.max(a, b) : mean(a, b);
+            double a = quantity.number(attribute.get(first), i);
+            double b = quantity.number(attribute.get(last), i);
+            double mean = quantity.integer() ? Math.max(a, b) : lerp(a, b);
             // A direction that is opposite would have no length on its way; it is turned later.
-            value = quantity.form() == Quantity.Form.DIRECTION ? value : quantity.with(value, i, mean);
+            value = quantity.form() == NumericKind.Form.DIRECTION ? value : quantity.with(value, i, mean);
         }
         return attribute.with(to, value);
     }
 
     /** Along the great circle, at length 1; the same where both are the same. */
-    private Vec3 turned(Vec3 from, Vec3 to) {
+    private Vec3 slerp(Vec3 from, Vec3 to) {
         if (from.equals(to)) {
             return from;
         }
         Vec3 a = from.normalized();
         Vec3 b = to.normalized();
         double cos = a.dot(b);
-        if (cos >= NEAR) {
+        if (cos >= PARALLEL_COSINE) {
             return b;
         }
-        if (cos <= -NEAR) {
+        if (cos <= -PARALLEL_COSINE) {
             // Every way is as short: about the axis that is farthest from the direction.
             Vec3 side = a.cross(Math.abs(a.y()) < 0.5 ? Vec3.Y : new Vec3(1, 0, 0)).normalized();
             return a.times(Math.cos(Math.PI * t)).plus(side.times(Math.sin(Math.PI * t)));
@@ -177,14 +178,15 @@ public final class LightingBlend {
         World first = from.world();
         World last = to.world();
         World world = first;
-        for (Attribute<World, ?> attribute : World.ATTRIBUTES) {
-            world = number(attribute, world, first, last);
+        for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
+            world = interpolateAttribute(attribute, world, first, last);
         }
         if (first.environment().equals(last.environment())) {
             return world;
         }
-        World shown = t < 0.5 ? first : last;
-        return world.withEnvironment(shown.environment()).withRotation(shown.rotation()).withLamps(shown.lamps())
-                .withSoftness(shown.softness()).withIntensity(shown.intensity() * Math.abs(1 - 2 * t));
+        World environmentSource = t < 0.5 ? first : last;
+        return world.withEnvironment(environmentSource.environment()).withRotation(environmentSource.rotation())
+                .withLightCount(environmentSource.lightCount())
+                .withSoftness(environmentSource.softness()).withIntensity(environmentSource.intensity() * Math.abs(1 - 2 * t));
     }
 }

@@ -5,50 +5,50 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import lightning.base.work.Progress;
-import lightning.format.picture.PictureFile;
+import lightning.format.image.ImageFile;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
-import lightning.render.warmup.LateWarmUp;
-import lightning.scene.Limits;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.warmup.DelayedWarmUp;
 import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
 
 /**
  * Writes a recorded shot as numbered pictures, evenly spaced from its begin to its end. Each is exact, its mirrors too.
  *
  * @param scene    all but the moving light
- * @param recorded of a light of the scene
- * @param pictures how many, 1…{@value #MAX_PICTURES}
+ * @param recordedShot of a light of the scene
+ * @param pictureCount how many, 1…{@value #MAX_PICTURES}
  * @param view     how linear light becomes display pixels
  */
-public record MotionExport(Scene scene, RecordedShot recorded, int pictures, ViewTransform view) {
+public record MotionExport(Scene scene, RecordedShot recordedShot, int pictureCount, ViewTransform view) {
     public static final int MAX_PICTURES = 100_000;
-    private static final int LEAST_DIGITS = 4;
+    private static final int MIN_DIGITS = 4;
 
     public MotionExport {
-        Limits.range("the number of pictures", pictures, 1, MAX_PICTURES);
-        recorded.shot().check(scene);
+        SceneLimits.checkRange("the number of pictures", pictureCount, 1, MAX_PICTURES);
+        recordedShot.shot().check(scene);
     }
 
     /** Hears how far the export is, and stops it. On the thread that exports. */
     public interface Listener {
         /** So many pictures are written. */
-        void written(int pictures);
+        void pictureWritten(int pictures);
 
         /** Asked often. */
-        boolean isCancelled();
+        boolean isCanceled();
     }
 
-    /** The scene of one picture, 0 ≤ {@code number} &lt; {@link #pictures}. */
+    /** The scene of one picture, 0 ≤ {@code number} &lt; {@link #pictureCount}. */
     public Scene scene(int number) {
-        double share = pictures == 1 ? 0 : (double) number / (pictures - 1);
-        return recorded.shot().at(scene, share * recorded.shot().last());
+        double share = pictureCount == 1 ? 0 : (double) number / (pictureCount - 1);
+        return recordedShot.shot().sceneAt(scene, share * recordedShot.shot().last());
     }
 
     /** The name of one picture's file: {@code name-0001.png} for the first. */
     public String file(String name, int number) {
-        int digits = Math.max(LEAST_DIGITS, Integer.toString(pictures).length());
+        int digits = Math.max(MIN_DIGITS, Integer.toString(pictureCount).length());
         return name + "-" + String.format(Locale.ROOT, "%0" + digits + "d", number + 1) + ".png";
     }
 
@@ -60,12 +60,13 @@ public record MotionExport(Scene scene, RecordedShot recorded, int pictures, Vie
      * @throws CancellationException if the listener asked for it; the pictures that are finished stay
      */
     public void write(Path folder, String name, Listener listener) throws IOException {
-        Progress stop = Progress.until(listener::isCancelled);
-        try (var _ = new LateWarmUp(scene(0)); var renderer = new Renderer(Options.DEFAULT.withReflections(Reflections.CURRENT))) {
-            for (int i = 0; i < pictures; i++) {
-                renderer.render(scene(i), stop);
-                PictureFile.write(folder.resolve(file(name, i)), renderer.film(), view);
-                listener.written(i + 1);
+        Progress cancellation = Progress.cancellation(listener::isCanceled);
+        try (var _ = new DelayedWarmUp(scene(0));
+                var renderer = new Renderer(RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT))) {
+            for (int i = 0; i < pictureCount; i++) {
+                renderer.render(scene(i), cancellation);
+                ImageFile.write(folder.resolve(file(name, i)), renderer.film(), view);
+                listener.pictureWritten(i + 1);
             }
         }
     }

@@ -11,31 +11,31 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import lightning.base.file.OrdinaryFile;
-import lightning.base.file.SafeFile;
+import lightning.base.file.AtomicFile;
+import lightning.base.file.RegularFile;
 import lightning.base.math.Vec3;
-import lightning.base.text.Decimal;
+import lightning.base.text.DecimalNumber;
 import lightning.base.text.Quote;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.shot.Key;
-import lightning.scene.shot.Setting;
+import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 
 /** Recorded shots as text; the format is described in {@code docs/motion-path.md}. */
 public final class MotionPathFile {
-    private static final String HEAD = "lightning-path 1";
+    private static final String HEADER = "lightning-path 1";
     private static final int MAX_BYTES = 32 << 20;
-    private static final int WORDS = 8;
+    private static final int WORDS_PER_KEY = 8;
     private static final Pattern SPACE = Pattern.compile("[ \\t]+");
 
     private MotionPathFile() {}
 
     /** Returns the text, which reads back as an equal shot of the same light. */
     public static String write(RecordedShot recorded) {
-        StringBuilder text = new StringBuilder(HEAD).append("\nevery ").append(recorded.every()).append('\n');
-        List<Key> positions = recorded.shot().tracks().getFirst().keys();
-        List<Key> directions = recorded.shot().tracks().getLast().keys();
-        for (int i = 0; i < recorded.keys(); i++) {
+        StringBuilder text = new StringBuilder(HEADER).append("\nevery ").append(recorded.interval()).append('\n');
+        List<Keyframe> positions = recorded.shot().tracks().getFirst().keys();
+        List<Keyframe> directions = recorded.shot().tracks().getLast().keys();
+        for (int i = 0; i < recorded.keyCount(); i++) {
             text.append("at ").append(text(positions.get(i))).append("  direction ").append(text(directions.get(i))).append('\n');
         }
         return text.toString();
@@ -43,7 +43,7 @@ public final class MotionPathFile {
 
     /** Writes a file completely or not at all. */
     public static void save(RecordedShot recorded, Path file) throws IOException {
-        SafeFile.write(file, out -> out.write(write(recorded).getBytes(StandardCharsets.UTF_8)));
+        AtomicFile.write(file, out -> out.write(write(recorded).getBytes(StandardCharsets.UTF_8)));
     }
 
     /**
@@ -54,7 +54,7 @@ public final class MotionPathFile {
      */
     public static RecordedShot load(Path file, String light) throws IOException {
         byte[] bytes;
-        try (InputStream in = OrdinaryFile.open(file, "a motion path")) {
+        try (InputStream in = RegularFile.open(file, "a motion path")) {
             bytes = in.readNBytes(MAX_BYTES + 1);
         }
         if (bytes.length > MAX_BYTES) {
@@ -77,8 +77,8 @@ public final class MotionPathFile {
     public static RecordedShot read(String text, String name, String light) throws IOException {
         String file = Quote.path(name);
         List<Light> samples = new ArrayList<>();
-        int every = RecordedShot.DEFAULT_EVERY;
-        boolean headed = false;
+        int interval = RecordedShot.DEFAULT_INTERVAL;
+        boolean hasHeader = false;
         int number = 0;
         int end;
         // A byte order mark, which some editors write, is passed over.
@@ -90,22 +90,22 @@ public final class MotionPathFile {
             if (content.isEmpty()) {
                 continue;
             }
-            String place = file + ":" + number + ": ";
-            String[] words = SPACE.split(content, WORDS + 1);
-            if (!headed) {
-                require(content.equals(HEAD), place, HEAD, content);
-                headed = true;
+            String location = file + ":" + number + ": ";
+            String[] words = SPACE.split(content, WORDS_PER_KEY + 1);
+            if (!hasHeader) {
+                require(content.equals(HEADER), location, HEADER, content);
+                hasHeader = true;
             } else if (samples.isEmpty() && words[0].equals("every")) {
-                require(words.length == 2, place, "every and a whole number", content);
-                every = every(place, words[1]);
+                require(words.length == 2, location, "every and a whole number", content);
+                interval = parseInterval(location, words[1]);
             } else {
-                samples.add(sample(light, place, words, content));
-                require(samples.size() <= RecordedShot.MAX_KEYS, place, "at most " + RecordedShot.MAX_KEYS + " keys", "more");
+                samples.add(parseSample(light, location, words, content));
+                require(samples.size() <= RecordedShot.MAX_KEYS, location, "at most " + RecordedShot.MAX_KEYS + " keys", "more");
             }
         }
-        require(headed, file + ": ", HEAD, "nothing");
+        require(hasHeader, file + ": ", HEADER, "nothing");
         require(!samples.isEmpty(), file + ": ", "at least one key, as in 'at 0 3 2  direction 0 -1 0'", "none");
-        return RecordedShot.of(every, samples);
+        return RecordedShot.of(interval, samples);
     }
 
     /** A line without its comment, its line end and the spaces around. */
@@ -129,40 +129,41 @@ public final class MotionPathFile {
         return c == ' ' || c == '\t';
     }
 
-    private static int every(String place, String word) throws IOException {
-        double value = number(place, word);
-        require(value == Math.rint(value) && value >= 1 && value <= RecordedShot.MAX_EVERY, place,
-                "a whole number from 1 to " + RecordedShot.MAX_EVERY, word);
+    private static int parseInterval(String location, String word) throws IOException {
+        double value = parseNumber(location, word);
+        require(value == Math.rint(value) && value >= 1 && value <= RecordedShot.MAX_INTERVAL, location,
+                "a whole number from 1 to " + RecordedShot.MAX_INTERVAL, word);
         return (int) value;
     }
 
-    private static Light sample(String light, String place, String[] words, String content) throws IOException {
-        require(words.length == WORDS && words[0].equals("at") && words[4].equals("direction"), place,
+    private static Light parseSample(String light, String location, String[] words, String content) throws IOException {
+        require(words.length == WORDS_PER_KEY && words[0].equals("at") && words[4].equals("direction"), location,
                 "at x y z direction x y z", content);
         try {
-            return Light.of(light, LightType.SPOT).withPosition(vector(place, words, 1)).withDirection(vector(place, words, 5));
+            return Light.of(light, LightType.SPOT).withPosition(parseVector(location, words, 1))
+                    .withDirection(parseVector(location, words, 5));
         } catch (IllegalArgumentException e) {
-            throw new IOException(place + e.getMessage(), e);
+            throw new IOException(location + e.getMessage(), e);
         }
     }
 
-    private static Vec3 vector(String place, String[] words, int at) throws IOException {
-        return new Vec3(number(place, words[at]), number(place, words[at + 1]), number(place, words[at + 2]));
+    private static Vec3 parseVector(String location, String[] words, int at) throws IOException {
+        return new Vec3(parseNumber(location, words[at]), parseNumber(location, words[at + 1]), parseNumber(location, words[at + 2]));
     }
 
-    private static double number(String place, String word) throws IOException {
-        OptionalDouble number = Decimal.read(word);
-        require(number.isPresent(), place, "a number", word);
+    private static double parseNumber(String location, String word) throws IOException {
+        OptionalDouble number = DecimalNumber.parse(word);
+        require(number.isPresent(), location, "a number", word);
         return number.getAsDouble();
     }
 
-    private static void require(boolean right, String place, String expected, String found) throws IOException {
-        if (!right) {
-            throw new IOException(place + "expected " + expected + ", found " + Quote.of(found));
+    private static void require(boolean condition, String location, String expected, String found) throws IOException {
+        if (!condition) {
+            throw new IOException(location + "expected " + expected + ", found " + Quote.of(found));
         }
     }
 
-    private static String text(Key key) {
-        return ((Setting.Numbers) key.setting()).all().stream().map(Decimal::text).collect(Collectors.joining(" "));
+    private static String text(Keyframe key) {
+        return ((KeyframeValue.Numbers) key.value()).values().stream().map(DecimalNumber::format).collect(Collectors.joining(" "));
     }
 }

@@ -7,47 +7,48 @@ import java.util.stream.Stream;
 import lightning.base.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
-import lightning.scene.Limits;
-import lightning.scene.shot.Key;
-import lightning.scene.shot.Passage;
-import lightning.scene.shot.Setting;
+import lightning.scene.SceneLimits;
+import lightning.scene.shot.Interpolation;
+import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Shot;
-import lightning.scene.shot.Target;
 import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 
 /**
  * A shot of one light that was moved in the preview (paper §3.7): a linear key of its position and of its direction every
  * so many frames.
  *
- * @param every frames from one key to the next, 1…{@value #MAX_EVERY}
+ * @param interval frames from one key to the next, 1…{@value #MAX_INTERVAL}
  * @param shot  from frame 0 to the last key; its tracks are the position and the direction, with keys at the same frames
  */
-public record RecordedShot(int every, Shot shot) {
-    public static final int DEFAULT_EVERY = 10;
-    public static final int MAX_EVERY = 10_000;
+public record RecordedShot(int interval, Shot shot) {
+    public static final int DEFAULT_INTERVAL = 10;
+    public static final int MAX_INTERVAL = 10_000;
     public static final int MAX_KEYS = 100_000;
 
     public RecordedShot {
-        Limits.range("every", every, 1, MAX_EVERY);
-        Limits.range("the number of keys", shot.tracks().getFirst().keys().size(), 1, MAX_KEYS);
+        SceneLimits.checkRange("every", interval, 1, MAX_INTERVAL);
+        SceneLimits.checkRange("the number of keys", shot.tracks().getFirst().keys().size(), 1, MAX_KEYS);
     }
 
     /** @param samples the light at each key, at least one */
-    static RecordedShot of(int every, List<Light> samples) {
-        return ofTracks(every, List.of(track(LightAttribute.POSITION, every, samples), track(LightAttribute.DIRECTION, every, samples)));
+    static RecordedShot of(int interval, List<Light> samples) {
+        return ofTracks(interval,
+                List.of(track(LightAttribute.POSITION, interval, samples), track(LightAttribute.DIRECTION, interval, samples)));
     }
 
-    private static Track track(LightAttribute<Vec3> attribute, int every, List<Light> samples) {
-        List<Key> keys = new ArrayList<>();
+    private static Track track(LightAttribute<Vec3> attribute, int interval, List<Light> samples) {
+        List<Keyframe> keys = new ArrayList<>();
         for (Light sample : samples) {
-            Vec3 v = attribute.of(sample);
-            keys.add(new Key(keys.size() * every, new Setting.Numbers(List.of(v.x(), v.y(), v.z())), Passage.LINEAR));
+            Vec3 v = attribute.get(sample);
+            keys.add(new Keyframe(keys.size() * interval, new KeyframeValue.Numbers(List.of(v.x(), v.y(), v.z())), Interpolation.LINEAR));
         }
-        return new Track(Target.light(samples.getFirst().name()), attribute.name(), keys);
+        return new Track(TrackTarget.light(samples.getFirst().name()), attribute.name(), keys);
     }
 
-    private static RecordedShot ofTracks(int every, List<Track> tracks) {
-        return new RecordedShot(every, new Shot(0, tracks.getFirst().keys().getLast().frame(), Shot.DEFAULT.rate(), tracks));
+    private static RecordedShot ofTracks(int interval, List<Track> tracks) {
+        return new RecordedShot(interval, new Shot(0, tracks.getFirst().keys().getLast().frame(), Shot.DEFAULT.rate(), tracks));
     }
 
     /**
@@ -56,21 +57,21 @@ public record RecordedShot(int every, Shot shot) {
      */
     public static Optional<RecordedShot> of(Shot shot, String light) {
         List<Track> tracks = Stream.of(LightAttribute.POSITION, LightAttribute.DIRECTION)
-                .flatMap(a -> shot.track(Target.light(light), a.name()).stream()).toList();
+                .flatMap(a -> shot.track(TrackTarget.light(light), a.name()).stream()).toList();
         if (tracks.size() < 2 || tracks.getFirst().keys().size() > MAX_KEYS) {
             return Optional.empty();
         }
-        List<Key> keys = tracks.getFirst().keys();
+        List<Keyframe> keys = tracks.getFirst().keys();
         int first = keys.getFirst().frame();
-        int every = keys.size() == 1 ? DEFAULT_EVERY : keys.get(1).frame() - first;
-        boolean isEven = every <= MAX_EVERY && tracks.stream().allMatch(t -> isEven(t, first, every, keys.size()));
-        return isEven ? Optional.of(ofTracks(every, tracks.stream().map(t -> t.later(-first)).toList())) : Optional.empty();
+        int interval = keys.size() == 1 ? DEFAULT_INTERVAL : keys.get(1).frame() - first;
+        boolean isEven = interval <= MAX_INTERVAL && tracks.stream().allMatch(t -> hasEvenKeys(t, first, interval, keys.size()));
+        return isEven ? Optional.of(ofTracks(interval, tracks.stream().map(t -> t.shift(-first)).toList())) : Optional.empty();
     }
 
-    private static boolean isEven(Track track, int first, int every, int size) {
+    private static boolean hasEvenKeys(Track track, int first, int interval, int size) {
         for (int i = 0; i < track.keys().size(); i++) {
-            Key key = track.keys().get(i);
-            if (key.frame() != first + (long) i * every || key.passage() != Passage.LINEAR) {
+            Keyframe key = track.keys().get(i);
+            if (key.frame() != first + (long) i * interval || key.interpolation() != Interpolation.LINEAR) {
                 return false;
             }
         }
@@ -86,18 +87,18 @@ public record RecordedShot(int every, Shot shot) {
     public Shot addTo(Shot other, int frame) {
         Shot all = other;
         for (Track track : shot.tracks()) {
-            all = all.with(track.later(frame));
+            all = all.with(track.shift(frame));
         }
         return all.withFrames(all.first(), Math.max(all.last(), Math.addExact(frame, shot.last())));
     }
 
     /** The number of keys of the position, which is that of the direction. */
-    public int keys() {
+    public int keyCount() {
         return shot.tracks().getFirst().keys().size();
     }
 
     /** The number of frames from the first key to the last, both included. */
-    public int frames() {
+    public int frameCount() {
         return shot.last() + 1;
     }
 }

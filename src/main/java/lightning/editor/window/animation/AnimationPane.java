@@ -15,13 +15,13 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.editor.document.motion.MotionExport;
 import lightning.editor.document.motion.RecordedShot;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.Sentence;
-import lightning.editor.window.widget.Obstacle;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.widget.DisabledReason;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -35,90 +35,96 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 final class AnimationPane extends VBox {
     private static final String EXTENSION = "path";
 
-    private final Motion motion;
-    private final PathAsk ask;
+    private final LightAnimation animation;
+    private final PathPrompt pathPrompt;
     private final String sceneName;
-    private final WholeNumber resolution = new WholeNumber("resolution", Texts.of("Resolution: preview frames from key to key"),
-            "resolution", RecordedShot.MAX_EVERY, RecordedShot.DEFAULT_EVERY);
-    private final WholeNumber pictures = new WholeNumber("pictures", Texts.of("Pictures to export"), Texts.of("the number of pictures"),
-            MotionExport.MAX_PICTURES, 1);
+    private final IntegerField resolution = new IntegerField("resolution", Messages.tr("Resolution: preview frames from key to key"),
+            "resolution", RecordedShot.MAX_INTERVAL, RecordedShot.DEFAULT_INTERVAL);
+    private final IntegerField pictures =
+            new IntegerField("pictures", Messages.tr("Pictures to export"), Messages.tr("the number of pictures"),
+                    MotionExport.MAX_PICTURES, 1);
     private final Slider scrub = new Slider(0, 1, 0);
     private final Label status = new Label();
     private final ProgressBar bar = new ProgressBar(0);
-    private final List<Runnable> obstacles = new ArrayList<>();
+    private final List<Runnable> reasonUpdates = new ArrayList<>();
     private ExportTask export;
-    private boolean showing;
+    private boolean isUpdating;
 
     /**
      * @param sceneName how the files that are saved are called, unless the artist says otherwise
      * @param close     closes the window
-     * @param toKeys    makes keys of the way
+     * @param keysButton    makes keys of the way
      */
-    AnimationPane(Motion motion, String sceneName, PathAsk ask, Runnable close, Node toKeys) {
-        this.motion = motion;
+    AnimationPane(LightAnimation animation, String sceneName, PathPrompt pathPrompt, Runnable close, Node keysButton) {
+        this.animation = animation;
         this.sceneName = sceneName;
-        this.ask = ask;
+        this.pathPrompt = pathPrompt;
         getStyleClass().add("animation");
         status.setId("animation-status");
         status.getStyleClass().add("status");
         status.setWrapText(true);
         bar.setMaxWidth(Double.MAX_VALUE);
-        bar.setAccessibleText(Texts.of("export progress"));
+        bar.setAccessibleText(Messages.tr("export progress"));
         bar.setVisible(false);
         getChildren().addAll(transport(), scrub(), resolution.widget(), pictures.widget(), files(), bar, status,
-                bottom(close, toKeys));
-        obstacles.add(() -> pictures.widget().setObstacle(needsPath()));
-        obstacles.add(() -> resolution.widget().setObstacle(unless(!motion.isRecording(), Texts.of("it is recording"))));
-        motion.recordingProperty().subscribe(_ -> tell());
-        motion.playingProperty().subscribe(_ -> tell());
-        motion.frameProperty().subscribe(_ -> showFrame());
-        motion.recordedProperty().subscribe(this::show);
+                bottom(close, keysButton));
+        reasonUpdates.add(() -> pictures.widget().setDisabledReason(needsPath()));
+        reasonUpdates
+                .add(() -> resolution.widget().setDisabledReason(reasonUnless(!animation.isRecording(), Messages.tr("it is recording"))));
+        animation.recordingProperty().subscribe(_ -> updateStatus());
+        animation.playingProperty().subscribe(_ -> updateStatus());
+        animation.frameProperty().subscribe(_ -> showFrame());
+        animation.recordedProperty().subscribe(this::show);
     }
 
     private HBox transport() {
         return tools(
-                button("record", Texts.of("Record"), MaterialDesignR.RECORD,
-                        Texts.of("Records position and direction while you move the light"),
-                        () -> motion.record(resolution.get()), () -> unless(!motion.isRecording(), Texts.of("it is recording"))),
-                button("stop", Texts.of("Stop"), MaterialDesignS.STOP, Texts.of("Stops recording or playing"), motion::stop,
-                        () -> unless(motion.isRecording() || motion.isPlaying(), Texts.of("nothing is recording or playing"))),
-                button("play", Texts.of("Play"), MaterialDesignP.PLAY, Texts.of("Renders the picture again and again as the light moves"),
-                        motion::play, () -> motion.isPlaying() ? Optional.of(Texts.of("it is playing")) : needsPath()));
+                button("record", Messages.tr("Record"), MaterialDesignR.RECORD,
+                        Messages.tr("Records position and direction while you move the light"),
+                        () -> animation.record(resolution.get()),
+                        () -> reasonUnless(!animation.isRecording(), Messages.tr("it is recording"))),
+                button("stop", Messages.tr("Stop"), MaterialDesignS.STOP, Messages.tr("Stops recording or playing"), animation::stop,
+                        () -> reasonUnless(animation.isRecording() || animation.isPlaying(),
+                                Messages.tr("nothing is recording or playing"))),
+                button("play", Messages.tr("Play"), MaterialDesignP.PLAY,
+                        Messages.tr("Renders the picture again and again as the light moves"),
+                        animation::play, () -> animation.isPlaying() ? Optional.of(Messages.tr("it is playing")) : needsPath()));
     }
 
     private Node scrub() {
         scrub.setId("scrub");
-        scrub.setAccessibleText(Texts.of("frame"));
+        scrub.setAccessibleText(Messages.tr("frame"));
         scrub.setBlockIncrement(1);
         scrub.valueProperty().addListener((_, _, now) -> {
-            if (!showing) {
-                motion.stop();
-                motion.show((int) Math.rint(now.doubleValue()));
+            if (!isUpdating) {
+                animation.stop();
+                animation.show((int) Math.rint(now.doubleValue()));
             }
         });
-        return explained(scrub, Texts.of("The frame that is shown"), this::needsPath);
+        return withDisabledReason(scrub, Messages.tr("The frame that is shown"), this::needsPath);
     }
 
     private HBox files() {
         return tools(
-                button("save-animation", Texts.of("Save…"), MaterialDesignC.CONTENT_SAVE_OUTLINE,
-                        Texts.of("Save Animation: the path as a text file"),
+                button("save-animation", Messages.tr("Save…"), MaterialDesignC.CONTENT_SAVE_OUTLINE,
+                        Messages.tr("Save Animation: the path as a text file"),
                         this::save, this::needsPath),
-                button("load-animation", Texts.of("Load…"), MaterialDesignF.FOLDER_OPEN_OUTLINE,
-                        Texts.of("Load Animation: a path from a file"),
+                button("load-animation", Messages.tr("Load…"), MaterialDesignF.FOLDER_OPEN_OUTLINE,
+                        Messages.tr("Load Animation: a path from a file"),
                         this::load, Optional::empty),
-                button("export", Texts.of("Export…"), MaterialDesignI.IMAGE_MULTIPLE_OUTLINE,
-                        Texts.of("Writes numbered PNG pictures to a folder"),
-                        this::export, () -> export != null ? Optional.of(Texts.of("an export is running")) : needsPath()),
-                button("cancel-export", Texts.of("Cancel"), MaterialDesignC.CANCEL, Texts.of("Stops the export; finished pictures stay"),
-                        () -> export.cancel(false), () -> unless(export != null, Texts.of("no export is running"))));
+                button("export", Messages.tr("Export…"), MaterialDesignI.IMAGE_MULTIPLE_OUTLINE,
+                        Messages.tr("Writes numbered PNG pictures to a folder"),
+                        this::export, () -> export != null ? Optional.of(Messages.tr("an export is running")) : needsPath()),
+                button("cancel-export", Messages.tr("Cancel"), MaterialDesignC.CANCEL,
+                        Messages.tr("Stops the export; finished pictures stay"),
+                        () -> export.cancel(false), () -> reasonUnless(export != null, Messages.tr("no export is running"))));
     }
 
-    private HBox bottom(Runnable close, Node toKeys) {
+    private HBox bottom(Runnable close, Node keysButton) {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        return tools(toKeys, gap,
-                button("close-animation", Texts.of("Close"), MaterialDesignC.CLOSE, Texts.of("Restores the scene as it was before"),
+        return tools(keysButton, gap,
+                button("close-animation", Messages.tr("Close"), MaterialDesignC.CLOSE, Messages.tr("Restores the scene as it was before"),
                         close, Optional::empty));
     }
 
@@ -134,102 +140,102 @@ final class AnimationPane extends VBox {
         button.setId(id);
         button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(_ -> action.run());
-        return explained(button, hint, reason);
+        return withDisabledReason(button, hint, reason);
     }
 
-    private StackPane explained(Node control, String hint, Supplier<Optional<String>> reason) {
-        StackPane around = new StackPane(control);
-        var obstacle = new Obstacle(around, control, hint);
-        obstacles.add(() -> obstacle.set(reason.get()));
-        return around;
+    private StackPane withDisabledReason(Node control, String hint, Supplier<Optional<String>> reason) {
+        StackPane wrapper = new StackPane(control);
+        var disabledReason = new DisabledReason(wrapper, control, hint);
+        reasonUpdates.add(() -> disabledReason.set(reason.get()));
+        return wrapper;
     }
 
     private Optional<String> needsPath() {
-        return motion.isRecording() ? Optional.of(Texts.of("it is recording"))
-                : unless(motion.recorded().isPresent(), Texts.of("nothing is recorded or loaded yet"));
+        return animation.isRecording() ? Optional.of(Messages.tr("it is recording"))
+                : reasonUnless(animation.recorded().isPresent(), Messages.tr("nothing is recorded or loaded yet"));
     }
 
-    private static Optional<String> unless(boolean possible, String reason) {
-        return possible ? Optional.empty() : Optional.of(reason);
+    private static Optional<String> reasonUnless(boolean isPossible, String reason) {
+        return isPossible ? Optional.empty() : Optional.of(reason);
     }
 
-    private void tell() {
-        obstacles.forEach(Runnable::run);
-        status.setText(motion.isRecording() ? Texts.of("Move {0} in the preview, then press Stop.", motion.light())
-                : motion.isPlaying() ? Texts.of("Playing")
-                : motion.recorded().map(r -> Texts.of("{0} keys over {1} frames", r.keys(), r.frames()))
-                        .orElse(Texts.of("Press Record, then move {0} in the preview.", motion.light())));
+    private void updateStatus() {
+        reasonUpdates.forEach(Runnable::run);
+        status.setText(animation.isRecording() ? Messages.tr("Move {0} in the preview, then press Stop.", animation.light())
+                : animation.isPlaying() ? Messages.tr("Playing")
+                : animation.recorded().map(r -> Messages.tr("{0} keys over {1} frames", r.keyCount(), r.frameCount()))
+                        .orElse(Messages.tr("Press Record, then move {0} in the preview.", animation.light())));
     }
 
     private void show(RecordedShot recorded) {
         if (recorded != null) {
-            pictures.set(Math.min(recorded.frames(), MotionExport.MAX_PICTURES));
-            showing = true;
-            scrub.setMax(Math.max(1, recorded.frames() - 1));
-            showing = false;
+            pictures.set(Math.min(recorded.frameCount(), MotionExport.MAX_PICTURES));
+            isUpdating = true;
+            scrub.setMax(Math.max(1, recorded.frameCount() - 1));
+            isUpdating = false;
         }
         showFrame();
-        tell();
+        updateStatus();
     }
 
     private void showFrame() {
-        if (motion.isRecording()) {
-            status.setText(Texts.of("Recording: {0} frames", motion.frameProperty().get() + 1));
+        if (animation.isRecording()) {
+            status.setText(Messages.tr("Recording: {0} frames", animation.frameProperty().get() + 1));
         } else {
-            showing = true;
-            scrub.setValue(motion.frameProperty().get());
-            showing = false;
+            isUpdating = true;
+            scrub.setValue(animation.frameProperty().get());
+            isUpdating = false;
         }
     }
 
     private void save() {
-        ask.fileToSave(Texts.of("Save Animation"), sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
-            status.setText(Texts.of("Saving …"));
-            motion.save(file, () -> status.setText(Texts.of("Saved to {0}", Quote.path(file))),
-                    why -> status.setText(Texts.of("Not saved: {0}", Sentence.of(why))));
+        pathPrompt.fileToSave(Messages.tr("Save Animation"), sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
+            status.setText(Messages.tr("Saving …"));
+            animation.save(file, () -> status.setText(Messages.tr("Saved to {0}", Quote.path(file))),
+                    failure -> status.setText(Messages.tr("Not saved: {0}", ErrorMessage.of(failure))));
         });
     }
 
     private void load() {
-        ask.fileToOpen(Texts.of("Load Animation"), EXTENSION).ifPresent(file -> {
-            motion.load(file, why -> status.setText(Texts.of("Not loaded: {0}", Sentence.of(why))));
+        pathPrompt.fileToOpen(Messages.tr("Load Animation"), EXTENSION).ifPresent(file -> {
+            animation.load(file, failure -> status.setText(Messages.tr("Not loaded: {0}", ErrorMessage.of(failure))));
         });
     }
 
     private void export() {
-        ask.folder(Texts.of("Export pictures to")).ifPresent(folder -> {
-            motion.stop();
-            ExportTask task = new ExportTask(motion.export(pictures.get()), folder, sceneName);
+        pathPrompt.folder(Messages.tr("Export pictures to")).ifPresent(folder -> {
+            animation.stop();
+            ExportTask task = new ExportTask(animation.export(pictures.get()), folder, sceneName);
             export = task;
             bar.progressProperty().bind(task.progressProperty());
             bar.setVisible(true);
-            obstacles.forEach(Runnable::run);
-            task.valueProperty().subscribe(written -> exported(task, written));
-            task.stateProperty().addListener((_, _, now) -> ended(task, now));
-            task.begin();
+            reasonUpdates.forEach(Runnable::run);
+            task.valueProperty().subscribe(written -> showProgress(task, written));
+            task.stateProperty().addListener((_, _, now) -> finishExport(task, now));
+            task.start();
         });
     }
 
     /** The last pictures of an export that was cancelled are told of after its end. */
-    private void exported(ExportTask task, int written) {
+    private void showProgress(ExportTask task, int written) {
         if (export == task) {
-            status.setText(Texts.of("Exporting: {0} of {1}", written, task.pictures()));
+            status.setText(Messages.tr("Exporting: {0} of {1}", written, task.pictures()));
         }
     }
 
-    private void ended(ExportTask task, Worker.State now) {
-        switch (now) {
+    private void finishExport(ExportTask task, Worker.State state) {
+        switch (state) {
             case READY, SCHEDULED, RUNNING -> {
                 return;
             }
-            case SUCCEEDED -> status.setText(Texts.of("Exported {0} pictures to {1}", task.pictures(), task.folder()));
-            case CANCELLED -> status.setText(Texts.of("Export cancelled after {0} of {1} pictures", task.getValue(), task.pictures()));
-            case FAILED -> status.setText(Texts.of("Export failed: {0}", task.getException().getMessage()));
+            case SUCCEEDED -> status.setText(Messages.tr("Exported {0} pictures to {1}", task.pictures(), task.folder()));
+            case CANCELLED -> status.setText(Messages.tr("Export cancelled after {0} of {1} pictures", task.getValue(), task.pictures()));
+            case FAILED -> status.setText(Messages.tr("Export failed: {0}", task.getException().getMessage()));
         }
         export = null;
         bar.progressProperty().unbind();
         bar.setVisible(false);
-        obstacles.forEach(Runnable::run);
+        reasonUpdates.forEach(Runnable::run);
     }
 
     /** Stops an export that runs; finished pictures stay. */

@@ -6,70 +6,71 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.motion.RecordedShot;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.CommandKeys;
-import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.widget.Looks;
-import lightning.editor.window.widget.OnScreen;
+import lightning.editor.window.widget.ColorTheme;
+import lightning.editor.window.widget.WindowPlacement;
 
 /** Records and plays the way of the light that is selected when it opens (paper §3.7). */
 public final class AnimationWindow extends Stage {
     /** From the corner of the editor's window, pixels. */
     private static final double MARGIN = 16;
 
-    private final Motion motion;
+    private final LightAnimation animation;
 
     /** Begins the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
-        this(model, owner, PathAsk.inWindows(owner, model.bringer().folder()));
+        this(model, owner, PathPrompt.ofSystem(owner, model.fileImporter().folder()));
     }
 
     /** Does the command that makes an animation of keys. */
-    public static void addTo(EditorModel model, Supplier<Window> owner) {
+    public static void registerCommands(EditorModel model, Supplier<Window> owner) {
         model.commands().setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
         model.commands().setAction(Command.KEYS_TO_WAY,
-                () -> model.editor().document().moment().flatMap(m -> RecordedShot.of(m.shot(), model.editor().selection().lightName()))
-                        .ifPresentOrElse(way -> {
+                () -> model.editor().document().shotFrame().flatMap(m -> RecordedShot.of(m.shot(), model.editor().selection().lightName()))
+                        .ifPresentOrElse(path -> {
                             var window = new AnimationWindow(model, owner.get());
                             window.show();
-                            window.motion.take(way);
+                            window.animation.setRecorded(path);
                         }, () -> model.editor().message()
-                                .show(Texts.of("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+                                .show(Messages.tr("A way has linear keys of place and direction at the same frames, evenly spaced"))));
     }
 
-    AnimationWindow(EditorModel model, Window owner, PathAsk ask) {
+    AnimationWindow(EditorModel model, Window owner, PathPrompt pathPrompt) {
         initOwner(owner);
-        motion = new Motion(model);
+        animation = new LightAnimation(model);
         model.commands().setAction(Command.WAY_TO_KEYS, () -> {
-            motion.toKeys();
+            animation.convertToKeys();
             close();
         });
-        setTitle(Texts.of("Animation of {0}", motion.light()));
-        String name = model.editor().document().name().replaceFirst("\\.[^.]*$", "") + "-" + motion.light();
-        AnimationPane pane = new AnimationPane(motion, name, ask, this::close, CommandButton.titled(model.commands(), Command.WAY_TO_KEYS));
-        Scene content = Looks.scene(pane);
+        setTitle(Messages.tr("Animation of {0}", animation.light()));
+        String name = model.editor().document().name().replaceFirst("\\.[^.]*$", "") + "-" + animation.light();
+        AnimationPane pane = new AnimationPane(animation, name, pathPrompt, this::close,
+                CommandButton.titledButton(model.commands(), Command.WAY_TO_KEYS));
+        Scene content = ColorTheme.scene(pane);
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();
                 event.consume();
             }
         });
-        CommandKeys.take(content, model.commands());
+        CommandKeys.install(content, model.commands());
         setScene(content);
         setResizable(false);
         setOnShown(_ -> {
             // Over the properties, so that both pictures can be seen.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
-            OnScreen.fit(this);
+            WindowPlacement.fit(this);
         });
         setOnHidden(_ -> {
             pane.stopExport();
-            motion.close();
+            animation.close();
         });
     }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.CancellationException;
 import javafx.concurrent.Task;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.editor.document.motion.MotionExport;
 
 /** Writes a motion path as numbered pictures on a thread of its own; its value is how many are written. */
@@ -25,21 +25,21 @@ final class ExportTask extends Task<Integer> {
         try {
             export.write(folder, name, new MotionExport.Listener() {
                 @Override
-                public void written(int pictures) {
+                public void pictureWritten(int pictures) {
                     updateValue(pictures);
-                    updateProgress(pictures, export.pictures());
+                    updateProgress(pictures, export.pictureCount());
                 }
 
                 @Override
-                public boolean isCancelled() {
+                public boolean isCanceled() {
                     return ExportTask.this.isCancelled();
                 }
             });
         } catch (CancellationException e) {
             // The task is cancelled already, which says so.
-            return export.pictures();
+            return export.pictureCount();
         }
-        return export.pictures();
+        return export.pictureCount();
     }
 
     Path folder() {
@@ -47,12 +47,12 @@ final class ExportTask extends Task<Integer> {
     }
 
     int pictures() {
-        return export.pictures();
+        return export.pictureCount();
     }
 
     /** Begins. The thread must not be interrupted, which would break a file that is being written. */
-    void begin() {
-        Thread thread = OwnThread.of("lightning-export", this);
+    void start() {
+        Thread thread = DedicatedThread.create("lightning-export", this);
         thread.start();
     }
 }

@@ -7,9 +7,9 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.StackPane;
 import javafx.util.Duration;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
@@ -22,14 +22,14 @@ public final class CommandButton extends StackPane {
 
     private final ButtonBase button;
 
-    private CommandButton(Commands commands, Command command) {
-        button = commands.switched(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
+    private CommandButton(CommandRegistry commands, Command command) {
+        button = commands.toggleState(command).<ButtonBase>map(on -> toggle(on)).orElseGet(Button::new);
         button.setId(command.id());
         button.setAccessibleText(command.plainTitle());
         button.setOnAction(_ -> {
             commands.run(command);
             if (button instanceof ToggleButton toggle) {
-                toggle.setSelected(commands.switched(command).orElseThrow().getValue());
+                toggle.setSelected(commands.toggleState(command).orElseThrow().getValue());
             }
         });
         getChildren().add(button);
@@ -37,15 +37,15 @@ public final class CommandButton extends StackPane {
         tooltip.setShowDelay(DELAY);
         tooltip.setShowDuration(Duration.INDEFINITE);
         Tooltip.install(this, tooltip);
-        commands.situation().map(command::obstacle).subscribe(obstacle -> {
-            button.setDisable(obstacle.isPresent());
-            tell(tooltip, commands, command);
+        commands.editorState().map(command::disabledReason).subscribe(reason -> {
+            button.setDisable(reason.isPresent());
+            updateTooltip(tooltip, commands, command);
         });
-        commands.keys().changesProperty().subscribe(_ -> tell(tooltip, commands, command));
+        commands.keyBindings().changesProperty().subscribe(_ -> updateTooltip(tooltip, commands, command));
     }
 
-    private void tell(Tooltip tooltip, Commands commands, Command command) {
-        tooltip.setText(help(command, commands.keys().text(command), commands.reason(command).orElse("")));
+    private void updateTooltip(Tooltip tooltip, CommandRegistry commands, Command command) {
+        tooltip.setText(help(command, commands.keyBindings().text(command), commands.disabledReason(command).orElse("")));
         button.setAccessibleHelp(tooltip.getText());
     }
 
@@ -56,26 +56,26 @@ public final class CommandButton extends StackPane {
     }
 
     /** With the command's icon alone. */
-    public static CommandButton icon(Commands commands, Command command) {
-        return new CommandButton(commands, command).looking("", new FontIcon(command.icon()), "button-icon");
+    public static CommandButton iconButton(CommandRegistry commands, Command command) {
+        return new CommandButton(commands, command).withStyle("", new FontIcon(command.icon()), "button-icon");
     }
 
     /** With icon and title. */
-    public static CommandButton titled(Commands commands, Command command) {
-        return new CommandButton(commands, command).looking(command.title(), new FontIcon(command.icon()), "titled-command");
+    public static CommandButton titledButton(CommandRegistry commands, Command command) {
+        return new CommandButton(commands, command).withStyle(command.title(), new FontIcon(command.icon()), "titled-command");
     }
 
     /** With a short text in place of the title, among the preview's views. */
-    public static CommandButton view(Commands commands, Command command, String text) {
-        return new CommandButton(commands, command).looking(text, null, "view-button");
+    public static CommandButton viewButton(CommandRegistry commands, Command command, String text) {
+        return new CommandButton(commands, command).withStyle(text, null, "view-button");
     }
 
     /** With an icon, among the preview's views. */
-    public static CommandButton view(Commands commands, Command command) {
-        return new CommandButton(commands, command).looking("", new FontIcon(command.icon()), "view-button");
+    public static CommandButton viewButton(CommandRegistry commands, Command command) {
+        return new CommandButton(commands, command).withStyle("", new FontIcon(command.icon()), "view-button");
     }
 
-    private CommandButton looking(String text, FontIcon icon, String styleClass) {
+    private CommandButton withStyle(String text, FontIcon icon, String styleClass) {
         button.setText(text);
         button.setGraphic(icon);
         button.getStyleClass().add(styleClass);
@@ -90,10 +90,10 @@ public final class CommandButton extends StackPane {
      * What the tooltip says.
      *
      * @param key      the command's; empty where it has none
-     * @param obstacle why the command is disabled; empty if it is enabled
+     * @param disabledReason why the command is disabled; empty if it is enabled
      */
-    static String help(Command command, String key, String obstacle) {
-        String does = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
-        return obstacle.isEmpty() ? does : Texts.of("{0}\nNot now: {1}.", does, obstacle);
+    static String help(Command command, String key, String disabledReason) {
+        String description = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
+        return disabledReason.isEmpty() ? description : Messages.tr("{0}\nNot now: {1}.", description, disabledReason);
     }
 }

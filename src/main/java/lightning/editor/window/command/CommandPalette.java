@@ -19,10 +19,10 @@ import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
 import javafx.stage.Window;
-import lightning.base.text.Texts;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.Keys;
-import lightning.editor.window.widget.Looks;
+import lightning.base.text.Messages;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.KeyBindings;
+import lightning.editor.window.widget.ColorTheme;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /** All commands by a few letters of their names: Enter does the first that fits, and one that has nothing to do says why. */
@@ -32,40 +32,40 @@ public final class CommandPalette extends Stage {
     private static final double FROM_TOP = 80;
     private static final double GAP = 8;
 
-    private final Keys keys;
-    private final List<Offer> all;
+    private final KeyBindings keys;
+    private final List<PaletteEntry> entries;
     private final TextField query = new TextField();
-    private final ListView<Offer> found = new ListView<>();
-    private final Label about = new Label();
+    private final ListView<PaletteEntry> matches = new ListView<>();
+    private final Label description = new Label();
 
-    private CommandPalette(Window owner, MenuBar bar, Commands commands) {
+    private CommandPalette(Window owner, MenuBar bar, CommandRegistry commands) {
         super(StageStyle.UNDECORATED);
-        keys = commands.keys();
-        all = Offer.all(bar, commands);
+        keys = commands.keyBindings();
+        entries = PaletteEntry.all(bar, commands);
         initOwner(owner);
-        setTitle(Texts.of("Find Command"));
+        setTitle(Messages.tr("Find Command"));
         query.setId("palette-query");
-        query.setAccessibleText(Texts.of("Letters of a command's name"));
-        query.setPromptText(Texts.of("Letters of a command's name"));
+        query.setAccessibleText(Messages.tr("Letters of a command's name"));
+        query.setPromptText(Messages.tr("Letters of a command's name"));
         query.textProperty().subscribe(this::search);
         query.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
-        found.setId("palette-found");
-        found.setAccessibleText(Texts.of("commands"));
-        found.setFocusTraversable(false);
-        found.getStyleClass().add("edge-to-edge");
-        found.setPlaceholder(new Label(Texts.of("No command has these letters")));
-        found.setCellFactory(_ -> new Row());
-        found.getSelectionModel().selectedItemProperty().subscribe(this::tell);
-        VBox.setVgrow(found, Priority.ALWAYS);
-        about.setId("palette-about");
-        about.getStyleClass().add("about-lines");
-        about.setWrapText(true);
-        about.setMinHeight(Region.USE_PREF_SIZE);
-        about.setMaxWidth(Double.MAX_VALUE);
-        var content = new VBox(query, found, about);
+        matches.setId("palette-found");
+        matches.setAccessibleText(Messages.tr("commands"));
+        matches.setFocusTraversable(false);
+        matches.getStyleClass().add("edge-to-edge");
+        matches.setPlaceholder(new Label(Messages.tr("No command has these letters")));
+        matches.setCellFactory(_ -> new Row());
+        matches.getSelectionModel().selectedItemProperty().subscribe(this::showDescription);
+        VBox.setVgrow(matches, Priority.ALWAYS);
+        description.setId("palette-about");
+        description.getStyleClass().add("about-lines");
+        description.setWrapText(true);
+        description.setMinHeight(Region.USE_PREF_SIZE);
+        description.setMaxWidth(Double.MAX_VALUE);
+        var content = new VBox(query, matches, description);
         content.setId("palette");
         content.getStyleClass().add("palette");
-        Scene scene = Looks.scene(content, WIDTH, HEIGHT);
+        Scene scene = ColorTheme.scene(content, WIDTH, HEIGHT);
         setScene(scene);
         setX(owner.getX() + (owner.getWidth() - WIDTH) / 2);
         setY(owner.getY() + Math.min(FROM_TOP, Math.max(0, owner.getHeight() - HEIGHT)));
@@ -77,61 +77,62 @@ public final class CommandPalette extends Stage {
     }
 
     /** Opens over a window; it closes when something was done, or by Escape, or when it is left. */
-    public static void open(Window owner, MenuBar bar, Commands commands) {
+    public static void open(Window owner, MenuBar bar, CommandRegistry commands) {
         new CommandPalette(owner, bar, commands).show();
     }
 
     private void search(String letters) {
-        found.getItems().setAll(Offer.fitting(all, letters));
-        found.getSelectionModel().selectFirst();
-        found.scrollTo(0);
+        matches.getItems().setAll(PaletteEntry.matching(entries, letters));
+        matches.getSelectionModel().selectFirst();
+        matches.scrollTo(0);
     }
 
-    private void tell(Offer offer) {
-        about.setText(
-                offer == null ? "" : offer.command().help() + "." + offer.reason().map(r -> Texts.of("\nNot now: {0}.", r)).orElse("\n"));
+    private void showDescription(PaletteEntry entry) {
+        description.setText(
+                entry == null ? ""
+                        : entry.command().help() + "." + entry.disabledReason().map(r -> Messages.tr("\nNot now: {0}.", r)).orElse("\n"));
     }
 
     private void press(KeyEvent e) {
         if (e.getCode() == KeyCode.ESCAPE) {
             close();
         } else if (e.getCode() == KeyCode.ENTER) {
-            take(found.getSelectionModel().getSelectedItem());
+            runEntry(matches.getSelectionModel().getSelectedItem());
         } else if (e.getCode() == KeyCode.DOWN) {
-            go(1);
+            moveSelection(1);
         } else if (e.getCode() == KeyCode.UP) {
-            go(-1);
+            moveSelection(-1);
         } else {
             return;
         }
         e.consume();
     }
 
-    private void go(int way) {
-        int to = Math.clamp(found.getSelectionModel().getSelectedIndex() + (long) way, 0, Math.max(0, found.getItems().size() - 1));
-        found.getSelectionModel().clearAndSelect(to);
-        found.scrollTo(Math.max(0, to - 3));
+    private void moveSelection(int step) {
+        int to = Math.clamp(matches.getSelectionModel().getSelectedIndex() + (long) step, 0, Math.max(0, matches.getItems().size() - 1));
+        matches.getSelectionModel().clearAndSelect(to);
+        matches.scrollTo(Math.max(0, to - 3));
     }
 
-    private void take(Offer offer) {
-        if (offer != null && offer.reason().isEmpty()) {
+    private void runEntry(PaletteEntry entry) {
+        if (entry != null && entry.disabledReason().isEmpty()) {
             close();
-            offer.action().run();
+            entry.action().run();
         }
     }
 
-    private final class Row extends ListCell<Offer> {
+    private final class Row extends ListCell<PaletteEntry> {
         private final FontIcon icon = new FontIcon();
         private final Label title = new Label();
-        private final Label place = new Label();
+        private final Label menuPath = new Label();
         private final Label key = new Label();
         /** What stands in its middle gives way. */
-        private final BorderPane row = new BorderPane(place);
+        private final BorderPane row = new BorderPane(menuPath);
 
         Row() {
-            place.getStyleClass().add("pane-note");
-            BorderPane.setAlignment(place, Pos.CENTER_LEFT);
-            BorderPane.setMargin(place, new Insets(0, GAP, 0, GAP));
+            menuPath.getStyleClass().add("pane-note");
+            BorderPane.setAlignment(menuPath, Pos.CENTER_LEFT);
+            BorderPane.setMargin(menuPath, new Insets(0, GAP, 0, GAP));
             key.getStyleClass().add("palette-key");
             BorderPane.setAlignment(key, Pos.CENTER);
             var first = new HBox(GAP, icon, title);
@@ -139,23 +140,23 @@ public final class CommandPalette extends Stage {
             row.setLeft(first);
             row.setRight(key);
             setPrefWidth(0);
-            setOnMouseClicked(_ -> take(getItem()));
+            setOnMouseClicked(_ -> runEntry(getItem()));
         }
 
         @Override
-        protected void updateItem(Offer offer, boolean empty) {
+        protected void updateItem(PaletteEntry offer, boolean empty) {
             super.updateItem(offer, empty);
             setGraphic(empty ? null : row);
             if (!empty) {
                 icon.setIconLiteral(offer.command().icon());
                 title.setText(offer.title());
-                place.setText(offer.place());
+                menuPath.setText(offer.menuPath());
                 key.setText(keys.text(offer.command()));
                 key.setVisible(!key.getText().isEmpty());
                 key.setManaged(key.isVisible());
                 // As the notes are, which can be read; half as opaque it could not.
-                title.getStyleClass().setAll("label", offer.reason().isEmpty() ? "palette-title" : "pane-note");
-                setAccessibleText(offer.title() + offer.reason().map(r -> Texts.of(", not now: {0}", r)).orElse(""));
+                title.getStyleClass().setAll("label", offer.disabledReason().isEmpty() ? "palette-title" : "pane-note");
+                setAccessibleText(offer.title() + offer.disabledReason().map(r -> Messages.tr(", not now: {0}", r)).orElse(""));
             }
         }
     }

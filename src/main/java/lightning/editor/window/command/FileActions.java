@@ -7,27 +7,27 @@ import java.util.Map;
 import java.util.function.Consumer;
 import javafx.scene.control.ButtonType;
 import javafx.scene.control.MenuItem;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.NewScene;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.document.Recovery;
+import lightning.editor.document.RecoveryFolder;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.Preferences;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.MeshFormat;
-import lightning.format.exchange.Import;
-import lightning.format.exchange.Importer;
+import lightning.format.exchange.ImportedScene;
+import lightning.format.exchange.LightUnitPreviews;
 import lightning.format.exchange.LightUnits;
-import lightning.format.exchange.UnitPictures;
+import lightning.format.exchange.SceneImporter;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
 import lightning.format.jen.JenFile;
-import lightning.format.picture.PictureFile;
-import lightning.format.picture.PictureFormat;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
@@ -35,233 +35,236 @@ import lightning.scene.Scene;
 /** The commands about files. Files are read and written beside the window's thread. */
 public final class FileActions {
     /** Of the pictures that ask for units; pixels of the longer side. */
-    private static final int PICTURE_SIZE = 280;
+    private static final int UNIT_PICTURE_SIZE = 280;
 
     private final EditorModel model;
     private final SceneEditor editor;
     private final StatusMessage message;
     private final FilePrompt prompt;
-    private final Notices notices;
+    private final EditorDialogs notices;
     private final Preferences preferences;
     private final SceneSaver saver;
     private final PictureExport export;
     private List<Path> recent = List.of();
 
     /** @param quit closes the window, which then asks about unsaved edits */
-    public FileActions(EditorModel model, FilePrompt prompt, Notices notices, Preferences preferences, Runnable quit) {
+    public FileActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences, Runnable quit) {
         this.model = model;
         editor = model.editor();
         message = editor.message();
         this.prompt = prompt;
-        model.bringer().setBrowse((title, kind) -> prompt.beside(title, kind, model.bringer().folder()));
+        model.fileImporter().setFilePrompt((title, kind) -> prompt.assetToOpen(title, kind, model.fileImporter().folder()));
         this.notices = notices;
         this.preferences = preferences;
         export = new PictureExport(model, prompt, notices);
-        saver = new SceneSaver(model, prompt, notices, this::saved);
-        model.commands().setAction(Command.NEW_SCENE, this::begin);
+        saver = new SceneSaver(model, prompt, notices, this::afterSave);
+        model.commands().setAction(Command.NEW_SCENE, this::newScene);
         model.commands().setAction(Command.LOAD_FILE,
-                () -> prompt.scene(model.bringer().folder()).ifPresent(this::load));
+                () -> prompt.sceneToOpen(model.fileImporter().folder()).ifPresent(this::load));
         model.commands().setAction(Command.RELOAD, this::reload);
         model.commands().setAction(Command.SAVE_SCENE, () -> saver.save(() -> {}));
         model.commands().setAction(Command.SAVE_SCENE_AS, () -> saver.saveAs(() -> {}));
         model.commands().setAction(Command.SAVE_IMAGE, this::saveImage);
         model.commands().setAction(Command.QUIT, quit);
-        RigActions.addTo(model.commands(), editor, model.files(), prompt, notices);
-        TableActions.addTo(model, prompt, notices, preferences);
-        listRecent();
+        RigActions.register(model.commands(), editor, model.files(), prompt, notices);
+        ColorTableActions.register(model, prompt, notices, preferences);
+        refreshRecent();
     }
 
     /** Opens a scene; the open one stays where it cannot be read, and until it is read. Asks about unsaved edits first. */
     public void load(Path file) {
-        leave(() -> read(file));
+        confirmClose(() -> openOrImport(file));
     }
 
     /** Asks where, and begins a scene there; one that was there was asked about by the dialog. */
-    private void begin() {
-        prompt.sceneToWrite(editor.document().file().resolveSibling("untitled" + JenFile.ENDING))
-                .ifPresent(chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, this::begin));
+    private void newScene() {
+        prompt.sceneToWrite(editor.document().file().resolveSibling("untitled" + JenFile.EXTENSION))
+                .ifPresent(chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, this::newScene));
     }
 
-    private void begin(Path file) {
-        leave(() -> read(file, () -> {
+    private void newScene(Path file) {
+        confirmClose(() -> read(file, () -> {
             NewScene.write(file);
             return OpenDocument.open(file);
         }));
     }
 
-    private void read(Path file) {
-        if (MeshFormat.isNamedSo(file.getFileName().toString())) {
-            bringIn(file);
+    private void openOrImport(Path file) {
+        if (MeshFormat.isMeshFileName(file.getFileName().toString())) {
+            importScene(file);
         } else {
             read(file, () -> OpenDocument.open(file));
         }
     }
 
     /** Makes a scene beside a file of another program and opens it; asks where if one is there already. */
-    private void bringIn(Path file) {
+    private void importScene(Path file) {
         String name = file.getFileName().toString();
-        Path proposal = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + JenFile.ENDING);
-        model.files().beside(() -> Files.exists(proposal), there -> {
-            if (!there) {
-                bringIn(file, proposal);
+        Path proposal = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + JenFile.EXTENSION);
+        model.files().runConcurrently(() -> Files.exists(proposal), exists -> {
+            if (!exists) {
+                importScene(file, proposal);
             } else {
                 prompt.sceneToWrite(proposal).ifPresent(
-                        chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, to -> bringIn(file, to)));
+                        chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, to -> importScene(file, to)));
             }
-        }, why -> notices.failed(Texts.of("{0} could not be imported", Quote.path(file.getFileName())), why));
+        }, failure -> notices.showFailure(Messages.tr("{0} could not be imported", Quote.path(file.getFileName())), failure));
     }
 
     /** What was read of a file of another program, and what it looks like in all units, where it does not say which are right. */
-    private record Brought(Import made, Map<LightUnits, Film> pictures) {}
+    private record ImportPreview(ImportedScene imported, Map<LightUnits, Film> pictures) {}
 
-    private void bringIn(Path file, Path to) {
-        reading(file, () -> {
-            var progress = new ReadingLine(file, model.fileWork(), model.files().window(), message);
-            Import made = Importer.read(file, to, LightUnits.CANDELA, progress);
-            try (var workers = new Workers(Workers.available())) {
-                return new Brought(made, UnitPictures.of(made, PICTURE_SIZE, workers, progress.silent()));
+    private void importScene(Path file, Path to) {
+        readInBackground(file, () -> {
+            var progress = new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message);
+            ImportedScene imported = SceneImporter.read(file, to, LightUnits.CANDELA, progress);
+            try (var workers = new WorkerPool(WorkerPool.processorCount())) {
+                return new ImportPreview(imported,
+                        LightUnitPreviews.render(imported, UNIT_PICTURE_SIZE, workers, progress.cancellationOnly()));
             }
-        }, brought -> {
-            if (brought.pictures().isEmpty()) {
-                write(file, brought.made());
+        }, preview -> {
+            if (preview.pictures().isEmpty()) {
+                write(file, preview.imported());
             } else {
                 // The line says no longer that it is read.
                 message.clear();
-                notices.lightUnits(file, brought.pictures()).ifPresent(units -> write(file, brought.made().in(units)));
+                notices.askLightUnits(file, preview.pictures()).ifPresent(units -> write(file, preview.imported().inUnits(units)));
             }
         });
     }
 
-    private void write(Path file, Import made) {
+    private void write(Path file, ImportedScene imported) {
         read(file, () -> {
-            made.write();
-            int kinds = made.notes().size();
-            String told = Texts.of("Imported {0}", Quote.path(file.getFileName())) + (kinds == 0 ? "" : Texts.count(kinds,
+            imported.write();
+            int noteCount = imported.notes().size();
+            String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
                     "; {0} kind of thing is left out or not the same: {1}", "; {0} kinds of things are left out or not the same: {1}",
-                    kinds, String.join(", ", made.notes().keySet().stream().sorted().toList())));
-            model.files().window().execute(() -> message.show(told));
-            return OpenDocument.open(made.to());
+                    noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
+            model.files().windowExecutor().execute(() -> message.show(text));
+            return OpenDocument.open(imported.sceneFile());
         });
     }
 
-    private void read(Path file, FileThread.Work<OpenDocument> work) {
-        Scene left = editor.document().scene();
-        reading(file, work, opened -> {
-            if (editor.document().scene() == left) {
-                open(opened);
+    private void read(Path file, FileThread.FileTask<OpenDocument> task) {
+        Scene editedScene = editor.document().scene();
+        readInBackground(file, task, opened -> {
+            if (editor.document().scene() == editedScene) {
+                showDocument(opened);
             } else {
                 // It was edited while the other was read.
-                leave(() -> open(opened));
+                confirmClose(() -> showDocument(opened));
             }
         });
     }
 
-    private <T> void reading(Path file, FileThread.Work<T> work, Consumer<T> then) {
-        model.fileWork().read(file);
-        model.files().beside(work, read -> whileWanted(file, () -> then.accept(read)),
-                why -> whileWanted(file, () -> {
+    private <T> void readInBackground(Path file, FileThread.FileTask<T> task, Consumer<T> onRead) {
+        model.fileActivity().beginReading(file);
+        model.files().runConcurrently(task, read -> runIfActive(file, () -> onRead.accept(read)),
+                failure -> runIfActive(file, () -> {
                     message.clear();
-                    notices.failed(Texts.of("{0} could not be opened", Quote.path(file.getFileName())), why);
+                    notices.showFailure(Messages.tr("{0} could not be opened", Quote.path(file.getFileName())), failure);
                 }));
     }
 
-    private void whileWanted(Path file, Runnable then) {
-        if (model.fileWork().end(file)) {
-            then.run();
+    private void runIfActive(Path file, Runnable action) {
+        if (model.fileActivity().end(file)) {
+            action.run();
         }
     }
 
-    private void open(OpenDocument opened) {
+    private void showDocument(OpenDocument opened) {
         model.open(opened);
-        preferences.opened(opened.file());
-        listRecent();
+        preferences.addRecent(opened.file());
+        refreshRecent();
     }
 
     /** Opens what a crash left unsaved, which is deleted where the artist does not want it. */
-    public void recover(Recovery.Found found) {
-        model.files().beside(() -> OpenDocument.recover(found), recovered -> model.recover(found, recovered),
-                why -> notices.failed(Texts.of("The edits could not be recovered"), why));
+    public void recover(RecoveryFolder.RecoverableScene recoverable) {
+        model.files().runConcurrently(() -> OpenDocument.recover(recoverable), recovered -> model.recover(recoverable, recovered),
+                failure -> notices.showFailure(Messages.tr("The edits could not be recovered"), failure));
     }
 
     /**
      * Goes on when the open document may be left: it is saved, or the artist does not want it. What is being saved is written
      * first.
      */
-    public void leave(Runnable then) {
+    public void confirmClose(Runnable next) {
         if (model.workbench().isSaving()) {
-            model.files().inTurn(() -> null, _ -> leave(then), _ -> {});
+            model.files().runInOrder(() -> null, _ -> confirmClose(next), _ -> {});
         } else if (!editor.document().isDirty()) {
-            then.run();
+            next.run();
         } else {
-            ButtonType answer = notices.unsaved(editor.document().name()).orElse(ButtonType.CANCEL);
-            if (answer == Notices.DISCARD) {
-                then.run();
-            } else if (answer == Notices.SAVE) {
-                saver.save(() -> leave(then));
+            ButtonType answer = notices.askUnsaved(editor.document().name()).orElse(ButtonType.CANCEL);
+            if (answer == EditorDialogs.DISCARD) {
+                next.run();
+            } else if (answer == EditorDialogs.SAVE) {
+                saver.save(() -> confirmClose(next));
             }
         }
     }
 
     private void reload() {
         String name = editor.document().name();
-        model.workbench().reload(failure -> failure.ifPresentOrElse(why -> notices.failed(Texts.of("{0} could not be reloaded", name), why),
-                () -> message.show(Texts.of("Reloaded; Undo brings the edits back"))));
+        model.workbench()
+                .reload(failure -> failure.ifPresentOrElse(
+                        cause -> notices.showFailure(Messages.tr("{0} could not be reloaded", name), cause),
+                        () -> message.show(Messages.tr("Reloaded; Undo brings the edits back"))));
     }
 
     /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
     public void compareWithDisk() {
-        saver.askAboutBoth();
+        saver.resolveConflict();
     }
 
-    private void saved() {
-        preferences.opened(editor.document().file());
-        listRecent();
-        message.show(Texts.of("Saved {0}", editor.document().name()));
+    private void afterSave() {
+        preferences.addRecent(editor.document().file());
+        refreshRecent();
+        message.show(Messages.tr("Saved {0}", editor.document().name()));
     }
 
     private void saveImage() {
-        var remark = model.commands().situation().get().pendingRemark();
-        if (remark.isPresent()) {
-            ButtonType answer = notices.pending(remark.get()).orElse(ButtonType.CANCEL);
-            if (answer == Notices.GO_FIRST) {
+        var message = model.commands().editorState().get().pendingMessage();
+        if (message.isPresent()) {
+            ButtonType answer = notices.askPending(message.get()).orElse(ButtonType.CANCEL);
+            if (answer == EditorDialogs.GO_FIRST) {
                 model.commands().run(Command.GO);
             }
-            if (answer != Notices.SAVE_AS_IT_IS) {
+            if (answer != EditorDialogs.SAVE_AS_IT_IS) {
                 return;
             }
         }
         Path scene = editor.document().file();
-        String name = JenFile.stem(editor.document().name()) + PictureFormat.PNG.ending();
+        String name = JenFile.stem(editor.document().name()) + ImageFormat.PNG.extension();
         Frame frame = model.picture().frame();
         prompt.pictureToWrite(scene.resolveSibling(name)).ifPresent(chosen -> {
             if (chosen.getFileName().toString().contains(".")) {
                 write(chosen, frame);
             } else {
-                notices.withEnding(model.files(), chosen, PictureFormat.PNG.ending(), file -> write(file, frame));
+                notices.withExtension(model.files(), chosen, ImageFormat.PNG.extension(), file -> write(file, frame));
             }
         });
     }
 
     private void write(Path file, Frame frame) {
-        ViewTransform view = model.picture().viewProperty().get().ofPicture();
-        boolean displayed = PictureFormat.find(file).filter(PictureFormat::isDisplayed).isPresent();
-        message.show(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
-        model.files().inTurn(() -> {
-            PictureFile.write(file, frame.film(), view);
+        ViewTransform view = model.picture().viewProperty().get().forOutput();
+        boolean isDisplayed = ImageFormat.find(file).filter(ImageFormat::isDisplayReferred).isPresent();
+        message.show(Messages.tr("Saving {0} …", Quote.path(file.getFileName())));
+        model.files().runInOrder(() -> {
+            ImageFile.write(file, frame.film(), view);
             return file;
         }, _ -> message.show(
-                Texts.of("Saved {0}{1}", Quote.path(file.getFileName()), displayed && !view.equals(ViewTransform.DEFAULT)
-                        ? " (" + view.text() + ")" : "")),
-                why -> {
+                Messages.tr("Saved {0}{1}", Quote.path(file.getFileName()), isDisplayed && !view.equals(ViewTransform.DEFAULT)
+                        ? " (" + view.description() + ")" : "")),
+                failure -> {
                     message.clear();
-                    notices.failed(Texts.of("The picture could not be saved"), why);
+                    notices.showFailure(Messages.tr("The picture could not be saved"), failure);
                 });
     }
 
     /** Which of the scenes opened before are still there. */
-    private void listRecent() {
+    private void refreshRecent() {
         List<Path> all = preferences.recent();
-        model.files().beside(() -> all.stream().filter(Files::isRegularFile).toList(), there -> recent = there, _ -> {});
+        model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent = existing, _ -> {});
     }
 
     /** One for each kind of file that the picture can be exported as. */
@@ -272,7 +275,8 @@ public final class FileActions {
     /** One for each scene opened before that is still there, as was seen last. */
     public List<MenuItem> recentItems() {
         List<MenuItem> items = recent.stream()
-                .map(file -> CommandItems.of(model.commands()).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file))).toList();
-        return items.isEmpty() ? List.of(CommandItems.nothing(Command.LOAD_RECENT, Texts.of("None yet"))) : items;
+                .map(file -> CommandMenuItems.forMenu(model.commands()).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file)))
+                .toList();
+        return items.isEmpty() ? List.of(CommandMenuItems.placeholder(Command.LOAD_RECENT, Messages.tr("None yet"))) : items;
     }
 }

@@ -9,17 +9,17 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import javafx.stage.FileChooser;
 import javafx.stage.Window;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.format.MeshFormat;
+import lightning.format.image.CubeLutReader;
+import lightning.format.image.ImageFormat;
 import lightning.format.jen.FileKind;
 import lightning.format.jen.JenFile;
-import lightning.format.picture.CubeReader;
-import lightning.format.picture.PictureFormat;
 
 /** Asks which file. */
 public interface FilePrompt {
     /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
-    Optional<Path> scene(Path folder);
+    Optional<Path> sceneToOpen(Path folder);
 
     /** Where to write a scene. */
     Optional<Path> sceneToWrite(Path proposal);
@@ -28,8 +28,8 @@ public interface FilePrompt {
     Optional<Path> pictureToWrite(Path proposal);
 
     /** A file of lights to read. */
-    default Optional<Path> rig(Path folder) {
-        return scene(folder);
+    default Optional<Path> rigToOpen(Path folder) {
+        return sceneToOpen(folder);
     }
 
     /** Where to write lights. */
@@ -38,53 +38,53 @@ public interface FilePrompt {
     }
 
     /** A table of colours to read. */
-    default Optional<Path> table(Path folder) {
-        return scene(folder);
+    default Optional<Path> tableToOpen(Path folder) {
+        return sceneToOpen(folder);
     }
 
     /** A file that a scene is to have beside it. */
-    default Optional<Path> beside(String title, FileKind kind, Path folder) {
-        return scene(folder);
+    default Optional<Path> assetToOpen(String title, FileKind kind, Path folder) {
+        return sceneToOpen(folder);
     }
 
     /** The system's own windows. */
-    static FilePrompt of(Window owner) {
-        var scenes = filter("Scenes", JenFile.ENDING);
-        var files = new FileChooser.ExtensionFilter(Texts.of("Scenes, glTF, OBJ, PLY, NFF"),
-                Stream.concat(Stream.of(JenFile.ENDING), MeshFormat.allEndings().stream()).map(ending -> "*" + ending).toList());
-        var tables = filter("Tables", CubeReader.ENDING);
+    static FilePrompt ofSystem(Window owner) {
+        var scenes = filter("Scenes", JenFile.EXTENSION);
+        var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes, glTF, OBJ, PLY, NFF"),
+                Stream.concat(Stream.of(JenFile.EXTENSION), MeshFormat.allExtensions().stream()).map(ending -> "*" + ending).toList());
+        var tables = filter("Tables", CubeLutReader.EXTENSION);
         return new FilePrompt() {
             @Override
-            public Optional<Path> scene(Path folder) {
-                return path(chooser(Texts.of("Load File"), folder, files), c -> c.showOpenDialog(owner));
+            public Optional<Path> sceneToOpen(Path folder) {
+                return path(chooser(Messages.tr("Load File"), folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> sceneToWrite(Path proposal) {
-                var chooser = chooser(Texts.of("Save Scene As"), proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Messages.tr("Save Scene As"), proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
 
             @Override
-            public Optional<Path> rig(Path folder) {
-                return path(chooser(Texts.of("Load Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
+            public Optional<Path> rigToOpen(Path folder) {
+                return path(chooser(Messages.tr("Load Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
             }
 
             @Override
-            public Optional<Path> table(Path folder) {
-                return path(chooser(Texts.of("Colour Table"), folder, tables), c -> c.showOpenDialog(owner));
+            public Optional<Path> tableToOpen(Path folder) {
+                return path(chooser(Messages.tr("Colour Table"), folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override
-            public Optional<Path> beside(String title, FileKind kind, Path folder) {
+            public Optional<Path> assetToOpen(String title, FileKind kind, Path folder) {
                 var files = new FileChooser.ExtensionFilter(kind.title(), kind.endings().stream().map(ending -> "*." + ending).toList());
                 return path(chooser(title, folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> rigToWrite(Path proposal) {
-                var chooser = chooser(Texts.of("Save Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Messages.tr("Save Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
@@ -92,9 +92,9 @@ public interface FilePrompt {
             @Override
             public Optional<Path> pictureToWrite(Path proposal) {
                 String name = proposal.getFileName().toString();
-                var chooser = chooser(Texts.of("Save Image"), proposal.toAbsolutePath().getParent(),
-                        Arrays.stream(PictureFormat.values()).sorted(Comparator.comparing(format -> !name.endsWith(format.ending())))
-                                .map(format -> filter(format.title(), format.ending())).toArray(FileChooser.ExtensionFilter[]::new));
+                var chooser = chooser(Messages.tr("Save Image"), proposal.toAbsolutePath().getParent(),
+                        Arrays.stream(ImageFormat.values()).sorted(Comparator.comparing(format -> !name.endsWith(format.extension())))
+                                .map(format -> filter(format.title(), format.extension())).toArray(FileChooser.ExtensionFilter[]::new));
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }
@@ -116,6 +116,6 @@ public interface FilePrompt {
     }
 
     private static Optional<Path> path(FileChooser chooser, Function<FileChooser, File> show) {
-        return Optional.ofNullable(FolderGone.without(chooser::setInitialDirectory, () -> show.apply(chooser))).map(File::toPath);
+        return Optional.ofNullable(MissingFolderFallback.show(chooser::setInitialDirectory, () -> show.apply(chooser))).map(File::toPath);
     }
 }

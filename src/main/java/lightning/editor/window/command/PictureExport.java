@@ -6,31 +6,31 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import javafx.scene.control.MenuItem;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
-import lightning.base.work.Memory;
-import lightning.base.work.Workers;
+import lightning.base.work.HeapBudget;
+import lightning.base.work.WorkerPool;
 import lightning.editor.document.Command;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.StatusMessage;
 import lightning.format.exr.ExrType;
+import lightning.format.image.ImageFile;
 import lightning.format.jen.JenFile;
-import lightning.format.layer.LayerFile;
-import lightning.format.picture.PictureFile;
+import lightning.format.layer.LayeredExrWriter;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.MemoryNeed;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.tile.RenderOptions;
 
 /** Writes the traced picture for other programs, beside the window's thread: its layers, or all that its film holds. */
 final class PictureExport {
     private final EditorModel model;
     private final StatusMessage message;
     private final FilePrompt prompt;
-    private final Notices notices;
+    private final EditorDialogs notices;
 
-    PictureExport(EditorModel model, FilePrompt prompt, Notices notices) {
+    PictureExport(EditorModel model, FilePrompt prompt, EditorDialogs notices) {
         this.model = model;
         message = model.editor().message();
         this.prompt = prompt;
@@ -39,52 +39,53 @@ final class PictureExport {
 
     /** One for each kind. */
     List<MenuItem> items() {
-        return Arrays.stream(ExportKind.values())
-                .map(kind -> CommandItems.of(model.commands()).lastingValue(Command.EXPORT, kind.title(), () -> ask(kind)))
+        return Arrays.stream(ExportFormat.values())
+                .map(kind -> CommandMenuItems.forMenu(model.commands()).updatingValue(Command.EXPORT, kind.title(),
+                        () -> promptAndExport(kind)))
                 .toList();
     }
 
-    private void ask(ExportKind kind) {
-        String ending = kind.format().ending();
+    private void promptAndExport(ExportFormat kind) {
+        String ending = kind.format().extension();
         prompt.pictureToWrite(model.editor().document().file().resolveSibling(JenFile.stem(model.editor().document().name()) + ending))
-                .ifPresent(chosen -> notices.withEnding(model.files(), chosen, ending, file -> export(kind, file)));
+                .ifPresent(chosen -> notices.withExtension(model.files(), chosen, ending, file -> export(kind, file)));
     }
 
-    private void export(ExportKind kind, Path file) {
-        PixelCache known = model.workbench().known().orElse(null);
+    private void export(ExportFormat kind, Path file) {
+        PixelCache cache = model.workbench().cache().orElse(null);
         Frame frame = model.picture().frame();
-        if (model.fileWork().file() != null || known == null || frame == null) {
-            message.show(Texts.of("Nothing is exported while a file is read or a picture is begun"));
+        if (model.fileActivity().file() != null || cache == null || frame == null) {
+            message.show(Messages.tr("Nothing is exported while a file is read or a picture is begun"));
             return;
         }
-        ViewTransform view = model.picture().viewProperty().get().ofPicture();
+        ViewTransform view = model.picture().viewProperty().get().forOutput();
         String name = Quote.path(file.getFileName());
-        model.fileWork().write(file);
-        model.files().beside(() -> {
-            write(kind, file, known, frame, view);
+        model.fileActivity().beginWriting(file);
+        model.files().runConcurrently(() -> {
+            write(kind, file, cache, frame, view);
             return file;
-        }, _ -> end(file, Texts.of("Exported {0}", name)), why -> {
-            end(file, why instanceof CancellationException ? Texts.of("Export of {0} cancelled", name) : "");
-            if (!(why instanceof CancellationException)) {
-                notices.failed(Texts.of("The picture could not be exported"), why);
+        }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {
+            end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} cancelled", name) : "");
+            if (!(failure instanceof CancellationException)) {
+                notices.showFailure(Messages.tr("The picture could not be exported"), failure);
             }
         });
     }
 
-    private void write(ExportKind kind, Path file, PixelCache known, Frame frame, ViewTransform view) throws IOException {
+    private void write(ExportFormat kind, Path file, PixelCache cache, Frame frame, ViewTransform view) throws IOException {
         if (!kind.hasLayers()) {
-            PictureFile.write(file, frame.film(), view, kind.bits());
+            ImageFile.write(file, frame.film(), view, kind.bits());
             return;
         }
-        var layers = new LayerFile(known, Options.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
-        try (var workers = new Workers(Workers.available())) {
-            layers.write(file, Memory.available() - MemoryNeed.of(known), workers,
-                    new ReadingLine(file, model.fileWork(), model.files().window(), message));
+        var layers = new LayeredExrWriter(cache, RenderOptions.DEFAULT.engines(), kind.bits() == Short.SIZE ? ExrType.HALF : ExrType.FLOAT);
+        try (var workers = new WorkerPool(WorkerPool.processorCount())) {
+            layers.write(file, HeapBudget.availableBytes() - MemoryEstimate.usedBytes(cache), workers,
+                    new FileProgressMessage(file, model.fileActivity(), model.files().windowExecutor(), message));
         }
     }
 
     private void end(Path file, String text) {
-        model.fileWork().end(file);
+        model.fileActivity().end(file);
         message.show(text);
     }
 }

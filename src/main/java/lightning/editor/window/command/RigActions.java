@@ -3,13 +3,13 @@ package lightning.editor.window.command;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.BiFunction;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
-import lightning.editor.document.Change;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.cue.Lighting;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.format.jen.JenFile;
 import lightning.scene.Scene;
@@ -20,19 +20,19 @@ final class RigActions {
     private final SceneEditor editor;
     private final FileThread files;
     private final FilePrompt prompt;
-    private final Notices notices;
+    private final EditorDialogs notices;
 
-    private RigActions(SceneEditor editor, FileThread files, FilePrompt prompt, Notices notices) {
+    private RigActions(SceneEditor editor, FileThread files, FilePrompt prompt, EditorDialogs notices) {
         this.editor = editor;
         this.files = files;
         this.prompt = prompt;
         this.notices = notices;
     }
 
-    static void addTo(Commands commands, SceneEditor editor, FileThread files, FilePrompt prompt, Notices notices) {
+    static void register(CommandRegistry commands, SceneEditor editor, FileThread files, FilePrompt prompt, EditorDialogs notices) {
         var actions = new RigActions(editor, files, prompt, notices);
-        commands.setAction(Command.LOAD_RIG, () -> actions.load(Lighting::rigOn));
-        commands.setAction(Command.ADD_RIG, () -> actions.load(Lighting::addedTo));
+        commands.setAction(Command.LOAD_RIG, () -> actions.load(Lighting::applyRigTo));
+        commands.setAction(Command.ADD_RIG, () -> actions.load(Lighting::addTo));
         commands.setAction(Command.SAVE_RIG, actions::save);
     }
 
@@ -40,41 +40,41 @@ final class RigActions {
         return editor.document().file().toAbsolutePath().getParent();
     }
 
-    private void load(BiFunction<Lighting, Scene, Change> edit) {
-        Optional<Path> chosen = prompt.rig(folder());
+    private void load(BiFunction<Lighting, Scene, EditOutcome> edit) {
+        Optional<Path> chosen = prompt.rigToOpen(folder());
         if (chosen.isEmpty()) {
             return;
         }
         Path folder = folder();
         Stage stage = editor.scene().stage();
         var document = editor.document();
-        files.inTurn(() -> Lighting.read(chosen.get(), folder, stage), lighting -> {
+        files.runInOrder(() -> Lighting.read(chosen.get(), folder, stage), lighting -> {
             if (document == editor.document()) {
                 if (editor.editOrReport(scene -> edit.apply(lighting, scene)).isEmpty()) {
                     editor.message().show(
-                            Texts.of("Lights of {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size()));
+                            Messages.tr("Lights of {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size()));
                 }
             }
-        }, why -> notices.failed(Texts.of("The lights could not be read"), why));
+        }, failure -> notices.showFailure(Messages.tr("The lights could not be read"), failure));
     }
 
     private void save() {
-        String name = JenFile.stem(editor.document().name()) + "-lights" + JenFile.ENDING;
+        String name = JenFile.stem(editor.document().name()) + "-lights" + JenFile.EXTENSION;
         prompt.rigToWrite(folder().resolve(name))
-                .ifPresent(chosen -> notices.withEnding(files, chosen, JenFile.ENDING, this::write));
+                .ifPresent(chosen -> notices.withExtension(files, chosen, JenFile.EXTENSION, this::write));
     }
 
     private void write(Path file) {
         if (file.toAbsolutePath().normalize().equals(editor.document().file().toAbsolutePath().normalize())) {
             editor.message().show(
-                    Texts.of("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
+                    Messages.tr("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
             return;
         }
         Lighting lighting = Lighting.of(editor.scene());
-        files.inTurn(() -> {
+        files.runInOrder(() -> {
             lighting.write(file);
             return file;
-        }, _ -> editor.message().show(Texts.of("Saved {0}", Quote.path(file.getFileName()))),
-                why -> notices.failed(Texts.of("The lights could not be saved"), why));
+        }, _ -> editor.message().show(Messages.tr("Saved {0}", Quote.path(file.getFileName()))),
+                failure -> notices.showFailure(Messages.tr("The lights could not be saved"), failure));
     }
 }

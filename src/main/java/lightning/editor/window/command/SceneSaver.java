@@ -10,11 +10,11 @@ import java.util.Set;
 import javafx.scene.control.ButtonType;
 import lightning.base.file.ChangedFileException;
 import lightning.base.file.ReadOnlyFileException;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.editor.document.Command;
-import lightning.editor.document.Consent;
 import lightning.editor.document.OpenDocument;
+import lightning.editor.document.OverwriteConfirmation;
 import lightning.editor.document.TextDifference;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
@@ -29,81 +29,82 @@ final class SceneSaver {
     private final SceneEditor editor;
     private final StatusMessage message;
     private final FilePrompt prompt;
-    private final Notices notices;
-    private final Runnable saved;
+    private final EditorDialogs notices;
+    private final Runnable saveListener;
 
-    /** @param saved hears that the scene was written */
-    SceneSaver(EditorModel model, FilePrompt prompt, Notices notices, Runnable saved) {
+    /** @param saveListener hears that the scene was written */
+    SceneSaver(EditorModel model, FilePrompt prompt, EditorDialogs notices, Runnable saveListener) {
         this.model = model;
         editor = model.editor();
         message = editor.message();
         this.prompt = prompt;
         this.notices = notices;
-        this.saved = saved;
+        this.saveListener = saveListener;
     }
 
-    /** Saves to the document's file; {@code then} runs when the scene was written, there or where the artist chose instead. */
-    void save(Runnable then) {
-        write(editor.document().file(), Set.of(), then);
+    /** Saves to the document's file; {@code onSaved} runs when the scene was written, there or where the artist chose instead. */
+    void save(Runnable onSaved) {
+        write(editor.document().file(), Set.of(), onSaved);
     }
 
-    /** Asks where to; {@code then} runs when the scene was written. */
-    void saveAs(Runnable then) {
+    /** Asks where to; {@code onSaved} runs when the scene was written. */
+    void saveAs(Runnable onSaved) {
         prompt.sceneToWrite(editor.document().file()).ifPresent(
-                chosen -> notices.withEnding(model.files(), chosen, JenFile.ENDING, file -> write(file, Set.of(), then)));
+                chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, file -> write(file, Set.of(), onSaved)));
     }
 
-    private void write(Path file, Set<Consent> allowed, Runnable then) {
-        message.show(Texts.of("Saving {0} …", Quote.path(file.getFileName())));
+    private void write(Path file, Set<OverwriteConfirmation> allowed, Runnable onSaved) {
+        message.show(Messages.tr("Saving {0} …", Quote.path(file.getFileName())));
         model.workbench().saveAs(file, allowed, failure -> {
             message.clear();
-            failure.ifPresentOrElse(why -> ask(file, allowed, why, then), () -> {
-                saved.run();
-                then.run();
+            failure.ifPresentOrElse(cause -> handleFailure(file, allowed, cause, onSaved), () -> {
+                saveListener.run();
+                onSaved.run();
             });
         });
     }
 
-    private void ask(Path file, Set<Consent> allowed, Throwable why, Runnable then) {
-        switch (why) {
-            case ChangedFileException _ -> askAboutBoth(allowed, then);
+    private void handleFailure(Path file, Set<OverwriteConfirmation> allowed, Throwable failure, Runnable onSaved) {
+        switch (failure) {
+            case ChangedFileException _ -> resolveConflict(allowed, onSaved);
             case ReadOnlyFileException _ -> {
-                ButtonType answer = notices.readOnly(file).orElse(ButtonType.CANCEL);
-                if (answer == Notices.REPLACE) {
-                    write(file, with(allowed, Consent.REPLACE_READ_ONLY), then);
-                } else if (answer == Notices.SAVE_AS) {
-                    saveAs(then);
+                ButtonType answer = notices.askReadOnly(file).orElse(ButtonType.CANCEL);
+                if (answer == EditorDialogs.REPLACE) {
+                    write(file, with(allowed, OverwriteConfirmation.REPLACE_READ_ONLY), onSaved);
+                } else if (answer == EditorDialogs.SAVE_AS) {
+                    saveAs(onSaved);
                 }
             }
-            case Throwable other -> notices.failed(Texts.of("The scene could not be saved"), other);
+            case Throwable other -> notices.showFailure(Messages.tr("The scene could not be saved"), other);
         }
     }
 
     /** Shows the open scene beside what the file holds by now, and does what the artist then wants. */
-    void askAboutBoth() {
-        askAboutBoth(Set.of(), () -> {});
+    void resolveConflict() {
+        resolveConflict(Set.of(), () -> {});
     }
 
-    private void askAboutBoth(Set<Consent> allowed, Runnable then) {
+    private void resolveConflict(Set<OverwriteConfirmation> allowed, Runnable onSaved) {
         OpenDocument document = editor.document();
         AnimatedScene mine = document.content();
-        model.files().beside(() -> TextDifference.rows(document.text(mine), text(document.file())),
-                rows -> decide(notices.changed(document.name(), new DifferenceList(rows)).orElse(ButtonType.CANCEL), allowed, then),
-                why -> notices.failed(Texts.of("{0} could not be read", document.name()), why));
+        model.files().runConcurrently(() -> TextDifference.rows(document.text(mine), text(document.file())),
+                rows -> handleAnswer(notices.askChangedFile(document.name(), new TextDifferenceView(rows)).orElse(ButtonType.CANCEL),
+                        allowed, onSaved),
+                failure -> notices.showFailure(Messages.tr("{0} could not be read", document.name()), failure));
     }
 
-    private void decide(ButtonType answer, Set<Consent> allowed, Runnable then) {
-        if (answer == Notices.OVERWRITE) {
-            write(editor.document().file(), with(allowed, Consent.OVERWRITE_CHANGED), then);
-        } else if (answer == Notices.RELOAD) {
+    private void handleAnswer(ButtonType answer, Set<OverwriteConfirmation> allowed, Runnable onSaved) {
+        if (answer == EditorDialogs.OVERWRITE) {
+            write(editor.document().file(), with(allowed, OverwriteConfirmation.OVERWRITE_CHANGED), onSaved);
+        } else if (answer == EditorDialogs.RELOAD) {
             model.commands().run(Command.RELOAD);
-        } else if (answer == Notices.SAVE_AS) {
-            saveAs(then);
+        } else if (answer == EditorDialogs.SAVE_AS) {
+            saveAs(onSaved);
         }
     }
 
-    private static Set<Consent> with(Set<Consent> allowed, Consent more) {
-        Set<Consent> all = EnumSet.of(more);
+    private static Set<OverwriteConfirmation> with(Set<OverwriteConfirmation> allowed, OverwriteConfirmation more) {
+        Set<OverwriteConfirmation> all = EnumSet.of(more);
         all.addAll(allowed);
         return all;
     }

@@ -2,21 +2,21 @@ package lightning.editor.window.command;
 
 import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 
 /** The keys of a selected shape or group, in the list of shapes and in the preview. */
 public final class ShapeKeys {
     private ShapeKeys() {}
 
     /** Does what the key asks for; returns false where it asks for nothing, or no shape is selected. */
-    public static boolean pressed(Commands commands, KeyEvent event) {
+    public static boolean handle(CommandRegistry commands, KeyEvent event) {
         Command command = switch (event.getCode()) {
             case DELETE, BACK_SPACE -> Command.DELETE_SHAPE;
             case H, SPACE -> event.isShortcutDown() ? null : Command.SHOW_SHAPE;
             case D -> event.isShortcutDown() && !event.isShiftDown() ? Command.DUPLICATE_SHAPE : null;
             default -> null;
         };
-        if (command == null || commands.situation().get().node().isEmpty()) {
+        if (command == null || commands.editorState().get().selectedNode().isEmpty()) {
             return false;
         }
         commands.run(command);

@@ -22,23 +22,23 @@ import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Duration;
 import javafx.util.Subscription;
-import lightning.base.text.Texts;
-import lightning.editor.document.Change;
+import lightning.base.text.Messages;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.PicturePart;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.PicturePointer;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
 import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.widget.Obstacle;
-import lightning.editor.window.widget.Percent;
-import lightning.editor.window.widget.WhileSeen;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.PercentText;
+import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.Contribution;
-import lightning.render.relight.Contributions;
-import lightning.render.relight.SmallShares;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.LightContribution;
+import lightning.render.relight.LightContributions;
+import lightning.render.relight.LightThumbnails;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
@@ -47,96 +47,98 @@ import lightning.scene.Scene;
  */
 public final class ContributionPane extends VBox {
     /** While edits come faster than that, nothing is asked. */
-    private static final Duration REST = Duration.millis(300);
+    private static final Duration SETTLE_DELAY = Duration.millis(300);
 
     private final EditorModel model;
     private final SceneEditor editor;
     private final TracedPicture picture;
-    private final ContributionFeed feed;
-    private final ContributionFeed pixels;
-    private final TableView<Contribution> table = new TableView<>();
+    private final ContributionQuery lightQuery;
+    private final ContributionQuery pixelQuery;
+    private final TableView<LightContribution> table = new TableView<>();
     private final Label summary = new Label("…");
-    private final Label proof = new Label();
+    private final Label comparisonLabel = new Label();
     /** In the place of the lights; empty while nothing is known of them. */
-    private final Label none = new Label();
-    private final Label regionText = new Label(Texts.of("Region: the whole picture"));
-    private final Obstacle nothingIdle;
-    private final PauseTransition rest = new PauseTransition(REST);
-    private Map<String, Double> pointed = Map.of();
-    private Optional<Contributions.Region> region = Optional.empty();
-    private Contributions shown;
-    private Scene shownOf;
-    private Frame asked;
+    private final Label placeholder = new Label();
+    private final Label regionText = new Label(Messages.tr("Region: the whole picture"));
+    private final DisabledReason switchOffReason;
+    private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
+    private Map<String, Double> sharesAtPointer = Map.of();
+    private Optional<LightContributions.Region> region = Optional.empty();
+    private LightContributions shown;
+    private Scene shownScene;
+    private Frame lastFrame;
     /** What was switched off, and the picture before; null where nothing is to be proved. */
-    private Proof wanted;
+    private Comparison pendingComparison;
 
-    private record Proof(Scene scene, Film before, int lights) {}
+    private record Comparison(Scene scene, Film oldFilm, int lightCount) {}
 
     public ContributionPane(EditorModel model) {
         this.model = model;
         editor = model.editor();
         picture = model.picture();
-        feed = new ContributionFeed(model.files().window(), "lightning-contributions");
-        pixels = new ContributionFeed(model.files().window(), "lightning-pixel-share");
+        lightQuery = new ContributionQuery(model.files().windowExecutor(), "lightning-contributions");
+        pixelQuery = new ContributionQuery(model.files().windowExecutor(), "lightning-pixel-share");
         setId("contributions");
         getStyleClass().add("contributions");
         summary.setId("contribution-summary");
         summary.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(summary, Priority.ALWAYS);
-        var off = new Button(Texts.of("Switch Off"));
-        off.setId("switch-off-idle");
-        off.getStyleClass().add("accent");
-        off.setMinWidth(Region.USE_PREF_SIZE);
-        off.setOnAction(_ -> switchOff());
-        var around = new StackPane(off);
-        nothingIdle = new Obstacle(around, off, Texts.of("Switch off the lights that change no displayed pixel, in one step to undo"));
-        nothingIdle.set(Optional.of(Texts.of("nothing is known yet")));
-        var head = new HBox(summary, around);
+        var offButton = new Button(Messages.tr("Switch Off"));
+        offButton.setId("switch-off-idle");
+        offButton.getStyleClass().add("accent");
+        offButton.setMinWidth(Region.USE_PREF_SIZE);
+        offButton.setOnAction(_ -> switchOff());
+        var offBox = new StackPane(offButton);
+        switchOffReason = new DisabledReason(offBox, offButton,
+                Messages.tr("Switch off the lights that change no displayed pixel, in one step to undo"));
+        switchOffReason.set(Optional.of(Messages.tr("nothing is known yet")));
+        var head = new HBox(summary, offBox);
         head.getStyleClass().add("mixer-tools");
-        var pick = new Button(Texts.of("Region…"));
-        pick.setId("contribution-region");
-        pick.setTooltip(new Tooltip(Texts.of("Drag a frame in the traced picture")));
-        pick.setMinWidth(Region.USE_PREF_SIZE);
-        pick.setOnAction(_ -> pickRegion());
-        var whole = new Button(Texts.of("Whole Picture"));
-        whole.setId("contribution-whole");
-        whole.setMinWidth(Region.USE_PREF_SIZE);
-        whole.setOnAction(_ -> setRegion(Optional.empty()));
+        var regionButton = new Button(Messages.tr("Region…"));
+        regionButton.setId("contribution-region");
+        regionButton.setTooltip(new Tooltip(Messages.tr("Drag a frame in the traced picture")));
+        regionButton.setMinWidth(Region.USE_PREF_SIZE);
+        regionButton.setOnAction(_ -> pickRegion());
+        var wholeButton = new Button(Messages.tr("Whole Picture"));
+        wholeButton.setId("contribution-whole");
+        wholeButton.setMinWidth(Region.USE_PREF_SIZE);
+        wholeButton.setOnAction(_ -> setRegion(Optional.empty()));
         regionText.setId("contribution-region-text");
         regionText.getStyleClass().add("pane-note");
-        var parts = new HBox(pick, whole, regionText);
-        parts.getStyleClass().add("mixer-tools");
-        proof.setId("contribution-proof");
-        proof.setWrapText(true);
-        proof.getStyleClass().add("contribution-proof");
+        var regionTools = new HBox(regionButton, wholeButton, regionText);
+        regionTools.getStyleClass().add("mixer-tools");
+        comparisonLabel.setId("contribution-proof");
+        comparisonLabel.setWrapText(true);
+        comparisonLabel.getStyleClass().add("contribution-proof");
         fillTable();
         VBox.setVgrow(table, Priority.ALWAYS);
-        getChildren().addAll(head, table, parts, proof);
-        rest.setOnFinished(_ -> ask());
-        WhileSeen.follow(this, this::follow);
+        getChildren().addAll(head, table, regionTools, comparisonLabel);
+        settleTimer.setOnFinished(_ -> submitQuery());
+        VisibilityListener.attach(this, this::subscribe);
     }
 
     private void fillTable() {
         table.setId("contribution-table");
-        table.setAccessibleText(Texts.of("lights and what they give"));
-        table.setPlaceholder(none);
+        table.setAccessibleText(Messages.tr("lights and what they give"));
+        table.setPlaceholder(placeholder);
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(
-                column(Texts.of("Light"), Contribution::light, Function.identity(), 130),
-                column(Texts.of("Picture"), Contribution::picture, Percent::text, 80),
-                column(Texts.of("Region"), Contribution::region, Percent::text, 80),
-                column(Texts.of("Pointer"), c -> pointed.getOrDefault(c.light(), Double.NaN), p -> p.isNaN() ? "–" : Percent.text(p), 80),
-                column(Texts.of("Without it"), c -> c.shines() ? c.without().shown() : -1L, Object::toString, 240)));
-        ((TableColumn<Contribution, Long>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
+                column(Messages.tr("Light"), LightContribution::light, Function.identity(), 130),
+                column(Messages.tr("Picture"), LightContribution::imageShare, PercentText::format, 80),
+                column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
+                column(Messages.tr("Pointer"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
+                        p -> p.isNaN() ? "–" : PercentText.format(p), 80),
+                column(Messages.tr("Without it"), c -> c.shines() ? c.changeWhenOff().changedPixels() : -1L, Object::toString, 240)));
+        ((TableColumn<LightContribution, Long>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
             @Override
             protected void updateItem(Long item, boolean empty) {
                 super.updateItem(item, empty);
-                Contribution of = getTableRow() == null ? null : getTableRow().getItem();
-                setText(empty || of == null ? null : without(of));
+                LightContribution contribution = getTableRow() == null ? null : getTableRow().getItem();
+                setText(empty || contribution == null ? null : changeText(contribution));
             }
         });
         table.setRowFactory(_ -> {
-            TableRow<Contribution> row = new TableRow<>();
+            TableRow<LightContribution> row = new TableRow<>();
             row.setOnMouseClicked(_ -> {
                 if (row.getItem() != null && editor.scene().light(row.getItem().light()).isPresent()) {
                     editor.selection().selectLight(row.getItem().light());
@@ -146,9 +148,10 @@ public final class ContributionPane extends VBox {
         });
     }
 
-    private static <T> TableColumn<Contribution, T> column(String title, Function<Contribution, T> value, Function<T, String> text,
+    private static <T> TableColumn<LightContribution, T> column(String title, Function<LightContribution, T> value,
+            Function<T, String> text,
             double width) {
-        var column = new TableColumn<Contribution, T>(title);
+        var column = new TableColumn<LightContribution, T>(title);
         column.setCellValueFactory(c -> new ReadOnlyObjectWrapper<>(value.apply(c.getValue())));
         column.setCellFactory(_ -> new TableCell<>() {
             @Override
@@ -162,121 +165,128 @@ public final class ContributionPane extends VBox {
     }
 
     /** What the picture would be without a light. */
-    static String without(Contribution of) {
-        Contribution.Change change = of.without();
-        return !of.shines() ? Texts.of("does not shine") : change.isNone() ? Texts.of("equal in every bit")
-                : change.isUnseen() ? String.format(Texts.locale(), Texts.of("looks the same, off by %.1e at most"), change.largest())
-                : String.format(Texts.locale(), Texts.of("%,d pixels change"), change.shown());
+    static String changeText(LightContribution contribution) {
+        LightContribution.FilmChange change = contribution.changeWhenOff();
+        return !contribution.shines() ? Messages.tr("does not shine") : change.isNone() ? Messages.tr("equal in every bit")
+                : change.isInvisible()
+                        ? String.format(Messages.locale(), Messages.tr("looks the same, off by %.1e at most"), change.maxDifference())
+                : String.format(Messages.locale(), Messages.tr("%,d pixels change"), change.changedPixels());
     }
 
     /** Follows the picture. */
-    private Subscription follow() {
-        return Subscription.combine(picture.renderingProperty().subscribe(state -> follow(state.frame())),
-                picture.viewProperty().subscribe(_ -> again()), model.part().pointedProperty().subscribe(this::point), this::close);
+    private Subscription subscribe() {
+        return Subscription.combine(picture.renderStateProperty().subscribe(state -> updateFrame(state.frame())),
+                picture.viewProperty().subscribe(_ -> restart()), model.picturePointer().pixelProperty().subscribe(this::showPixel),
+                this::close);
     }
 
     /** Gives up what is asked, and ends its threads until the window opens again. */
     private void close() {
-        rest.stop();
-        feed.close();
-        pixels.close();
-        asked = null;
-        PicturePart.Ask ask = model.part().askProperty().get();
+        settleTimer.stop();
+        lightQuery.close();
+        pixelQuery.close();
+        lastFrame = null;
+        PicturePointer.RegionRequest ask = model.picturePointer().regionRequestProperty().get();
         if (ask != null) {
-            model.part().askProperty().set(null);
+            model.picturePointer().regionRequestProperty().set(null);
         }
     }
 
-    private void follow(Frame frame) {
-        if (frame != null && frame != asked && frame.finished()) {
-            asked = frame;
-            prove(frame);
-            again();
+    private void updateFrame(Frame frame) {
+        if (frame != null && frame != lastFrame && frame.isFinished()) {
+            lastFrame = frame;
+            compare(frame);
+            restart();
         }
     }
 
-    private void again() {
-        summary.setText(Texts.of("Asking all lights …"));
-        feed.stop();
-        rest.playFromStart();
+    private void restart() {
+        summary.setText(Messages.tr("Asking all lights …"));
+        lightQuery.cancel();
+        settleTimer.playFromStart();
     }
 
-    private void ask() {
-        Options options = model.precisionProperty().get().options().withThreads(1);
-        ViewTransform view = picture.viewProperty().get().withMarked(false);
-        Optional<Contributions.Region> part = region;
-        feed.ask(progress -> model.workbench().known().map(cache -> new Answer(cache.scene(), Contributions.of(cache, options, view,
-                part.orElseGet(() -> Contributions.Region.all(cache.film())), progress))), this::show,
-                why -> summary.setText(Sentence.of(why)));
+    private void submitQuery() {
+        RenderOptions options = model.accuracyModeProperty().get().options().withThreads(1);
+        ViewTransform view = picture.viewProperty().get().withMarksClipping(false);
+        Optional<LightContributions.Region> selected = region;
+        lightQuery.submit(
+                progress -> model.workbench().cache().map(cache -> new Result(cache.scene(), LightContributions.of(cache, options, view,
+                        selected.orElseGet(() -> LightContributions.Region.ofFilm(cache.film())), progress))),
+                this::show,
+                failure -> summary.setText(ErrorMessage.of(failure)));
     }
 
-    private record Answer(Scene scene, Contributions contributions) {}
+    private record Result(Scene scene, LightContributions contributions) {}
 
-    private void show(Answer answer) {
+    private void show(Result answer) {
         shown = answer.contributions();
-        none.setText(Texts.of("No lights"));
-        shownOf = answer.scene();
-        List<TableColumn<Contribution, ?>> order = List.copyOf(table.getSortOrder());
+        placeholder.setText(Messages.tr("No lights"));
+        shownScene = answer.scene();
+        List<TableColumn<LightContribution, ?>> order = List.copyOf(table.getSortOrder());
         table.getItems().setAll(Stream.concat(shown.lights().stream(), shown.environment().stream()).toList());
         table.getSortOrder().setAll(order);
         table.sort();
-        int idle = shown.idle().size();
-        summary.setText(idle == 0 ? Texts.of("Every light that shines changes some pixel")
-                : Texts.count(idle, "1 light changes no displayed pixel: {1}", "{0} lights together change no displayed pixel: {1}", idle,
-                        String.join(", ", shown.idle())));
-        nothingIdle.set(idle == 0 ? Optional.of(Texts.of("every light that shines changes some pixel")) : Optional.empty());
+        int idle = shown.idleLights().size();
+        summary.setText(idle == 0 ? Messages.tr("Every light that shines changes some pixel")
+                : Messages.count(idle, "1 light changes no displayed pixel: {1}", "{0} lights together change no displayed pixel: {1}",
+                        idle,
+                        String.join(", ", shown.idleLights())));
+        switchOffReason.set(idle == 0 ? Optional.of(Messages.tr("every light that shines changes some pixel")) : Optional.empty());
     }
 
     private void pickRegion() {
-        model.part().askProperty()
-                .set(new PicturePart.Ask(Texts.of("Drag a frame around what to ask about"), part -> setRegion(Optional.of(part))));
+        model.picturePointer().regionRequestProperty()
+                .set(new PicturePointer.RegionRequest(Messages.tr("Drag a frame around what to ask about"),
+                        part -> setRegion(Optional.of(part))));
     }
 
-    private void setRegion(Optional<Contributions.Region> part) {
-        region = part;
+    private void setRegion(Optional<LightContributions.Region> newRegion) {
+        region = newRegion;
         regionText.setText(
-                Texts.of("Region: {0}", part
-                        .map(r -> Texts.of("{0} × {1} pixels at {2}, {3}", r.right() - r.left(), r.bottom() - r.top(), r.left(), r.top()))
-                        .orElse(Texts.of("the whole picture"))));
-        again();
+                Messages.tr("Region: {0}", newRegion
+                        .map(r -> Messages.tr("{0} × {1} pixels at {2}, {3}", r.right() - r.left(), r.bottom() - r.top(), r.left(),
+                                r.top()))
+                        .orElse(Messages.tr("the whole picture"))));
+        restart();
     }
 
-    private void point(PicturePart.Pixel pixel) {
+    private void showPixel(PicturePointer.Pixel pixel) {
         if (pixel == null) {
-            pixels.stop();
-            pointed = Map.of();
+            pixelQuery.cancel();
+            sharesAtPointer = Map.of();
             table.refresh();
             return;
         }
-        pixels.ask(_ -> model.workbench().known()
+        pixelQuery.submit(_ -> model.workbench().cache()
                 .filter(c -> pixel.x() < c.scene().picture().width() && pixel.y() < c.scene().picture().height())
-                .map(cache -> parts(SmallShares.pixel(cache, pixel.x(), pixel.y()))), parts -> {
-                    pointed = parts;
+                .map(cache -> pixelShares(LightThumbnails.pixel(cache, pixel.x(), pixel.y()))), shares -> {
+                    sharesAtPointer = shares;
                     table.refresh();
-                }, why -> editor.message().show(Sentence.of(why)));
+                }, failure -> editor.message().show(ErrorMessage.of(failure)));
     }
 
-    private static Map<String, Double> parts(SmallShares shares) {
-        double all = SmallShares.brightness(shares.picture());
-        Map<String, Double> parts = new HashMap<>();
+    private static Map<String, Double> pixelShares(LightThumbnails shares) {
+        double total = LightThumbnails.brightness(shares.image());
+        Map<String, Double> fractions = new HashMap<>();
         for (int l = 0; l < shares.scene().lights().size(); l++) {
-            parts.put(shares.scene().lights().get(l).name(), all > 0 ? SmallShares.brightness(shares.light(l)) / all : 0);
+            fractions.put(shares.scene().lights().get(l).name(), total > 0 ? LightThumbnails.brightness(shares.lightImage(l)) / total : 0);
         }
-        parts.put(Contributions.ENVIRONMENT, all > 0 ? SmallShares.brightness(shares.environment()) / all : 0);
-        return parts;
+        fractions.put(LightContributions.ENVIRONMENT, total > 0 ? LightThumbnails.brightness(shares.environmentImage()) / total : 0);
+        return fractions;
     }
 
     private void switchOff() {
         Frame frame = picture.frame();
-        if (shown == null || frame == null || !editor.scene().rig().equals(shownOf.rig())) {
-            editor.message().show(Texts.of("The scene was edited since; press Go first"));
+        if (shown == null || frame == null || !editor.scene().rig().equals(shownScene.rig())) {
+            editor.message().show(Messages.tr("The scene was edited since; press Go first"));
             return;
         }
-        List<String> idle = shown.idle();
-        if (editor.editOrReport(scene -> Change.of(() -> Contributions.off(scene, idle))).isEmpty()) {
-            wanted = new Proof(editor.scene(), frame.film(), idle.size());
-            proof.setText(Texts.of("Switched off; comparing the new picture …"));
-            nothingIdle.set(Optional.of(Texts.of("it is being compared")));
+        List<String> idle = shown.idleLights();
+        if (editor.editOrReport(scene -> EditOutcome.of(() -> LightContributions.switchOff(scene, idle))).isEmpty()) {
+            pendingComparison = new Comparison(editor.scene(), frame.film(), idle.size());
+            comparisonLabel.setText(Messages.tr("Switched off; comparing the new picture …"));
+            switchOffReason.set(Optional.of(Messages.tr("it is being compared")));
             if (!editor.liveProperty().get()) {
                 editor.go();
             }
@@ -284,27 +294,28 @@ public final class ContributionPane extends VBox {
     }
 
     /** Holds the picture after lights were switched off against the one before. */
-    private void prove(Frame frame) {
-        Proof of = wanted;
-        if (of == null) {
+    private void compare(Frame frame) {
+        Comparison comparison = pendingComparison;
+        if (comparison == null) {
             return;
         }
-        if (!frame.scene().rig().equals(of.scene().rig())) {
+        if (!frame.scene().rig().equals(comparison.scene().rig())) {
             return;
         }
-        wanted = null;
-        ViewTransform view = picture.viewProperty().get().withMarked(false);
-        model.files().beside(() -> Contribution.Change.between(of.before(), frame.film(), view),
-                change -> proof.setText(told(of.lights(), change)),
-                why -> proof.setText(Sentence.of(why)));
+        pendingComparison = null;
+        ViewTransform view = picture.viewProperty().get().withMarksClipping(false);
+        model.files().runConcurrently(() -> LightContribution.FilmChange.between(comparison.oldFilm(), frame.film(), view),
+                change -> comparisonLabel.setText(comparisonText(comparison.lightCount(), change)),
+                failure -> comparisonLabel.setText(ErrorMessage.of(failure)));
     }
 
-    static String told(int lights, Contribution.Change change) {
-        String begin = Texts.count(lights, "Switched off 1 light: ", "Switched off {0} lights: ", lights);
-        return begin + (change.isNone() ? Texts.of("the new picture is equal to the old one in every bit.")
-                : change.isUnseen() ? String.format(Texts.locale(),
-                        Texts.of("every pixel is displayed as before; %,d linear values differ, by %.2e at most."), change.values(),
-                        change.largest())
-                : String.format(Texts.locale(), Texts.of("%,d pixels are displayed in another colour."), change.shown()));
+    static String comparisonText(int lights, LightContribution.FilmChange change) {
+        String prefix = Messages.count(lights, "Switched off 1 light: ", "Switched off {0} lights: ", lights);
+        return prefix + (change.isNone() ? Messages.tr("the new picture is equal to the old one in every bit.")
+                : change.isInvisible() ? String.format(Messages.locale(),
+                        Messages.tr("every pixel is displayed as before; %,d linear values differ, by %.2e at most."),
+                        change.changedValues(),
+                        change.maxDifference())
+                : String.format(Messages.locale(), Messages.tr("%,d pixels are displayed in another colour."), change.changedPixels()));
     }
 }

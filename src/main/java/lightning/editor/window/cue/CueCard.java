@@ -12,7 +12,7 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.cue.Cue;
 import lightning.editor.window.widget.PixelImage;
 import lightning.render.image.Film;
@@ -30,7 +30,7 @@ final class CueCard extends VBox {
     private final ToggleButton b = new ToggleButton("B");
 
     /** What a card asks for. */
-    interface Asked {
+    interface Callbacks {
         void restore(Cue cue);
 
         void rename(Cue cue, String name);
@@ -42,23 +42,23 @@ final class CueCard extends VBox {
         void chooseB(Cue cue);
     }
 
-    /** @param small the cue's picture as {@link #small} makes it; null for none */
-    CueCard(Cue cue, Small small, Asked asked) {
+    /** @param thumbnail the cue's picture as {@link #thumbnail} makes it; null for none */
+    CueCard(Cue cue, CueThumbnail thumbnail, Callbacks callbacks) {
         setId("cue-" + cue.name());
         getStyleClass().add("cue-card");
         var frame = new StackPane();
         frame.getStyleClass().add("cue-frame");
         frame.setMinSize(WIDTH, HEIGHT);
         frame.setMaxSize(WIDTH, HEIGHT);
-        if (small == null) {
-            frame.getChildren().add(new Label(Texts.of("no picture")));
+        if (thumbnail == null) {
+            frame.getChildren().add(new Label(Messages.tr("no picture")));
         } else {
-            frame.getChildren().add(new ImageView(PixelImage.of(small.width, small.height, small.pixels)));
+            frame.getChildren().add(new ImageView(PixelImage.of(thumbnail.width, thumbnail.height, thumbnail.pixels)));
         }
         name.setId("cue-name-" + cue.name());
         name.setText(cue.name());
-        name.setAccessibleText(Texts.of("name of the cue {0}", cue.name()));
-        name.setOnAction(_ -> asked.rename(cue, name.getText().strip()));
+        name.setAccessibleText(Messages.tr("name of the cue {0}", cue.name()));
+        name.setOnAction(_ -> callbacks.rename(cue, name.getText().strip()));
         name.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(cue.name())) {
                 name.setText(cue.name());
@@ -70,23 +70,23 @@ final class CueCard extends VBox {
                 name.setText(cue.name());
             }
         });
-        var restore = new Button(Texts.of("Restore"));
+        var restore = new Button(Messages.tr("Restore"));
         restore.setId("cue-restore-" + cue.name());
-        restore.setTooltip(new Tooltip(Texts.of("Light the scene so; can be undone")));
-        restore.setOnAction(_ -> asked.restore(cue));
+        restore.setTooltip(new Tooltip(Messages.tr("Light the scene so; can be undone")));
+        restore.setOnAction(_ -> callbacks.restore(cue));
         a.setId("cue-a-" + cue.name());
-        a.setTooltip(new Tooltip(Texts.of("Compare and blend from this cue")));
-        a.setAccessibleText(Texts.of("{0} as A", cue.name()));
-        a.setOnAction(_ -> asked.chooseA(cue));
+        a.setTooltip(new Tooltip(Messages.tr("Compare and blend from this cue")));
+        a.setAccessibleText(Messages.tr("{0} as A", cue.name()));
+        a.setOnAction(_ -> callbacks.chooseA(cue));
         b.setId("cue-b-" + cue.name());
-        b.setTooltip(new Tooltip(Texts.of("Compare with and blend to this cue")));
-        b.setAccessibleText(Texts.of("{0} as B", cue.name()));
-        b.setOnAction(_ -> asked.chooseB(cue));
+        b.setTooltip(new Tooltip(Messages.tr("Compare with and blend to this cue")));
+        b.setAccessibleText(Messages.tr("{0} as B", cue.name()));
+        b.setOnAction(_ -> callbacks.chooseB(cue));
         var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
         remove.setId("cue-remove-" + cue.name());
-        remove.setAccessibleText(Texts.of("remove the cue {0}", cue.name()));
-        remove.setTooltip(new Tooltip(Texts.of("Remove")));
-        remove.setOnAction(_ -> asked.remove(cue));
+        remove.setAccessibleText(Messages.tr("remove the cue {0}", cue.name()));
+        remove.setTooltip(new Tooltip(Messages.tr("Remove")));
+        remove.setOnAction(_ -> callbacks.remove(cue));
         for (var control : new ButtonBase[] {restore, a, b}) {
             control.setDisable(cue.lighting().isEmpty());
         }
@@ -104,12 +104,12 @@ final class CueCard extends VBox {
     }
 
     /** A cue's picture as large as a card has it. */
-    record Small(int width, int height, int[] pixels) {
+    record CueThumbnail(int width, int height, int[] pixels) {
         // An array in a record: written once by its maker, never after.
     }
 
     /** Each pixel is the one of the picture in its middle. */
-    static Small small(Film film) {
+    static CueThumbnail thumbnail(Film film) {
         double shrink = Math.max(1, Math.max((double) film.width() / WIDTH, (double) film.height() / HEIGHT));
         int width = (int) Math.max(1, film.width() / shrink);
         int height = (int) Math.max(1, film.height() / shrink);
@@ -123,7 +123,7 @@ final class CueCard extends VBox {
                 rgb[i++] = film.blue(px, py);
             }
         }
-        return new Small(width, height, ViewTransform.DEFAULT.toPixels(Film.ofScanlines(width, height, rgb)));
+        return new CueThumbnail(width, height, ViewTransform.DEFAULT.toPixels(Film.ofScanlines(width, height, rgb)));
     }
 
     void show(boolean isA, boolean isB) {

@@ -10,26 +10,26 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.cue.Cue;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Difference;
-import lightning.render.image.DifferencePicture;
+import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /** The pictures of two cues: A over the left part of B, one or the other, or where they differ. */
 final class CueCompare extends BorderPane {
     /** How they are seen. */
-    enum Way {
-        WIPE(Texts.key("Wipe"), Texts.key("A at the left, B at the right; drag in the picture")),
-        FLIP(Texts.key("Flip"), Texts.key("One picture at a time; a click in the picture shows the other")),
-        DIFFERENCE(Texts.key("Difference"), Texts.key("Where they differ, and how much: black where they are equal"));
+    enum CompareMode {
+        WIPE(Messages.key("Wipe"), Messages.key("A at the left, B at the right; drag in the picture")),
+        FLIP(Messages.key("Flip"), Messages.key("One picture at a time; a click in the picture shows the other")),
+        DIFFERENCE(Messages.key("Difference"), Messages.key("Where they differ, and how much: black where they are equal"));
 
         private final String title;
         private final String help;
 
-        Way(String title, String help) {
+        CompareMode(String title, String help) {
             this.title = title;
             this.help = help;
         }
@@ -37,8 +37,8 @@ final class CueCompare extends BorderPane {
 
     private final PictureView picture = new PictureView();
     private final Label note = new Label();
-    private Way way = Way.WIPE;
-    private boolean flipped;
+    private CompareMode mode = CompareMode.WIPE;
+    private boolean isFlipped;
     private Optional<Cue> a = Optional.empty();
     private Optional<Cue> b = Optional.empty();
 
@@ -48,22 +48,22 @@ final class CueCompare extends BorderPane {
         note.setId("cue-note");
         note.getStyleClass().add("pane-note");
         var group = new ToggleGroup();
-        var ways = new HBox();
-        for (Way one : Way.values()) {
-            var button = new ToggleButton(Texts.of(one.title));
-            button.setId("cue-" + one.name().toLowerCase(Locale.ROOT));
-            button.setTooltip(new Tooltip(Texts.of(one.help)));
+        var modeButtons = new HBox();
+        for (CompareMode option : CompareMode.values()) {
+            var button = new ToggleButton(Messages.tr(option.title));
+            button.setId("cue-" + option.name().toLowerCase(Locale.ROOT));
+            button.setTooltip(new Tooltip(Messages.tr(option.help)));
             button.setToggleGroup(group);
-            button.setSelected(one == way);
+            button.setSelected(option == mode);
             button.setOnAction(_ -> {
                 button.setSelected(true);
-                way = one;
-                flipped = false;
+                mode = option;
+                isFlipped = false;
                 show();
             });
-            ways.getChildren().add(button);
+            modeButtons.getChildren().add(button);
         }
-        var head = new HBox(ways, note);
+        var head = new HBox(modeButtons, note);
         head.getStyleClass().add("mixer-tools");
         setTop(head);
         var canvas = new StackPane(picture);
@@ -73,8 +73,8 @@ final class CueCompare extends BorderPane {
         picture.addEventHandler(MouseEvent.MOUSE_PRESSED, this::wipe);
         picture.addEventHandler(MouseEvent.MOUSE_DRAGGED, this::wipe);
         picture.addEventHandler(MouseEvent.MOUSE_CLICKED, _ -> {
-            if (way == Way.FLIP) {
-                flipped = !flipped;
+            if (mode == CompareMode.FLIP) {
+                isFlipped = !isFlipped;
                 show();
             }
         });
@@ -90,7 +90,7 @@ final class CueCompare extends BorderPane {
     void show(Optional<Cue> first, Optional<Cue> second) {
         a = first;
         b = second;
-        flipped = false;
+        isFlipped = false;
         show();
     }
 
@@ -99,41 +99,42 @@ final class CueCompare extends BorderPane {
         Optional<Film> left = a.flatMap(Cue::picture);
         Optional<Film> right = b.flatMap(Cue::picture);
         if (left.isEmpty() || right.isEmpty()) {
-            note.setText(Texts.of("Choose two cues, A and B, to compare their pictures"));
-            left.or(() -> right).ifPresentOrElse(this::pixels, picture::clear);
+            note.setText(Messages.tr("Choose two cues, A and B, to compare their pictures"));
+            left.or(() -> right).ifPresentOrElse(this::showFilm, picture::clear);
             return;
         }
         Film first = left.get();
         Film second = right.get();
-        boolean alike = first.width() == second.width() && first.height() == second.height();
+        boolean sameSize = first.width() == second.width() && first.height() == second.height();
         note.setText(
-                alike ? "" : Texts.of("The pictures differ in size: {0} × {1} and {2} × {3}", first.width(), first.height(), second.width(),
-                        second.height()));
-        switch (way) {
+                sameSize ? ""
+                        : Messages.tr("The pictures differ in size: {0} × {1} and {2} × {3}", first.width(), first.height(), second.width(),
+                                second.height()));
+        switch (mode) {
             case WIPE -> {
-                pixels(second);
-                if (alike) {
+                showFilm(second);
+                if (sameSize) {
                     picture.wipe().store(first.width(), first.height(), ViewTransform.DEFAULT.toPixels(first));
                     picture.wipe().setVisible(true);
                 }
             }
             case FLIP -> {
-                pixels(flipped ? second : first);
-                note.setText(flipped ? "B: " + b.get().name() : "A: " + a.get().name());
+                showFilm(isFlipped ? second : first);
+                note.setText(isFlipped ? "B: " + b.get().name() : "A: " + a.get().name());
             }
             case DIFFERENCE -> {
-                if (alike) {
-                    pixels(DifferencePicture.of(first, second));
-                    note.setText(Difference.of(first, second).isNone() ? Texts.of("The pictures are equal")
-                            : Texts.of("Black is equal, pale differs most"));
+                if (sameSize) {
+                    showFilm(DifferenceImage.of(first, second));
+                    note.setText(Difference.of(first, second).isNone() ? Messages.tr("The pictures are equal")
+                            : Messages.tr("Black is equal, pale differs most"));
                 } else {
-                    pixels(second);
+                    showFilm(second);
                 }
             }
         }
     }
 
-    private void pixels(Film film) {
+    private void showFilm(Film film) {
         picture.setPixels(film.width(), film.height(), ViewTransform.DEFAULT.toPixels(film));
         picture.fit();
     }

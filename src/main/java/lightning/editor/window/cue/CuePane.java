@@ -21,21 +21,21 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.FileThread;
-import lightning.editor.document.Situation;
 import lightning.editor.document.cue.Cue;
 import lightning.editor.document.cue.CueFolder;
 import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.command.AtOnce;
+import lightning.editor.window.command.ForcedLiveUpdate;
+import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
 import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.widget.Obstacle;
-import lightning.editor.window.widget.WhileSeen;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Stage;
@@ -48,24 +48,24 @@ public final class CuePane extends VBox {
     private final TracedPicture picture;
     private final FileThread files;
     private final TextField name = new TextField();
-    private final Obstacle cannotKeep;
+    private final DisabledReason saveReason;
     private final FlowPane gallery = new FlowPane();
     private final Label message = new Label();
-    private final Button back = new Button(Texts.of("Bring Back"));
+    private final Button restoreButton = new Button(Messages.tr("Bring Back"));
     private final CueCompare compare = new CueCompare();
     private final Slider blend = new Slider(0, PERCENT, 0);
-    private final Obstacle cannotBlend;
+    private final DisabledReason blendReason;
     private final Label percent = new Label("0 %");
     private final Map<String, CueCard> cards = new LinkedHashMap<>();
     private List<Cue> cues = List.of();
     private String a = "";
     private String b = "";
-    private String removed = "";
+    private String removedName = "";
     private Object gesture;
-    private boolean showing;
+    private boolean isUpdating;
 
     /** A cue and its picture at the size of its card, or null. */
-    private record Listed(Cue cue, CueCard.Small small) {}
+    private record CueEntry(Cue cue, CueCard.CueThumbnail thumbnail) {}
 
     public CuePane(SceneEditor editor, TracedPicture picture, FileThread files) {
         this.editor = editor;
@@ -74,194 +74,195 @@ public final class CuePane extends VBox {
         setId("cues");
         getStyleClass().add("cues");
         name.setId("cue-new-name");
-        name.setPromptText(Texts.of("Name of a new cue"));
-        name.setAccessibleText(Texts.of("name of a new cue"));
-        var keep = new Button(Texts.of("Keep Cue"));
-        keep.setId("cue-keep");
-        keep.getStyleClass().add("accent");
-        keep.setOnAction(_ -> keep());
-        keep.setMinWidth(Region.USE_PREF_SIZE);
-        name.setOnAction(_ -> keep.fire());
-        var around = new StackPane(keep);
-        cannotKeep = new Obstacle(around, keep, Texts.of("Keep how the scene is lit now, with its picture, in a folder beside the scene"));
+        name.setPromptText(Messages.tr("Name of a new cue"));
+        name.setAccessibleText(Messages.tr("name of a new cue"));
+        var saveButton = new Button(Messages.tr("Keep Cue"));
+        saveButton.setId("cue-keep");
+        saveButton.getStyleClass().add("accent");
+        saveButton.setOnAction(_ -> saveCue());
+        saveButton.setMinWidth(Region.USE_PREF_SIZE);
+        name.setOnAction(_ -> saveButton.fire());
+        var saveBox = new StackPane(saveButton);
+        saveReason = new DisabledReason(saveBox, saveButton,
+                Messages.tr("Keep how the scene is lit now, with its picture, in a folder beside the scene"));
         message.setId("cue-message");
         message.getStyleClass().add("pane-note");
         message.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(message, Priority.ALWAYS);
-        back.setId("cue-back");
-        back.setVisible(false);
-        back.setMinWidth(Region.USE_PREF_SIZE);
-        back.setOnAction(_ -> bringBack());
-        var tools = new HBox(name, around, message, back);
+        restoreButton.setId("cue-back");
+        restoreButton.setVisible(false);
+        restoreButton.setMinWidth(Region.USE_PREF_SIZE);
+        restoreButton.setOnAction(_ -> restoreRemoved());
+        var tools = new HBox(name, saveBox, message, restoreButton);
         tools.getStyleClass().add("mixer-tools");
         blend.setId("cue-blend");
-        blend.setAccessibleText(Texts.of("blend from A to B, per cent"));
-        blend.setTooltip(new Tooltip(Texts.of("Light the scene between A and B; each drag is one step to undo")));
+        blend.setAccessibleText(Messages.tr("blend from A to B, per cent"));
+        blend.setTooltip(new Tooltip(Messages.tr("Light the scene between A and B; each drag is one step to undo")));
         blend.setOnMousePressed(_ -> gesture = new Object());
         blend.setOnMouseReleased(_ -> gesture = null);
         blend.valueProperty().subscribe(v -> blendTo(v.doubleValue() / PERCENT));
         HBox.setHgrow(blend, Priority.ALWAYS);
         percent.setId("cue-percent");
         percent.setMinWidth(44);
-        var slide = new HBox(new Label(Texts.of("Blend  A")), blend, new Label("B"), percent);
-        slide.getStyleClass().add("mixer-tools");
-        cannotBlend = new Obstacle(slide, blend);
+        var blendRow = new HBox(new Label(Messages.tr("Blend  A")), blend, new Label("B"), percent);
+        blendRow.getStyleClass().add("mixer-tools");
+        blendReason = new DisabledReason(blendRow, blend);
         gallery.getStyleClass().add("cue-gallery");
         var scroll = new ScrollPane(gallery);
         scroll.setFitToWidth(true);
         scroll.getStyleClass().add("edge-to-edge");
-        var parts = new SplitPane(scroll, new VBox(compare, slide));
+        var parts = new SplitPane(scroll, new VBox(compare, blendRow));
         VBox.setVgrow(compare, Priority.ALWAYS);
         parts.setOrientation(Orientation.VERTICAL);
         parts.setDividerPositions(0.38);
         VBox.setVgrow(parts, Priority.ALWAYS);
         getChildren().addAll(tools, parts);
-        choose();
-        WhileSeen.follow(this, this::follow);
+        updateChoice();
+        VisibilityListener.attach(this, this::subscribe);
     }
 
     /** Lists the cues and follows the editor. */
-    private Subscription follow() {
-        return Subscription.combine(editor.documentProperty().subscribe(_ -> list()),
-                editor.situationProperty().subscribe(now -> cannotKeep.set(obstacle(now))),
-                AtOnce.whileFocused(this, editor, files.window()));
+    private Subscription subscribe() {
+        return Subscription.combine(editor.documentProperty().subscribe(_ -> loadCues()),
+                editor.editorStateProperty().subscribe(state -> saveReason.set(saveDisabledReason(state))),
+                ForcedLiveUpdate.renderWhileFocused(this, editor, files.windowExecutor()));
     }
 
-    private static Optional<String> obstacle(Situation now) {
-        return now.animating() ? Optional.of(Texts.of("an animation is open; close it first"))
-                : now.frame().isEmpty() ? Optional.of(Texts.of("there is no picture yet")) : now.pendingRemark();
+    private static Optional<String> saveDisabledReason(EditorState state) {
+        return state.animating() ? Optional.of(Messages.tr("an animation is open; close it first"))
+                : state.frame().isEmpty() ? Optional.of(Messages.tr("there is no picture yet")) : state.pendingMessage();
     }
 
     private CueFolder folder() {
         return new CueFolder(editor.document().file());
     }
 
-    private <T> void file(FileThread.Work<T> work, Consumer<T> done) {
-        files.inTurn(work, done, why -> say(Sentence.of(why)));
+    private <T> void runFileTask(FileThread.FileTask<T> work, Consumer<T> onDone) {
+        files.runInOrder(work, onDone, failure -> showMessage(ErrorMessage.of(failure)));
     }
 
-    private void say(String sentence) {
-        message.setText(sentence);
+    private void showMessage(String text) {
+        message.setText(text);
     }
 
-    private void list() {
+    private void loadCues() {
         CueFolder folder = folder();
         Stage stage = editor.scene().stage();
-        file(() -> {
-            List<Listed> all = new ArrayList<>();
+        runFileTask(() -> {
+            List<CueEntry> entries = new ArrayList<>();
             for (Cue cue : folder.list(stage)) {
-                all.add(new Listed(cue, cue.picture().map(CueCard::small).orElse(null)));
+                entries.add(new CueEntry(cue, cue.picture().map(CueCard::thumbnail).orElse(null)));
             }
-            return all;
-        }, all -> {
+            return entries;
+        }, entries -> {
             if (folder.path().equals(folder().path())) {
-                show(all);
+                showCues(entries);
             }
         });
     }
 
-    private void show(List<Listed> all) {
-        cues = all.stream().map(Listed::cue).toList();
+    private void showCues(List<CueEntry> entries) {
+        cues = entries.stream().map(CueEntry::cue).toList();
         cards.clear();
-        for (Listed one : all) {
-            cards.put(one.cue().name(), new CueCard(one.cue(), one.small(), new Hand()));
+        for (CueEntry entry : entries) {
+            cards.put(entry.cue().name(), new CueCard(entry.cue(), entry.thumbnail(), new CardCallbacks()));
         }
         gallery.getChildren().setAll(cards.values());
         if (cues.isEmpty()) {
             var empty = new Label(
-                    Texts.of("No cues yet. A cue keeps how the scene is lit now, with its picture, in {0}.",
+                    Messages.tr("No cues yet. A cue keeps how the scene is lit now, with its picture, in {0}.",
                             folder().path().getFileName()));
             empty.getStyleClass().add("pane-note");
             gallery.getChildren().add(empty);
         }
-        choose();
+        updateChoice();
     }
 
-    private Optional<Cue> cue(String of) {
-        return cues.stream().filter(c -> c.name().equals(of)).findFirst();
+    private Optional<Cue> findCue(String cueName) {
+        return cues.stream().filter(c -> c.name().equals(cueName)).findFirst();
     }
 
-    private Optional<Lighting> lighting(String of) {
-        return cue(of).flatMap(Cue::lighting);
+    private Optional<Lighting> lighting(String cueName) {
+        return findCue(cueName).flatMap(Cue::lighting);
     }
 
-    private void choose() {
-        cards.forEach((of, card) -> card.show(of.equals(a), of.equals(b)));
-        compare.show(cue(a), cue(b));
-        boolean two = lighting(a).isPresent() && lighting(b).isPresent();
-        cannotBlend.set(two ? Optional.empty() : Optional.of(Texts.of("choose two cues, A and B")));
-        showing = true;
+    private void updateChoice() {
+        cards.forEach((cueName, card) -> card.show(cueName.equals(a), cueName.equals(b)));
+        compare.show(findCue(a), findCue(b));
+        boolean hasBoth = lighting(a).isPresent() && lighting(b).isPresent();
+        blendReason.set(hasBoth ? Optional.empty() : Optional.of(Messages.tr("choose two cues, A and B")));
+        isUpdating = true;
         blend.setValue(0);
         percent.setText("0 %");
-        showing = false;
+        isUpdating = false;
     }
 
-    private void keep() {
-        String of = name.getText().strip();
-        Optional<String> refusal = CueFolder.refusal(of).or(() -> obstacle(editor.situationProperty().get()));
+    private void saveCue() {
+        String cueName = name.getText().strip();
+        Optional<String> refusal = CueFolder.nameProblem(cueName).or(() -> saveDisabledReason(editor.editorStateProperty().get()));
         if (refusal.isPresent()) {
-            say(refusal.get());
+            showMessage(refusal.get());
             return;
         }
-        if (cue(of).isPresent()) {
-            say(Texts.of("There is a cue {0} already; remove it first, or choose another name", Quote.of(of)));
+        if (findCue(cueName).isPresent()) {
+            showMessage(Messages.tr("There is a cue {0} already; remove it first, or choose another name", Quote.of(cueName)));
             return;
         }
         CueFolder folder = folder();
         Lighting lighting = Lighting.of(editor.scene());
         Frame frame = picture.frame();
         Film film = frame.film();
-        ViewTransform view = picture.viewProperty().get().withMarked(false);
-        file(() -> {
-            folder.keep(of, lighting, film, view);
-            return of;
-        }, kept -> {
-            say(Texts.of("Kept {0}", Quote.of(kept)));
+        ViewTransform view = picture.viewProperty().get().withMarksClipping(false);
+        runFileTask(() -> {
+            folder.save(cueName, lighting, film, view);
+            return cueName;
+        }, savedName -> {
+            showMessage(Messages.tr("Kept {0}", Quote.of(savedName)));
             name.clear();
-            list();
+            loadCues();
         });
     }
 
-    private void bringBack() {
+    private void restoreRemoved() {
         CueFolder folder = folder();
-        String of = removed;
-        file(() -> {
-            folder.bringBack(of);
-            return of;
+        String cueName = removedName;
+        runFileTask(() -> {
+            folder.restore(cueName);
+            return cueName;
         }, _ -> {
-            say("");
-            back.setVisible(false);
-            list();
+            showMessage("");
+            restoreButton.setVisible(false);
+            loadCues();
         });
     }
 
     /** Edits the document and shows it in the traced picture. */
-    private void light(Lighting lighting, Object step) {
-        editor.edit(lighting::on, step).ifPresentOrElse(this::say, () -> {
-            say("");
-            AtOnce.render(editor);
+    private void applyLighting(Lighting lighting, Object gesture) {
+        editor.edit(lighting::applyTo, gesture).ifPresentOrElse(this::showMessage, () -> {
+            showMessage("");
+            ForcedLiveUpdate.render(editor);
         });
     }
 
     private void blendTo(double t) {
-        if (showing) {
+        if (isUpdating) {
             return;
         }
         percent.setText(Math.round(t * PERCENT) + " %");
         lighting(a).ifPresent(from -> lighting(b).ifPresent(to -> {
             try {
-                light(LightingBlend.at(from, to, t), gesture);
+                applyLighting(LightingBlend.blend(from, to, t), gesture);
             } catch (IllegalArgumentException e) {
-                say(e.getMessage());
+                showMessage(e.getMessage());
             }
         }));
     }
 
     /** What the cards ask for. */
-    private final class Hand implements CueCard.Asked {
+    private final class CardCallbacks implements CueCard.Callbacks {
         @Override
         public void restore(Cue cue) {
-            cue.lighting().ifPresent(lighting -> light(lighting, null));
+            cue.lighting().ifPresent(lighting -> applyLighting(lighting, null));
         }
 
         @Override
@@ -270,41 +271,41 @@ public final class CuePane extends VBox {
                 return;
             }
             CueFolder folder = folder();
-            file(() -> {
+            runFileTask(() -> {
                 folder.rename(cue.name(), to);
                 return to;
             }, _ -> {
                 a = a.equals(cue.name()) ? to : a;
                 b = b.equals(cue.name()) ? to : b;
-                say("");
-                list();
+                showMessage("");
+                loadCues();
             });
         }
 
         @Override
         public void remove(Cue cue) {
             CueFolder folder = folder();
-            file(() -> {
+            runFileTask(() -> {
                 folder.remove(cue.name());
                 return cue.name();
-            }, gone -> {
-                removed = gone;
-                back.setVisible(true);
-                say(Texts.of("Removed {0}", Quote.of(gone)));
-                list();
+            }, cueName -> {
+                removedName = cueName;
+                restoreButton.setVisible(true);
+                showMessage(Messages.tr("Removed {0}", Quote.of(cueName)));
+                loadCues();
             });
         }
 
         @Override
         public void chooseA(Cue cue) {
             a = a.equals(cue.name()) ? "" : cue.name();
-            choose();
+            updateChoice();
         }
 
         @Override
         public void chooseB(Cue cue) {
             b = b.equals(cue.name()) ? "" : cue.name();
-            choose();
+            updateChoice();
         }
     }
 }

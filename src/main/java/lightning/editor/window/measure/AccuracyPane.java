@@ -12,156 +12,159 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
-import lightning.bench.accuracy.Grade;
-import lightning.bench.accuracy.Ladder;
-import lightning.bench.accuracy.LadderMeter;
-import lightning.bench.accuracy.Rung;
+import lightning.base.work.WorkerPool;
+import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.accuracy.AccuracySweep;
+import lightning.bench.accuracy.AccuracySweepMeter;
+import lightning.bench.accuracy.SweepPoint;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.LastEdit;
-import lightning.editor.document.Situation;
 import lightning.editor.document.Workbench;
 import lightning.editor.window.widget.PictureView;
-import lightning.editor.window.widget.WhileSeen;
-import lightning.render.image.DifferencePicture;
+import lightning.editor.window.widget.VisibilityListener;
+import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /** What accuracy costs: each grade's time and error for the edit made last, measured when the artist asks for it. */
 public final class AccuracyPane extends BorderPane {
     private static final int REPETITIONS = 5;
-    private static final double PATIENCE_MS = 10_000;
+    private static final double TIMEOUT_MS = 10_000;
 
     private final Workbench workbench;
-    private final ObservableValue<Situation> situation;
+    private final ObservableValue<EditorState> situation;
     private final ObservableValue<ViewTransform> view;
-    private final Label edit = new Label();
+    private final Label editLabel = new Label();
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("",
-            Texts.of("Make the edit at each grade in the background, again and again, and compare"));
-    private final ToggleButton difference = new ToggleButton(Texts.of("Difference"));
-    private final LadderTable table = new LadderTable();
-    private final LadderPlot chart = new LadderPlot();
+            Messages.tr("Make the edit at each grade in the background, again and again, and compare"));
+    private final ToggleButton difference = new ToggleButton(Messages.tr("Difference"));
+    private final AccuracyTable table = new AccuracyTable();
+    private final AccuracyPlot chart = new AccuracyPlot();
     private final PictureView picture = new PictureView();
-    private Ladder ladder;
+    private AccuracySweep sweep;
     /** The edit that was measured last, and what came of it. */
-    private Optional<LastEdit> told = Optional.empty();
+    private Optional<LastEdit> measuredEdit = Optional.empty();
     private String outcome = "";
 
     /** @param view how linear light becomes display pixels */
-    public AccuracyPane(Workbench workbench, ObservableValue<Situation> situation, ObservableValue<ViewTransform> view) {
+    public AccuracyPane(Workbench workbench, ObservableValue<EditorState> situation, ObservableValue<ViewTransform> view) {
         this.workbench = workbench;
         this.situation = situation;
         this.view = view;
-        bar.setOnMeasure(this::begin);
+        bar.setOnMeasure(this::startMeasuring);
         setId("accuracy");
         getStyleClass().add("accuracy");
-        setTop(head());
-        var shown = new VBox(difference, stage());
-        shown.getStyleClass().add("accuracy-picture");
-        VBox.setVgrow(shown.getChildren().getLast(), Priority.ALWAYS);
-        var below = new HBox(chart, shown);
-        below.getStyleClass().add("accuracy-below");
-        below.visibleProperty().bind(table.getSelectionModel().selectedItemProperty().isNotNull());
+        setTop(header());
+        var pictureBox = new VBox(difference, pictureStage());
+        pictureBox.getStyleClass().add("accuracy-picture");
+        VBox.setVgrow(pictureBox.getChildren().getLast(), Priority.ALWAYS);
+        var resultBox = new HBox(chart, pictureBox);
+        resultBox.getStyleClass().add("accuracy-below");
+        resultBox.visibleProperty().bind(table.getSelectionModel().selectedItemProperty().isNotNull());
         HBox.setHgrow(chart, Priority.ALWAYS);
-        HBox.setHgrow(shown, Priority.ALWAYS);
+        HBox.setHgrow(pictureBox, Priority.ALWAYS);
         note.setId("grade-note");
         note.getStyleClass().add("pane-note");
         note.setWrapText(true);
         table.setPrefHeight(260);
         table.setMinHeight(260);
-        var all = new VBox(table, note, below);
-        all.getStyleClass().add("accuracy-content");
-        VBox.setVgrow(below, Priority.ALWAYS);
-        setCenter(all);
+        var content = new VBox(table, note, resultBox);
+        content.getStyleClass().add("accuracy-content");
+        VBox.setVgrow(resultBox, Priority.ALWAYS);
+        setCenter(content);
         difference.setId("grade-difference");
         difference.setSelected(true);
-        difference.setAccessibleText(Texts.of("Show the difference from the full trace"));
-        difference.selectedProperty().subscribe(_ -> paint());
-        table.getSelectionModel().selectedItemProperty().subscribe(_ -> paint());
-        WhileSeen.follow(this, () -> Subscription.combine(situation.subscribe(_ -> update()),
-                view.subscribe(_ -> paint())));
+        difference.setAccessibleText(Messages.tr("Show the difference from the full trace"));
+        difference.selectedProperty().subscribe(_ -> updatePicture());
+        table.getSelectionModel().selectedItemProperty().subscribe(_ -> updatePicture());
+        VisibilityListener.attach(this, () -> Subscription.combine(situation.subscribe(_ -> update()),
+                view.subscribe(_ -> updatePicture())));
     }
 
-    private Node head() {
-        edit.setId("accuracy-edit");
-        edit.setMaxWidth(Double.MAX_VALUE);
-        edit.setWrapText(true);
-        HBox.setHgrow(edit, Priority.ALWAYS);
-        var head = new HBox(edit, bar);
+    private Node header() {
+        editLabel.setId("accuracy-edit");
+        editLabel.setMaxWidth(Double.MAX_VALUE);
+        editLabel.setWrapText(true);
+        HBox.setHgrow(editLabel, Priority.ALWAYS);
+        var head = new HBox(editLabel, bar);
         head.setAlignment(Pos.CENTER_LEFT);
         head.getStyleClass().add("accuracy-head");
         return head;
     }
 
-    private Node stage() {
+    private Node pictureStage() {
         picture.setId("grade-picture");
         var stage = new StackPane(picture);
         stage.getStyleClass().add("canvas");
         return stage;
     }
 
-    private Optional<LastEdit> last() {
+    private Optional<LastEdit> lastEdit() {
         return situation.getValue().animating() ? Optional.empty() : workbench.lastEdit();
     }
 
     private void update() {
-        Optional<LastEdit> last = last();
-        bar.setObstacle(
-                last.isEmpty() ? Optional.of(Texts.of("there is no edit of a light yet that the picture could show")) : Optional.empty());
-        edit.setText(bar.isBusy() ? Texts.of("Measuring …") : title(last));
+        Optional<LastEdit> last = lastEdit();
+        bar.setDisabledReason(
+                last.isEmpty() ? Optional.of(Messages.tr("there is no edit of a light yet that the picture could show"))
+                        : Optional.empty());
+        editLabel.setText(bar.isBusy() ? Messages.tr("Measuring …") : title(last));
     }
 
     private String title(Optional<LastEdit> last) {
-        if (last.isPresent() && last.equals(told)) {
+        if (last.isPresent() && last.equals(measuredEdit)) {
             return outcome;
         }
-        String what = last.map(e -> e.pending() ? Texts.of("The edits that are not rendered yet") : Texts.of("The edits of the last Go"))
-                .orElse(Texts.of("Edit a light first."));
-        return ladder == null ? what : Texts.of("{0}. The table is still of: {1}", what, text(ladder));
+        String description =
+                last.map(e -> e.isPending() ? Messages.tr("The edits that are not rendered yet") : Messages.tr("The edits of the last Go"))
+                        .orElse(Messages.tr("Edit a light first."));
+        return sweep == null ? description : Messages.tr("{0}. The table is still of: {1}", description, text(sweep));
     }
 
-    private static String text(Ladder measured) {
-        return Texts.of("{0} · {1} × {2} pixels", measured.rung(Grade.EXACT).update().plan().text(), measured.after().picture().width(),
-                measured.after().picture().height());
+    private static String text(AccuracySweep sweep) {
+        return Messages.tr("{0} · {1} × {2} pixels", sweep.point(AccuracySetting.EXACT).update().plan().description(),
+                sweep.after().picture().width(),
+                sweep.after().picture().height());
     }
 
-    private void begin() {
-        told = last();
-        LastEdit measured = told.orElseThrow();
-        bar.begin("lightning-ladder", progress -> ladder(measured, progress), this::finished, this::ended);
+    private void startMeasuring() {
+        measuredEdit = lastEdit();
+        LastEdit edit = measuredEdit.orElseThrow();
+        bar.start("lightning-ladder", progress -> measure(edit, progress), this::showResult, this::showOutcome);
         update();
     }
 
-    private static Ladder ladder(LastEdit measured, Progress progress) {
-        try (var meter = LadderMeter.patient(Workers.available(), REPETITIONS, PATIENCE_MS)) {
-            return meter.measure(measured.before(), measured.after(), progress);
+    private static AccuracySweep measure(LastEdit edit, Progress progress) {
+        try (var meter = AccuracySweepMeter.untilSteady(WorkerPool.processorCount(), REPETITIONS, TIMEOUT_MS)) {
+            return meter.measure(edit.before(), edit.after(), progress);
         }
     }
 
-    private void finished(Ladder measured) {
-        ladder = measured;
-        table.show(measured);
-        chart.show(measured);
-        table.getSelectionModel().select(measured.rung(Grade.EXACT));
-        ended(text(measured) + (measured.warm() ? "" : Texts.of(". The times did not come to rest, so no savings are told")));
+    private void showResult(AccuracySweep newSweep) {
+        sweep = newSweep;
+        table.show(newSweep);
+        chart.show(newSweep);
+        table.getSelectionModel().select(newSweep.point(AccuracySetting.EXACT));
+        showOutcome(text(newSweep) + (newSweep.isWarm() ? "" : Messages.tr(". The times did not come to rest, so no savings are told")));
     }
 
-    private void ended(String text) {
+    private void showOutcome(String text) {
         outcome = text;
         update();
     }
 
-    private void paint() {
-        Rung rung = table.getSelectionModel().getSelectedItem();
-        if (rung == null || ladder == null) {
+    private void updatePicture() {
+        SweepPoint point = table.getSelectionModel().getSelectedItem();
+        if (point == null || sweep == null) {
             return;
         }
-        note.setText(rung.grade().label() + ": " + rung.grade().note());
-        Film full = ladder.rung(Grade.FULL_TRACE).film();
-        Film film = difference.isSelected() ? DifferencePicture.of(rung.film(), full) : rung.film();
-        ViewTransform through = difference.isSelected() ? ViewTransform.DEFAULT : view.getValue();
-        picture.setPixels(film.width(), film.height(), through.toPixels(film));
+        note.setText(point.setting().label() + ": " + point.setting().description());
+        Film full = sweep.point(AccuracySetting.FULL_TRACE).film();
+        Film film = difference.isSelected() ? DifferenceImage.of(point.film(), full) : point.film();
+        ViewTransform display = difference.isSelected() ? ViewTransform.DEFAULT : view.getValue();
+        picture.setPixels(film.width(), film.height(), display.toPixels(film));
     }
 }

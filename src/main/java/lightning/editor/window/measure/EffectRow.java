@@ -7,9 +7,9 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.bench.accuracy.EffectCost;
-import lightning.scene.effects.Effect;
+import lightning.scene.effects.RenderEffect;
 
 /** One effect: whether it is shown, what it costs where that was measured, and who calls for it. */
 final class EffectRow extends HBox {
@@ -17,47 +17,47 @@ final class EffectRow extends HBox {
     private static final String NONE = "–";
     private static final double UNIT = 1000;
 
-    private final CheckBox shown = new CheckBox();
-    private final Label absent = new Label();
+    private final CheckBox visibleBox = new CheckBox();
+    private final Label unusedTitle = new Label();
     private final Label first = number();
     private final Label update = number();
     private final Label bytes = number();
-    private final Label why = new Label();
+    private final Label callers = new Label();
 
-    EffectRow(Effect effect) {
-        String said = Texts.of(effect.title());
-        String title = Character.toUpperCase(said.charAt(0)) + said.substring(1);
+    EffectRow(RenderEffect effect) {
+        String name = Messages.tr(effect.title());
+        String title = Character.toUpperCase(name.charAt(0)) + name.substring(1);
         String id = effect.id();
-        shown.setText(title);
-        shown.setId("effect-" + id);
-        shown.setMinWidth(Region.USE_PREF_SIZE);
-        absent.setText(title);
-        absent.getStyleClass().add("effect-title");
+        visibleBox.setText(title);
+        visibleBox.setId("effect-" + id);
+        visibleBox.setMinWidth(Region.USE_PREF_SIZE);
+        unusedTitle.setText(title);
+        unusedTitle.getStyleClass().add("effect-title");
         first.setId("first-" + id);
         update.setId("update-" + id);
         bytes.setId("bytes-" + id);
-        why.getStyleClass().add("pane-note");
-        why.setMaxWidth(Double.MAX_VALUE);
-        HBox.setHgrow(why, Priority.ALWAYS);
+        callers.getStyleClass().add("pane-note");
+        callers.setMaxWidth(Double.MAX_VALUE);
+        HBox.setHgrow(callers, Priority.ALWAYS);
         getStyleClass().add("effect-row");
-        setUse(true);
+        setInUse(true);
     }
 
-    private EffectRow(String title, String first, String update, String bytes, String why) {
-        absent.setText(title);
-        absent.getStyleClass().add("effect-title");
+    private EffectRow(String title, String first, String update, String bytes, String callers) {
+        unusedTitle.setText(title);
+        unusedTitle.getStyleClass().add("effect-title");
         this.first.setText(first);
         this.update.setText(update);
         this.bytes.setText(bytes);
-        this.why.setText(why);
+        this.callers.setText(callers);
         getStyleClass().addAll("effect-row", "effect-head");
-        getChildren().setAll(absent, this.first, this.update, this.bytes, this.why);
+        getChildren().setAll(unusedTitle, this.first, this.update, this.bytes, this.callers);
         numbers().forEach(n -> n.setVisible(true));
     }
 
     /** The heads of the columns. */
-    static EffectRow head(String title, String why) {
-        return new EffectRow(title, Texts.of("First pass"), Texts.of("Update"), Texts.of("Memory"), why);
+    static EffectRow header(String title, String callers) {
+        return new EffectRow(title, Messages.tr("First pass"), Messages.tr("Update"), Messages.tr("Memory"), callers);
     }
 
     private static Label number() {
@@ -73,17 +73,17 @@ final class EffectRow extends HBox {
         return List.of(first, update, bytes);
     }
 
-    CheckBox shown() {
-        return shown;
+    CheckBox visibleBox() {
+        return visibleBox;
     }
 
     /** Only an effect in use can be hidden. */
-    void setUse(boolean inUse) {
-        getChildren().setAll(inUse ? shown : absent, first, update, bytes, why);
+    void setInUse(boolean inUse) {
+        getChildren().setAll(inUse ? visibleBox : unusedTitle, first, update, bytes, callers);
     }
 
     void setCallers(String text) {
-        why.setText(text);
+        callers.setText(text);
     }
 
     /** Shows what it costs, or what its absence saves. */
@@ -96,14 +96,14 @@ final class EffectRow extends HBox {
 
     /** @param noise a difference of so much or less may be none, milliseconds */
     static String milliseconds(double v, double noise) {
-        String text = String.format(Texts.locale(), Math.abs(v) < UNIT / 100 ? "%.2f ms" : "%.0f ms", v + 0.0);
+        String text = String.format(Messages.locale(), Math.abs(v) < UNIT / 100 ? "%.2f ms" : "%.0f ms", v + 0.0);
         return (Math.abs(v) <= noise ? "≈ " : "") + (text.startsWith("-0.00") ? text.substring(1) : text).replace('-', '−');
     }
 
     static String bytes(long v) {
         double size = Math.abs((double) v);
-        String text = size < UNIT ? v + " B" : size < UNIT * UNIT ? String.format(Texts.locale(), "%.1f kB", v / UNIT)
-                : String.format(Texts.locale(), "%.1f MB", v / UNIT / UNIT);
+        String text = size < UNIT ? v + " B" : size < UNIT * UNIT ? String.format(Messages.locale(), "%.1f kB", v / UNIT)
+                : String.format(Messages.locale(), "%.1f MB", v / UNIT / UNIT);
         return text.replace('-', '−');
     }
 }

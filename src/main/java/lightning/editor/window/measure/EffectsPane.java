@@ -18,20 +18,20 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.bench.accuracy.EffectCosts;
 import lightning.bench.accuracy.PaperCases;
 import lightning.editor.document.LastEdit;
 import lightning.editor.document.Workbench;
-import lightning.editor.window.model.Precision;
+import lightning.editor.window.model.AccuracyMode;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
-import lightning.editor.window.widget.Obstacle;
-import lightning.editor.window.widget.WhileSeen;
-import lightning.render.relight.tile.Options;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.VisibilityListener;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
-import lightning.scene.effects.Effect;
-import lightning.scene.effects.Effects;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
 
 /**
@@ -43,72 +43,73 @@ public final class EffectsPane extends VBox {
 
     private final SceneEditor editor;
     private final Workbench workbench;
-    private final ObservableValue<Precision> precision;
+    private final ObservableValue<AccuracyMode> precision;
     private final ObjectProperty<ViewEffects> view;
-    private final Map<Effect, EffectRow> rows = new LinkedHashMap<>();
+    private final Map<RenderEffect, EffectRow> rows = new LinkedHashMap<>();
     private final Label summary = new Label();
     private final Label outcome = new Label();
     private final MeasureBar bar = new MeasureBar("-effects",
-            Texts.of("Render the scene and its last edit with and without each effect in the background, in turns"));
-    private final VBox used = new VBox();
-    private final Label absent = new Label();
-    private final VBox unused = new VBox();
-    private final Obstacle nothingHidden;
+            Messages.tr("Render the scene and its last edit with and without each effect in the background, in turns"));
+    private final VBox usedBox = new VBox();
+    private final Label absentLabel = new Label();
+    private final VBox unusedBox = new VBox();
+    private final DisabledReason showAllReason;
     private EffectCosts costs;
-    private Scene costsOf;
+    private Scene costsScene;
     private String costsText = "";
-    private Scene told;
+    private Scene shownScene;
     /** The effects that are listed as absent, and the costs beside them. */
-    private Set<Effect> listed;
+    private Set<RenderEffect> listedEffects;
     private EffectCosts listedCosts;
 
     /** @param view which effects the traced picture shows */
-    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<Precision> precision, ObjectProperty<ViewEffects> view) {
+    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> precision, ObjectProperty<ViewEffects> view) {
         this.editor = editor;
         this.workbench = workbench;
         this.precision = precision;
         this.view = view;
         setId("effects");
         getStyleClass().add("effects");
-        for (Effect effect : Effect.ALL) {
+        for (RenderEffect effect : RenderEffect.ALL) {
             var row = new EffectRow(effect);
-            row.shown().selectedProperty().addListener((_, _, on) -> view.set(view.get().with(effect, on)));
+            row.visibleBox().selectedProperty().addListener((_, _, on) -> view.set(view.get().with(effect, on)));
             rows.put(effect, row);
         }
         summary.setId("effects-summary");
         outcome.setId("effects-outcome");
         outcome.getStyleClass().add("pane-note");
         outcome.setWrapText(true);
-        outcome.setText(Texts.of("Measure tells what each effect costs in time and memory, and what the absence of the others saves."));
+        outcome.setText(Messages.tr("Measure tells what each effect costs in time and memory, and what the absence of the others saves."));
         var heading = new VBox(summary, outcome);
         HBox.setHgrow(heading, Priority.ALWAYS);
         bar.setMinWidth(Region.USE_PREF_SIZE);
         bar.setOnMeasure(this::measure);
         var head = new HBox(heading, bar);
         head.getStyleClass().add("effects-bottom");
-        absent.setId("effects-absent");
-        absent.getStyleClass().add("pane-note");
-        absent.setWrapText(true);
-        used.getStyleClass().add("effect-rows");
-        unused.getStyleClass().add("effect-rows");
-        var scroll = new ScrollPane(new VBox(used, absent, unused));
+        absentLabel.setId("effects-absent");
+        absentLabel.getStyleClass().add("pane-note");
+        absentLabel.setWrapText(true);
+        usedBox.getStyleClass().add("effect-rows");
+        unusedBox.getStyleClass().add("effect-rows");
+        var scroll = new ScrollPane(new VBox(usedBox, absentLabel, unusedBox));
         scroll.getStyleClass().add("edge-to-edge");
         scroll.setFitToWidth(true);
         VBox.setVgrow(scroll, Priority.ALWAYS);
-        var all = new Button(Texts.of("Show All"));
-        all.setId("show-all-effects");
-        all.setMinWidth(Region.USE_PREF_SIZE);
-        all.setOnAction(_ -> view.set(ViewEffects.ALL));
-        var allBox = new StackPane(all);
-        nothingHidden = new Obstacle(allBox, all, Texts.of("Show the picture with everything that the scene calls for"));
+        var showAll = new Button(Messages.tr("Show All"));
+        showAll.setId("show-all-effects");
+        showAll.setMinWidth(Region.USE_PREF_SIZE);
+        showAll.setOnAction(_ -> view.set(ViewEffects.ALL));
+        var allBox = new StackPane(showAll);
+        showAllReason = new DisabledReason(allBox, showAll, Messages.tr("Show the picture with everything that the scene calls for"));
         var bottom = new HBox(hint(), allBox);
         bottom.getStyleClass().add("effects-bottom");
         getChildren().addAll(head, scroll, bottom);
-        WhileSeen.follow(this, () -> Subscription.combine(view.subscribe(this::show), editor.sceneProperty().subscribe(this::tell)));
+        VisibilityListener.attach(this,
+                () -> Subscription.combine(view.subscribe(this::show), editor.sceneProperty().subscribe(this::showScene)));
     }
 
     private static Node hint() {
-        var hint = new Label(Texts.of("A hidden effect is hidden from the view alone: Save Image and Verify take the picture itself."));
+        var hint = new Label(Messages.tr("A hidden effect is hidden from the view alone: Save Image and Verify take the picture itself."));
         hint.getStyleClass().add("pane-note");
         hint.setWrapText(true);
         HBox.setHgrow(hint, Priority.ALWAYS);
@@ -117,89 +118,91 @@ public final class EffectsPane extends VBox {
     }
 
     private void show(ViewEffects effects) {
-        rows.forEach((effect, row) -> row.shown().setSelected(effects.shows(effect)));
-        nothingHidden.set(effects.showsAll() ? Optional.of(Texts.of("nothing is hidden")) : Optional.empty());
+        rows.forEach((effect, row) -> row.visibleBox().setSelected(effects.shows(effect)));
+        showAllReason.set(effects.showsAll() ? Optional.of(Messages.tr("nothing is hidden")) : Optional.empty());
     }
 
-    private void tell(Scene scene) {
-        if (!scene.equals(told)) {
-            told = scene;
-            bar.setObstacle(scene.lights().isEmpty() ? Optional.of(Texts.of("the scene has no light to edit")) : Optional.empty());
-            list(scene);
+    private void showScene(Scene scene) {
+        if (!scene.equals(shownScene)) {
+            shownScene = scene;
+            bar.setDisabledReason(scene.lights().isEmpty() ? Optional.of(Messages.tr("the scene has no light to edit")) : Optional.empty());
+            updateRows(scene);
             if (costs != null && !bar.isBusy()) {
-                tellOutcome();
+                showOutcome();
             }
         }
     }
 
-    private void tellOutcome() {
-        outcome.setText((editor.scene().equals(costsOf) ? "" : Texts.of("Before the last edits: ")) + costsText);
+    private void showOutcome() {
+        outcome.setText((editor.scene().equals(costsScene) ? "" : Messages.tr("Before the last edits: ")) + costsText);
     }
 
-    private void list(Scene scene) {
-        Effects effects = Effects.of(scene);
+    private void updateRows(Scene scene) {
+        SceneEffects effects = SceneEffects.of(scene);
         rows.forEach((effect, row) -> {
-            row.setUse(effects.has(effect));
-            row.setCallers(effects.why(effect));
+            row.setInUse(effects.has(effect));
+            row.setCallers(effects.reason(effect));
         });
-        summary.setText(Texts.of("{0} calls for {1} of {2} effects", editor.document().name(), effects.callers().size(), rows.size()));
+        summary.setText(Messages.tr("{0} calls for {1} of {2} effects", editor.document().name(), effects.users().size(), rows.size()));
         // While a light is dragged, the rows stay where they are, and the keyboard with them.
-        if (!effects.absent().equals(listed) || costs != listedCosts) {
-            listed = effects.absent();
+        if (!effects.unused().equals(listedEffects) || costs != listedCosts) {
+            listedEffects = effects.unused();
             listedCosts = costs;
-            arrange(effects);
+            arrangeRows(effects);
         }
     }
 
-    private void arrange(Effects effects) {
-        List<Node> inUse = new ArrayList<>(effects.callers().keySet().stream().map(rows::get).toList());
-        List<Node> others = new ArrayList<>(effects.absent().stream().map(rows::get).toList());
-        absent.setText(others.isEmpty() || costs != null ? "" : Texts.of("Not in the scene, and no work and memory spent on them: {0}.",
-                String.join(", ", effects.absent().stream().map(e -> Texts.of(e.title())).toList())));
+    private void arrangeRows(SceneEffects effects) {
+        List<Node> usedRows = new ArrayList<>(effects.users().keySet().stream().map(rows::get).toList());
+        List<Node> unusedRows = new ArrayList<>(effects.unused().stream().map(rows::get).toList());
+        absentLabel.setText(
+                unusedRows.isEmpty() || costs != null ? "" : Messages.tr("Not in the scene, and no work and memory spent on them: {0}.",
+                        String.join(", ", effects.unused().stream().map(e -> Messages.tr(e.title())).toList())));
         if (costs == null) {
-            others.clear();
+            unusedRows.clear();
         } else {
-            if (!others.isEmpty()) {
-                others.addFirst(EffectRow.head(Texts.of("Not in the scene, saves"), ""));
+            if (!unusedRows.isEmpty()) {
+                unusedRows.addFirst(EffectRow.header(Messages.tr("Not in the scene, saves"), ""));
             }
-            inUse.addFirst(EffectRow.head(Texts.of("In the scene"), Texts.of("Called for by")));
+            usedRows.addFirst(EffectRow.header(Messages.tr("In the scene"), Messages.tr("Called for by")));
         }
         // A row must not be in two places at a time.
-        used.getChildren().clear();
-        unused.getChildren().setAll(others);
-        used.getChildren().setAll(inUse);
+        usedBox.getChildren().clear();
+        unusedBox.getChildren().setAll(unusedRows);
+        usedBox.getChildren().setAll(usedRows);
     }
 
     /**
      * The edit to measure: the last one, unless it brought or took an effect; or else the first light moved, or else whatever
      * edit the scene allows.
      */
-    private Optional<LastEdit> edit() {
+    private Optional<LastEdit> editToMeasure() {
         return (editor.isAnimating() ? Optional.<LastEdit>empty() : workbench.lastEdit())
-                .filter(e -> Effects.of(e.before()).absent().equals(Effects.of(editor.scene()).absent()))
-                .or(() -> PaperCases.moved(editor.scene()).or(() -> PaperCases.of(editor.scene()).stream().findFirst())
+                .filter(e -> SceneEffects.of(e.before()).unused().equals(SceneEffects.of(editor.scene()).unused()))
+                .or(() -> PaperCases.moveCase(editor.scene()).or(() -> PaperCases.of(editor.scene()).stream().findFirst())
                         .map(c -> new LastEdit(c.before(), c.after(), true)));
     }
 
     private void measure() {
         Scene scene = editor.scene();
-        edit().ifPresent(measured -> {
-            Options options = precision.getValue().options();
-            bar.begin("lightning-effects",
-                    progress -> EffectCosts.of(measured.before(), measured.after(), options, REPETITIONS, progress),
-                    result -> finished(result, scene), outcome::setText);
-            outcome.setText(Texts.of("Measuring …"));
+        editToMeasure().ifPresent(edit -> {
+            RenderOptions options = precision.getValue().options();
+            bar.start("lightning-effects",
+                    progress -> EffectCosts.of(edit.before(), edit.after(), options, REPETITIONS, progress),
+                    result -> showCosts(result, scene), outcome::setText);
+            outcome.setText(Messages.tr("Measuring …"));
         });
     }
 
-    private void finished(EffectCosts measured, Scene scene) {
-        costs = measured;
-        costsOf = scene;
+    private void showCosts(EffectCosts newCosts, Scene scene) {
+        costs = newCosts;
+        costsScene = scene;
         costsText =
-                Texts.of("First pass {0} · update {1} ({2}) · {3}. ≈: within the noise", StatusText.milliseconds(measured.first().median()),
-                        StatusText.milliseconds(measured.update().median()), measured.plan(), EffectRow.bytes(measured.bytes()));
-        tellOutcome();
-        measured.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
-        list(editor.scene());
+                Messages.tr("First pass {0} · update {1} ({2}) · {3}. ≈: within the noise",
+                        StatusText.milliseconds(newCosts.first().median()),
+                        StatusText.milliseconds(newCosts.update().median()), newCosts.plan(), EffectRow.bytes(newCosts.bytes()));
+        showOutcome();
+        newCosts.effects().forEach(cost -> rows.get(cost.effect()).show(cost));
+        updateRows(editor.scene());
     }
 }

@@ -9,11 +9,11 @@ import javafx.scene.control.ProgressBar;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.base.work.Progress;
-import lightning.editor.window.model.Sentence;
-import lightning.editor.window.widget.Obstacle;
-import lightning.editor.window.widget.WhileSeen;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.VisibilityListener;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
@@ -22,12 +22,12 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 final class MeasureBar extends HBox {
     private static final double SPACING = 8;
 
-    private final Button measure = new Button(Texts.of("Measure"), new FontIcon(MaterialDesignT.TIMER_OUTLINE));
-    private final Button cancel = new Button(Texts.of("Cancel"), new FontIcon(MaterialDesignS.STOP));
+    private final Button measure = new Button(Messages.tr("Measure"), new FontIcon(MaterialDesignT.TIMER_OUTLINE));
+    private final Button cancel = new Button(Messages.tr("Cancel"), new FontIcon(MaterialDesignS.STOP));
     private final ProgressBar bar = new ProgressBar(0);
-    private final Obstacle measuring;
-    private final Obstacle cancelling;
-    private Optional<String> obstacle = Optional.empty();
+    private final DisabledReason measureReason;
+    private final DisabledReason cancelReason;
+    private Optional<String> disabledReason = Optional.empty();
     private MeasureTask<?> task;
 
     /**
@@ -42,26 +42,26 @@ final class MeasureBar extends HBox {
         measure.setMinWidth(Region.USE_PREF_SIZE);
         cancel.setId("cancel-measure" + suffix);
         cancel.setMinWidth(Region.USE_PREF_SIZE);
-        cancel.setOnAction(_ -> stop());
-        bar.setAccessibleText(Texts.of("Progress of measuring"));
+        cancel.setOnAction(_ -> cancelTask());
+        bar.setAccessibleText(Messages.tr("Progress of measuring"));
         var measureBox = new StackPane(measure);
         var cancelBox = new StackPane(cancel);
-        measuring = new Obstacle(measureBox, measure, hint);
-        cancelling = new Obstacle(cancelBox, cancel, Texts.of("Stop measuring"));
+        measureReason = new DisabledReason(measureBox, measure, hint);
+        cancelReason = new DisabledReason(cancelBox, cancel, Messages.tr("Stop measuring"));
         getChildren().addAll(bar, measureBox, cancelBox);
         update();
         // Nothing is measured for a window that is closed.
-        WhileSeen.follow(this, () -> this::stop);
+        VisibilityListener.attach(this, () -> this::cancelTask);
     }
 
     /** Says what begins when the artist asks to measure. */
-    void setOnMeasure(Runnable begin) {
-        measure.setOnAction(_ -> begin.run());
+    void setOnMeasure(Runnable action) {
+        measure.setOnAction(_ -> action.run());
     }
 
     /** Why there is nothing to measure, a clause; empty where there is. */
-    void setObstacle(Optional<String> reason) {
-        obstacle = reason;
+    void setDisabledReason(Optional<String> reason) {
+        disabledReason = reason;
         update();
     }
 
@@ -72,43 +72,43 @@ final class MeasureBar extends HBox {
     /**
      * Begins to measure; what follows is called on the window's thread.
      *
-     * @param finished hears what came of it
-     * @param ended    hears why nothing came of it
+     * @param onFinished hears what came of it
+     * @param onFailed    hears why nothing came of it
      */
-    <T> void begin(String thread, Function<Progress, T> work, Consumer<T> finished, Consumer<String> ended) {
-        var own = new MeasureTask<>(thread, work);
-        task = own;
-        own.setOnSucceeded(_ -> {
-            over();
-            finished.accept(own.getValue());
+    <T> void start(String thread, Function<Progress, T> work, Consumer<T> onFinished, Consumer<String> onFailed) {
+        var newTask = new MeasureTask<>(thread, work);
+        task = newTask;
+        newTask.setOnSucceeded(_ -> {
+            finishTask();
+            onFinished.accept(newTask.getValue());
         });
-        own.setOnFailed(_ -> {
-            over();
-            ended.accept(Sentence.of(own.getException()));
+        newTask.setOnFailed(_ -> {
+            finishTask();
+            onFailed.accept(ErrorMessage.of(newTask.getException()));
         });
-        own.setOnCancelled(_ -> {
-            over();
-            ended.accept(Texts.of("Cancelled"));
+        newTask.setOnCancelled(_ -> {
+            finishTask();
+            onFailed.accept(Messages.tr("Cancelled"));
         });
-        bar.progressProperty().bind(own.progressProperty());
-        own.begin();
+        bar.progressProperty().bind(newTask.progressProperty());
+        newTask.start();
         update();
     }
 
-    private void over() {
+    private void finishTask() {
         bar.progressProperty().unbind();
         task = null;
         update();
     }
 
     private void update() {
-        measuring.set(isBusy() ? Optional.of(Texts.of("it is being measured")) : obstacle);
-        cancelling.set(isBusy() ? Optional.empty() : Optional.of(Texts.of("nothing is being measured")));
+        measureReason.set(isBusy() ? Optional.of(Messages.tr("it is being measured")) : disabledReason);
+        cancelReason.set(isBusy() ? Optional.empty() : Optional.of(Messages.tr("nothing is being measured")));
         bar.setVisible(isBusy());
     }
 
     /** Gives up what is being measured. */
-    private void stop() {
+    private void cancelTask() {
         if (task != null) {
             // Without an interrupt, which would break the workers' waiting.
             task.cancel(false);

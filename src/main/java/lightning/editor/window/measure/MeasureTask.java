@@ -2,7 +2,7 @@ package lightning.editor.window.measure;
 
 import java.util.function.Function;
 import javafx.concurrent.Task;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 
 /** Measures something on a thread of its own. */
@@ -23,19 +23,19 @@ final class MeasureTask<T> extends Task<T> {
     protected T call() {
         return work.apply(new Progress() {
             @Override
-            public void tiles(int done, int total) {
+            public void report(int done, int total) {
                 updateProgress(done, total);
             }
 
             @Override
-            public boolean isCancelled() {
+            public boolean isCanceled() {
                 return MeasureTask.this.isCancelled();
             }
         });
     }
 
-    void begin() {
-        Thread own = OwnThread.of(thread, this);
-        own.start();
+    void start() {
+        Thread worker = DedicatedThread.create(thread, this);
+        worker.start();
     }
 }

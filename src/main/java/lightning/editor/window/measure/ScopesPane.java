@@ -6,12 +6,12 @@ import javafx.scene.control.Label;
 import javafx.scene.image.ImageView;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.model.PaneFeed;
+import lightning.editor.window.model.PaneUpdater;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.PixelImage;
-import lightning.editor.window.widget.WhileSeen;
+import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.Scopes;
 import lightning.render.image.ViewTransform;
 
@@ -21,26 +21,26 @@ public final class ScopesPane extends VBox {
     private static final int WIDTH = 512;
 
     private final TracedPicture picture;
-    private final PaneFeed<Counted> feed;
-    private final ImageView histogram = view("histogram", Texts.of("How many pixels have each code, red, green and blue"));
-    private final ImageView waveform = view("waveform", Texts.of("Which codes the pixels of each column have"));
-    private final Label cut = new Label();
+    private final PaneUpdater<ScopeImages> feed;
+    private final ImageView histogram = view("histogram", Messages.tr("How many pixels have each code, red, green and blue"));
+    private final ImageView waveform = view("waveform", Messages.tr("Which codes the pixels of each column have"));
+    private final Label clippingLabel = new Label();
     private volatile Frame frame;
-    private volatile ViewTransform shown = ViewTransform.DEFAULT;
+    private volatile ViewTransform shownView = ViewTransform.DEFAULT;
 
-    private record Counted(Scopes scopes, int[] bars, int[] wave) {
+    private record ScopeImages(Scopes scopes, int[] histogramPixels, int[] waveformPixels) {
         // Arrays in a record: written once by their maker, never after.
     }
 
     /** @param window runs tasks in turn on the window's thread */
     public ScopesPane(TracedPicture picture, Executor window) {
         this.picture = picture;
-        feed = new PaneFeed<>("lightning-scopes", window, this::count, this::show);
+        feed = new PaneUpdater<>("lightning-scopes", window, this::computeImages, this::show);
         setId("scopes");
         getStyleClass().addAll("panel", "scopes");
-        cut.setId("scopes-cut");
-        getChildren().setAll(new Label(Texts.of("Histogram")), histogram, cut, new Label(Texts.of("Waveform")), waveform);
-        WhileSeen.follow(this, this::follow);
+        clippingLabel.setId("scopes-cut");
+        getChildren().setAll(new Label(Messages.tr("Histogram")), histogram, clippingLabel, new Label(Messages.tr("Waveform")), waveform);
+        VisibilityListener.attach(this, this::subscribe);
     }
 
     private static ImageView view(String id, String text) {
@@ -54,32 +54,33 @@ public final class ScopesPane extends VBox {
     }
 
     /** Follows the picture. */
-    private Subscription follow() {
-        return Subscription.combine(picture.renderingProperty().subscribe(_ -> look()), picture.viewProperty().subscribe(_ -> look()),
+    private Subscription subscribe() {
+        return Subscription.combine(picture.renderStateProperty().subscribe(_ -> update()), picture.viewProperty().subscribe(_ -> update()),
                 () -> frame = null, feed::close);
     }
 
-    private void look() {
-        Frame now = picture.frame();
+    private void update() {
+        Frame newFrame = picture.frame();
         ViewTransform view = picture.viewProperty().get();
-        if (now == null || now == frame && view.equals(shown)) {
+        if (newFrame == null || newFrame == frame && view.equals(shownView)) {
             return;
         }
-        frame = now;
-        shown = view;
+        frame = newFrame;
+        shownView = view;
         feed.request();
     }
 
-    private Optional<Counted> count() {
-        return Optional.ofNullable(frame).map(about -> Scopes.of(about.seen(), shown))
-                .map(scopes -> new Counted(scopes, scopes.histogramPixels(HEIGHT), scopes.waveformPixels()));
+    private Optional<ScopeImages> computeImages() {
+        return Optional.ofNullable(frame).map(source -> Scopes.of(source.displayed(), shownView))
+                .map(scopes -> new ScopeImages(scopes, scopes.histogramPixels(HEIGHT), scopes.waveformPixels()));
     }
 
-    private void show(Counted counted) {
-        Scopes scopes = counted.scopes();
-        histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, counted.bars()));
-        waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, counted.wave()));
-        cut.setText(String.format(Texts.locale(), Texts.of("%.1f %% of a channel at black, %.1f %% at white"), 100 * scopes.shareOf(0),
-                100 * scopes.shareOf(Scopes.CODES - 1)));
+    private void show(ScopeImages images) {
+        Scopes scopes = images.scopes();
+        histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, images.histogramPixels()));
+        waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, images.waveformPixels()));
+        clippingLabel.setText(
+                String.format(Messages.locale(), Messages.tr("%.1f %% of a channel at black, %.1f %% at white"), 100 * scopes.pixelShare(0),
+                        100 * scopes.pixelShare(Scopes.CODES - 1)));
     }
 }

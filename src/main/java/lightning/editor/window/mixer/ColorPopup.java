@@ -8,93 +8,94 @@ import javafx.scene.layout.StackPane;
 import javafx.stage.Popup;
 import javafx.util.Subscription;
 import lightning.base.math.Rgb;
-import lightning.base.text.Texts;
-import lightning.editor.document.Channel;
-import lightning.editor.document.Hsv;
-import lightning.editor.document.Kelvin;
-import lightning.editor.document.Steps;
+import lightning.base.text.Messages;
+import lightning.editor.document.ColorTemperature;
+import lightning.editor.document.HsvColor;
+import lightning.editor.document.MixerChannel;
+import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.ColorSliders;
-import lightning.editor.window.widget.Gauge;
-import lightning.editor.window.widget.Looks;
-import lightning.scene.Limits;
+import lightning.editor.window.widget.ColorTheme;
+import lightning.editor.window.widget.NumberSetting;
+import lightning.scene.SceneLimits;
 
 /** The colour of a strip, below its chip until the mouse goes elsewhere. All strips that are selected with it get the same. */
 final class ColorPopup {
     private static final double WIDTH = 300;
 
-    private final Board board;
-    private final Channel channel;
-    private final double most;
+    private final MixerModel model;
+    private final MixerChannel channel;
+    private final double maxValue;
     private final ColorSliders sliders;
 
-    ColorPopup(Board board, Channel channel) {
-        this.board = board;
+    ColorPopup(MixerModel model, MixerChannel channel) {
+        this.model = model;
         this.channel = channel;
-        most = channel instanceof Channel.OfBank ? 1 : Limits.MAX_LIGHT_COLOR;
-        sliders = channel instanceof Channel.OfBank
-                ? ColorSliders.ofSurface(channel.title(), Texts.of("The gel, a factor of its lights' colours"), 1, new Target())
+        maxValue = channel instanceof MixerChannel.OfLightGroup ? 1 : SceneLimits.MAX_LIGHT_COLOR;
+        sliders = channel instanceof MixerChannel.OfLightGroup
+                ? ColorSliders.forSurface(channel.title(), Messages.tr("The gel, a factor of its lights' colours"), 1, new Target())
                 : new ColorSliders(new Target());
     }
 
-    void show(Node below) {
+    void show(Node anchor) {
         var pane = new StackPane(sliders);
         pane.getStyleClass().addAll("color-popup", "root");
-        Looks.color(pane);
+        ColorTheme.applyTo(pane);
         pane.setId("color-popup");
         pane.setPrefWidth(WIDTH);
         var popup = new Popup();
         popup.setAutoHide(true);
         popup.setHideOnEscape(true);
         popup.getContent().add(pane);
-        Looks.dress(popup.getScene());
-        Subscription shown = board.editor().sceneProperty().subscribe(scene -> {
+        ColorTheme.style(popup.getScene());
+        Subscription subscription = model.editor().sceneProperty().subscribe(scene -> {
             if (channel.isIn(scene)) {
                 channel.color(scene).ifPresent(sliders::show);
             } else {
                 popup.hide();
             }
         });
-        popup.setOnHidden(_ -> shown.unsubscribe());
-        Bounds at = below.localToScreen(below.getBoundsInLocal());
-        popup.show(below, at.getMinX(), at.getMaxY() + 4);
+        popup.setOnHidden(_ -> subscription.unsubscribe());
+        Bounds bounds = anchor.localToScreen(anchor.getBoundsInLocal());
+        popup.show(anchor, bounds.getMinX(), bounds.getMaxY() + 4);
     }
 
-    private Gauge gauge(String title, BiFunction<Rgb, Double, Rgb> with) {
-        return Gauge.of(title, new Steps(0.1, 0, most), (v, gesture) -> set(c -> with.apply(c, v), gesture));
+    private NumberSetting gauge(String title, BiFunction<Rgb, Double, Rgb> setter) {
+        return NumberSetting.of(title, new StepRange(0.1, 0, maxValue), (v, gesture) -> set(c -> setter.apply(c, v), gesture));
     }
 
     private interface ColorEdit {
-        Rgb of(Rgb color);
+        Rgb apply(Rgb color);
     }
 
     private Optional<String> set(ColorEdit edit, Object gesture) {
-        return board.each(channel, (scene, c) -> c.color(scene).map(now -> c.withColor(scene, edit.of(now))).orElse(scene), gesture);
+        return model.editSelected(channel, (scene, c) -> c.color(scene).map(now -> c.withColor(scene, edit.apply(now))).orElse(scene),
+                gesture);
     }
 
     private final class Target implements ColorSliders.Target {
         @Override
-        public Gauge red() {
+        public NumberSetting red() {
             return gauge("red", (c, v) -> new Rgb(v, c.g(), c.b()));
         }
 
         @Override
-        public Gauge green() {
+        public NumberSetting green() {
             return gauge("green", (c, v) -> new Rgb(c.r(), v, c.b()));
         }
 
         @Override
-        public Gauge blue() {
+        public NumberSetting blue() {
             return gauge("blue", (c, v) -> new Rgb(c.r(), c.g(), v));
         }
 
         @Override
-        public Optional<String> hsv(Hsv color, Object gesture) {
+        public Optional<String> hsv(HsvColor color, Object gesture) {
             return set(_ -> color.rgb(), gesture);
         }
 
         @Override
         public Optional<String> temperature(double kelvin, Object gesture) {
-            return set(c -> Kelvin.rgb(kelvin).times(c.isBlack() ? 1 : c.max()), gesture);
+            return set(c -> ColorTemperature.rgb(kelvin).times(c.isBlack() ? 1 : c.max()), gesture);
         }
     }
 }

@@ -16,54 +16,54 @@ import javafx.scene.layout.Region;
  * and down keys go a tenth of a stop, a hundredth with Shift, and Page Up and Page Down one stop. At its lower end it is dark.
  */
 final class Fader extends Region {
-    private static final double CAP = 16;
-    private static final double FINE = 0.1;
-    private static final double KEY = 0.1;
+    private static final double CAP_HEIGHT = 16;
+    private static final double FINE_FACTOR = 0.1;
+    private static final double KEY_STEP = 0.1;
     /** Pixels from the press: less is a hand that shakes in a double click. */
-    private static final double DRAGGED = 3;
+    private static final double DRAG_THRESHOLD = 3;
     /** Stops that a drag sets are whole hundredths. */
-    private static final double GRAIN = 100;
+    private static final double STEPS_PER_STOP = 100;
 
     private final double range;
-    private final boolean darkens;
-    private final Hand hand;
+    private final boolean canTurnOff;
+    private final Callbacks callbacks;
     private final Region slot = new Region();
-    private final Region zero = new Region();
+    private final Region zeroMark = new Region();
     private final Region cap = new Region();
     private final DoubleProperty stops = new SimpleDoubleProperty();
     private Object gesture;
     /** Whether the last press became a drag: a press soon after it is no double click. */
-    private boolean dragged;
+    private boolean isDrag;
     private double pressedY;
-    private double from;
-    private double at;
+    private double startStops;
+    private double dragStops;
     private double lastY;
 
     /** What the fader moves. */
-    interface Hand {
+    interface Callbacks {
         /** @param gesture a new object for each drag; null for a step of its own */
         void move(double stops, Object gesture);
 
         /** A drag begins, of which the next moves with this gesture are. */
-        void begin();
+        void startDrag();
 
         /** The drag is over. */
-        void end();
+        void endDrag();
     }
 
     /**
      * @param range   stops up and down from 0
-     * @param darkens whether the lower end is no light at all
+     * @param canTurnOff whether the lower end is no light at all
      */
-    Fader(String title, double range, boolean darkens, Hand hand) {
+    Fader(String title, double range, boolean canTurnOff, Callbacks callbacks) {
         this.range = range;
-        this.darkens = darkens;
-        this.hand = hand;
+        this.canTurnOff = canTurnOff;
+        this.callbacks = callbacks;
         getStyleClass().add("fader");
         slot.getStyleClass().add("slot");
-        zero.getStyleClass().add("zero");
+        zeroMark.getStyleClass().add("zero");
         cap.getStyleClass().add("cap");
-        getChildren().addAll(slot, zero, cap);
+        getChildren().addAll(slot, zeroMark, cap);
         getChildren().forEach(part -> part.setMouseTransparent(true));
         setAccessibleRole(AccessibleRole.SLIDER);
         setAccessibleText(title);
@@ -72,7 +72,7 @@ final class Fader extends Region {
         setOnMousePressed(this::press);
         setOnMouseDragged(this::drag);
         setOnMouseReleased(_ -> release());
-        addEventHandler(KeyEvent.KEY_PRESSED, this::key);
+        addEventHandler(KeyEvent.KEY_PRESSED, this::handleKey);
         stops.subscribe(_ -> requestLayout());
     }
 
@@ -87,13 +87,13 @@ final class Fader extends Region {
     }
 
     /** Where the middle of the cap is for so many stops, pixels from the top. */
-    double place(double v) {
-        double part = (Math.clamp(v, -range, range) + range) / (2 * range);
-        return CAP / 2 + (1 - part) * (getHeight() - CAP);
+    double capY(double v) {
+        double fraction = (Math.clamp(v, -range, range) + range) / (2 * range);
+        return CAP_HEIGHT / 2 + (1 - fraction) * (getHeight() - CAP_HEIGHT);
     }
 
     private double stopsPerPixel() {
-        return 2 * range / Math.max(1, getHeight() - CAP);
+        return 2 * range / Math.max(1, getHeight() - CAP_HEIGHT);
     }
 
     private void press(MouseEvent e) {
@@ -101,17 +101,17 @@ final class Fader extends Region {
         if (e.getButton() != MouseButton.PRIMARY) {
             return;
         }
-        if (e.getClickCount() == 2 && !dragged) {
-            hand.move(0, null);
+        if (e.getClickCount() == 2 && !isDrag) {
+            callbacks.move(0, null);
             return;
         }
-        dragged = false;
+        isDrag = false;
         pressedY = e.getY();
         gesture = new Object();
-        from = stops.get();
-        at = Math.clamp(from, -range, range);
+        startStops = stops.get();
+        dragStops = Math.clamp(startStops, -range, range);
         lastY = e.getY();
-        hand.begin();
+        callbacks.startDrag();
         e.consume();
     }
 
@@ -119,35 +119,36 @@ final class Fader extends Region {
         if (gesture == null) {
             return;
         }
-        dragged |= Math.abs(e.getY() - pressedY) >= DRAGGED;
-        at += (lastY - e.getY()) * stopsPerPixel() * (e.isShiftDown() ? FINE : 1);
+        isDrag |= Math.abs(e.getY() - pressedY) >= DRAG_THRESHOLD;
+        dragStops += (lastY - e.getY()) * stopsPerPixel() * (e.isShiftDown() ? FINE_FACTOR : 1);
         lastY = e.getY();
-        double to = Math.clamp(at, -range, range);
-        hand.move(darkens && to <= -range ? Double.NEGATIVE_INFINITY : Math.rint(to * GRAIN) / GRAIN, gesture);
+        double newStops = Math.clamp(dragStops, -range, range);
+        callbacks.move(canTurnOff && newStops <= -range ? Double.NEGATIVE_INFINITY : Math.rint(newStops * STEPS_PER_STOP) / STEPS_PER_STOP,
+                gesture);
         e.consume();
     }
 
     private void release() {
         if (gesture != null) {
             gesture = null;
-            hand.end();
+            callbacks.endDrag();
         }
     }
 
-    private void key(KeyEvent e) {
-        double by = switch (e.getCode()) {
-            case UP -> e.isShiftDown() ? KEY * FINE : KEY;
-            case DOWN -> e.isShiftDown() ? -KEY * FINE : -KEY;
+    private void handleKey(KeyEvent e) {
+        double step = switch (e.getCode()) {
+            case UP -> e.isShiftDown() ? KEY_STEP * FINE_FACTOR : KEY_STEP;
+            case DOWN -> e.isShiftDown() ? -KEY_STEP * FINE_FACTOR : -KEY_STEP;
             case PAGE_UP -> 1;
             case PAGE_DOWN -> -1;
             default -> 0;
         };
-        if (by != 0 && gesture == null) {
+        if (step != 0 && gesture == null) {
             double now = Double.isInfinite(stops.get()) ? -range : stops.get();
-            hand.move(Math.rint((now + by) * GRAIN) / GRAIN, null);
+            callbacks.move(Math.rint((now + step) * STEPS_PER_STOP) / STEPS_PER_STOP, null);
             e.consume();
         } else if (e.getCode() == KeyCode.ESCAPE && gesture != null) {
-            hand.move(from, gesture);
+            callbacks.move(startStops, gesture);
             release();
             e.consume();
         }
@@ -166,8 +167,8 @@ final class Fader extends Region {
     @Override
     protected void layoutChildren() {
         double middle = getWidth() / 2;
-        slot.resizeRelocate(middle - 2, CAP / 2, 4, getHeight() - CAP);
-        zero.resizeRelocate(middle - 9, Math.rint(place(0)), 18, 1);
-        cap.resizeRelocate(middle - 13, Math.rint(place(stops.get()) - CAP / 2), 26, CAP);
+        slot.resizeRelocate(middle - 2, CAP_HEIGHT / 2, 4, getHeight() - CAP_HEIGHT);
+        zeroMark.resizeRelocate(middle - 9, Math.rint(capY(0)), 18, 1);
+        cap.resizeRelocate(middle - 13, Math.rint(capY(stops.get()) - CAP_HEIGHT / 2), 26, CAP_HEIGHT);
     }
 }

@@ -5,10 +5,10 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
-import lightning.editor.document.Steps;
-import lightning.editor.window.widget.Gauge;
+import lightning.base.text.Messages;
+import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.NumberField;
+import lightning.editor.window.widget.NumberSetting;
 
 /**
  * Makes all that shines brighter or darker. The scene keeps it in the lights' own intensities, so that the fader stands at 0 again
@@ -17,52 +17,52 @@ import lightning.editor.window.widget.NumberField;
 final class MasterStrip extends VBox {
     private static final double RANGE = 5;
 
-    private final Board board;
-    private final Thumbnail thumbnail = new Thumbnail(Texts.of("master"));
+    private final MixerModel model;
+    private final Thumbnail thumbnail = new Thumbnail(Messages.tr("master"));
     private final Fader fader;
     private final NumberField stops;
 
-    MasterStrip(Board board) {
-        this.board = board;
+    MasterStrip(MixerModel model) {
+        this.model = model;
         setId("strip-master");
         getStyleClass().addAll("strip", "master-strip");
-        var name = new Label(Texts.of("Master"));
+        var name = new Label(Messages.tr("Master"));
         name.getStyleClass().add("strip-head");
-        fader = new Fader(Texts.of("master fader"), RANGE, false, new Hand());
+        fader = new Fader(Messages.tr("master fader"), RANGE, false, new FaderCallbacks());
         fader.setId("fader-master");
-        stops = new NumberField(Texts.of("master stops"), Gauge.of("stops", new Steps(0.1, -100, 100), board::master));
+        stops = new NumberField(Messages.tr("master stops"), NumberSetting.of("stops", new StepRange(0.1, -100, 100), model::setMaster));
         stops.setId("stops-master");
-        stops.setTooltip(new Tooltip(Texts.of("Stops to add to all lights and the environment")));
+        stops.setTooltip(new Tooltip(Messages.tr("Stops to add to all lights and the environment")));
         stops.show(0);
         VBox.setVgrow(fader, Priority.ALWAYS);
-        var note = new Label(Texts.of("stops, all lights"));
+        var note = new Label(Messages.tr("stops, all lights"));
         note.getStyleClass().add("part");
         getChildren().addAll(name, thumbnail, fader, stops, note);
     }
 
-    private final class Hand implements Fader.Hand {
+    private final class FaderCallbacks implements Fader.Callbacks {
         @Override
-        public void begin() {
-            board.begin();
+        public void startDrag() {
+            model.beginDrag();
         }
 
         @Override
-        public void move(double to, Object gesture) {
-            if (board.master(to, gesture).isEmpty() && gesture != null) {
-                fader.show(to);
-                stops.show(to);
+        public void move(double newStops, Object gesture) {
+            if (model.setMaster(newStops, gesture).isEmpty() && gesture != null) {
+                fader.show(newStops);
+                stops.show(newStops);
             }
         }
 
         @Override
-        public void end() {
-            board.end();
+        public void endDrag() {
+            model.endDrag();
             fader.show(0);
             stops.show(0);
         }
     }
 
-    void show(SharePictures pictures) {
-        thumbnail.show(Optional.of(pictures.whole()));
+    void show(ChannelImages images) {
+        thumbnail.show(Optional.of(images.master()));
     }
 }

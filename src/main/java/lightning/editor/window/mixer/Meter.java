@@ -7,7 +7,7 @@ final class Meter extends Region {
     private static final double WIDTH = 6;
 
     private final Region bar = new Region();
-    private double part;
+    private double level;
 
     Meter() {
         getStyleClass().add("meter");
@@ -21,13 +21,13 @@ final class Meter extends Region {
 
     /** @param v 0…1 */
     void show(double v) {
-        part = v;
+        level = v;
         requestLayout();
     }
 
     @Override
     protected void layoutChildren() {
-        double high = Math.min(1, part) * getHeight();
-        bar.resizeRelocate(0, getHeight() - high, getWidth(), high);
+        double barHeight = Math.min(1, level) * getHeight();
+        bar.resizeRelocate(0, getHeight() - barHeight, getWidth(), barHeight);
     }
 }

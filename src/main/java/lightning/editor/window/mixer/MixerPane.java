@@ -21,15 +21,15 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.util.Subscription;
-import lightning.base.text.Texts;
-import lightning.editor.document.Channel;
+import lightning.base.text.Messages;
+import lightning.editor.document.MixerChannel;
 import lightning.editor.document.Workbench;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.command.AtOnce;
+import lightning.editor.window.command.ForcedLiveUpdate;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.widget.Slices;
-import lightning.editor.window.widget.WhileSeen;
+import lightning.editor.window.widget.TimeSlicedTask;
+import lightning.editor.window.widget.VisibilityListener;
 import lightning.scene.Scene;
 
 /**
@@ -39,79 +39,79 @@ import lightning.scene.Scene;
 public final class MixerPane extends VBox {
     private final SceneEditor editor;
     private final TracedPicture picture;
-    private final Executor window;
-    private final Board board;
-    private final ShareFeed feed;
+    private final Executor windowExecutor;
+    private final MixerModel model;
+    private final ChannelImageFeed feed;
     /** In the order of the scene; those that are still to be made have no strip. */
-    private List<Channel> channels = List.of();
-    private final Map<Channel, Strip> strips = new HashMap<>();
-    private final Slices making = new Slices(this::makeNext);
+    private List<MixerChannel> channels = List.of();
+    private final Map<MixerChannel, MixerStrip> strips = new HashMap<>();
+    private final TimeSlicedTask stripBuilder = new TimeSlicedTask(this::buildNextStrip);
     private final HBox row = new HBox();
     private final MasterStrip master;
     private final TextField search = new TextField();
     private final ChoiceBox<StripFilter> filter = new ChoiceBox<>();
     private final Label count = new Label();
-    private SharePictures pictures;
-    private Frame looked;
+    private ChannelImages images;
+    private Frame lastFrame;
 
-    /** @param window runs tasks in turn on the window's thread */
-    public MixerPane(SceneEditor editor, TracedPicture picture, Workbench workbench, Executor window) {
+    /** @param windowExecutor runs tasks in turn on the window's thread */
+    public MixerPane(SceneEditor editor, TracedPicture picture, Workbench workbench, Executor windowExecutor) {
         this.editor = editor;
         this.picture = picture;
-        this.window = window;
-        board = new Board(editor);
-        feed = new ShareFeed(workbench, picture.viewProperty(), window, this::show);
-        master = new MasterStrip(board);
+        this.windowExecutor = windowExecutor;
+        model = new MixerModel(editor);
+        feed = new ChannelImageFeed(workbench, picture.viewProperty(), windowExecutor, this::show);
+        master = new MasterStrip(model);
         setId("mixer");
         getStyleClass().add("mixer");
         row.getStyleClass().add("strips");
         row.setId("strips");
-        new StripDrag(board, this::shown).on(row);
+        new StripDrag(model, this::shownStrips).attach(row);
         var scroll = new ScrollPane(row);
         scroll.setFitToHeight(true);
         scroll.getStyleClass().add("edge-to-edge");
         HBox.setHgrow(scroll, Priority.ALWAYS);
-        var desk = new HBox(scroll, master);
-        VBox.setVgrow(desk, Priority.ALWAYS);
-        getChildren().addAll(tools(), desk);
-        addEventHandler(KeyEvent.KEY_PRESSED, this::key);
-        board.selectedProperty().subscribe(_ -> choose());
-        WhileSeen.follow(this, this::follow);
+        var body = new HBox(scroll, master);
+        VBox.setVgrow(body, Priority.ALWAYS);
+        getChildren().addAll(toolBar(), body);
+        addEventHandler(KeyEvent.KEY_PRESSED, this::handleKey);
+        model.selectedProperty().subscribe(_ -> updateSelection());
+        VisibilityListener.attach(this, this::subscribe);
     }
 
     /** Follows the scene and the picture. */
-    private Subscription follow() {
+    private Subscription subscribe() {
         // The keyboard is at a fader, and not in the search; what scrolls is in the window only when that has its looks.
-        window.execute(() -> shown().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
+        windowExecutor.execute(() -> shownStrips().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
         return Subscription.combine(editor.sceneProperty().subscribe(this::show),
-                picture.renderingProperty().subscribe(state -> look(state.frame())),
-                picture.viewProperty().subscribe(_ -> feed.look()),
+                picture.renderStateProperty().subscribe(state -> updateFrame(state.frame())),
+                picture.viewProperty().subscribe(_ -> feed.refresh()),
                 editor.selection().lightProperty().subscribe(light -> {
                     if (light != null) {
-                        board.follow(light);
+                        model.followSelection(light);
                     }
-                }), AtOnce.whileFocused(this, editor, window), making::end, feed::close);
+                }), ForcedLiveUpdate.renderWhileFocused(this, editor, windowExecutor), stripBuilder::cancel, feed::close);
     }
 
-    private Node tools() {
+    private Node toolBar() {
         search.setId("mixer-search");
-        search.setPromptText(Texts.of("Search"));
-        search.setAccessibleText(Texts.of("search strips by name or type"));
-        search.textProperty().subscribe(_ -> arrange());
+        search.setPromptText(Messages.tr("Search"));
+        search.setAccessibleText(Messages.tr("search strips by name or type"));
+        search.textProperty().subscribe(_ -> updateStrips());
         filter.setId("mixer-filter");
-        filter.setAccessibleText(Texts.of("which strips are shown"));
+        filter.setAccessibleText(Messages.tr("which strips are shown"));
         filter.getItems().setAll(StripFilter.values());
         filter.setValue(StripFilter.ALL);
-        filter.valueProperty().subscribe(_ -> arrange());
+        filter.valueProperty().subscribe(_ -> updateStrips());
         var mode = new ToggleGroup();
-        var relative = toggle("relative", Texts.of("Relative"), Texts.of("Several strips change by the same factor"), mode);
-        var absolute = toggle("absolute", Texts.of("Absolute"), Texts.of("Several strips get the same value"), mode);
+        var relative = toggle("relative", Messages.tr("Relative"), Messages.tr("Several strips change by the same factor"), mode);
+        var absolute = toggle("absolute", Messages.tr("Absolute"), Messages.tr("Several strips get the same value"), mode);
         relative.setSelected(true);
         mode.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {
                 mode.selectToggle(before);
             } else {
-                board.relativeProperty().set(now == relative);
+                model.relativeProperty().set(now == relative);
             }
         });
         count.setId("mixer-count");
@@ -136,97 +136,97 @@ public final class MixerPane extends VBox {
         return button;
     }
 
-    private void key(KeyEvent e) {
+    private void handleKey(KeyEvent e) {
         if (e.isShortcutDown() && e.getCode() == KeyCode.A && !(e.getTarget() instanceof TextField)) {
-            board.set(shown().stream().map(Strip::channel).toList());
+            model.setSelected(shownStrips().stream().map(MixerStrip::channel).toList());
             e.consume();
         }
     }
 
-    private void look(Frame frame) {
-        if (frame != null && frame != looked) {
-            looked = frame;
-            feed.look();
+    private void updateFrame(Frame frame) {
+        if (frame != null && frame != lastFrame) {
+            lastFrame = frame;
+            feed.refresh();
         }
     }
 
     private void show(Scene scene) {
-        List<Channel> all = Channel.all(scene);
-        if (!channels.equals(all)) {
-            channels = all;
-            strips.keySet().retainAll(all);
-            board.set(board.selectedProperty().get().stream().filter(all::contains).toList());
+        List<MixerChannel> sceneChannels = MixerChannel.channelsOf(scene);
+        if (!channels.equals(sceneChannels)) {
+            channels = sceneChannels;
+            strips.keySet().retainAll(sceneChannels);
+            model.setSelected(model.selectedProperty().get().stream().filter(sceneChannels::contains).toList());
             showPictures();
         }
         strips.values().forEach(strip -> strip.show(scene));
-        arrange();
-        making.begin();
+        updateStrips();
+        stripBuilder.start();
     }
 
     /** Makes the strip of the first channel that has none: with many lights all together would hold up the window. */
-    private boolean makeNext() {
-        Optional<Channel> next = channels.stream().filter(channel -> !strips.containsKey(channel)).findFirst();
+    private boolean buildNextStrip() {
+        Optional<MixerChannel> next = channels.stream().filter(channel -> !strips.containsKey(channel)).findFirst();
         next.ifPresent(channel -> {
-            var strip = new Strip(board, channel);
+            var strip = new MixerStrip(model, channel);
             strips.put(channel, strip);
             strip.show(editor.scene());
-            strip.setChosen(board.isSelected(channel));
+            strip.setSelected(model.isSelected(channel));
             showPicture(strip);
-            arrange();
-            Slices.style(strip);
+            updateStrips();
+            TimeSlicedTask.applyStyle(strip);
         });
         return next.isPresent();
     }
 
-    private void show(SharePictures now) {
-        pictures = now;
+    private void show(ChannelImages newImages) {
+        images = newImages;
         showPictures();
-        master.show(now);
+        master.show(newImages);
     }
 
     private void showPictures() {
         strips.values().forEach(this::showPicture);
     }
 
-    private void showPicture(Strip strip) {
-        if (pictures != null) {
-            strip.show(pictures.of(strip.channel(), editor.scene()));
+    private void showPicture(MixerStrip strip) {
+        if (images != null) {
+            strip.show(images.of(strip.channel(), editor.scene()));
         }
     }
 
-    private void choose() {
-        strips.forEach((channel, strip) -> strip.setChosen(board.isSelected(channel)));
+    private void updateSelection() {
+        strips.forEach((channel, strip) -> strip.setSelected(model.isSelected(channel)));
     }
 
     /** The strips that are seen, from the left. */
-    private List<Strip> shown() {
-        return row.getChildren().stream().map(Strip.class::cast).toList();
+    private List<MixerStrip> shownStrips() {
+        return row.getChildren().stream().map(MixerStrip.class::cast).toList();
     }
 
-    private void arrange() {
+    private void updateStrips() {
         Scene scene = editor.scene();
         StripFilter chosen = Optional.ofNullable(filter.getValue()).orElse(StripFilter.ALL);
-        List<Channel> found = channels.stream().filter(c -> c.isIn(scene))
-                .filter(c -> chosen.shows(c, scene) && StripFilter.finds(search.getText(), c, scene)).toList();
-        List<Strip> wanted = found.stream().map(strips::get).filter(Objects::nonNull).toList();
-        if (!shown().equals(wanted)) {
-            put(wanted);
+        List<MixerChannel> found = channels.stream().filter(c -> c.isIn(scene))
+                .filter(c -> chosen.includes(c, scene) && StripFilter.matches(search.getText(), c, scene)).toList();
+        List<MixerStrip> visible = found.stream().map(strips::get).filter(Objects::nonNull).toList();
+        if (!shownStrips().equals(visible)) {
+            setStrips(visible);
         }
-        count.setText(found.size() == channels.size() ? "" : Texts.of("{0} of {1} strips", found.size(), channels.size()));
+        count.setText(found.size() == channels.size() ? "" : Messages.tr("{0} of {1} strips", found.size(), channels.size()));
     }
 
     /** A strip that is put in again would take on its looks anew. */
-    private void put(List<Strip> wanted) {
-        List<Node> there = row.getChildren();
-        there.retainAll(wanted);
-        if (there.equals(wanted.stream().filter(there::contains).toList())) {
-            for (int i = 0; i < wanted.size(); i++) {
-                if (i == there.size() || there.get(i) != wanted.get(i)) {
-                    there.add(i, wanted.get(i));
+    private void setStrips(List<MixerStrip> visible) {
+        List<Node> children = row.getChildren();
+        children.retainAll(visible);
+        if (children.equals(visible.stream().filter(children::contains).toList())) {
+            for (int i = 0; i < visible.size(); i++) {
+                if (i == children.size() || children.get(i) != visible.get(i)) {
+                    children.add(i, visible.get(i));
                 }
             }
         } else {
-            row.getChildren().setAll(wanted);
+            row.getChildren().setAll(visible);
         }
     }
 }

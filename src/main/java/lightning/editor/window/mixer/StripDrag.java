@@ -6,41 +6,41 @@ import java.util.function.Supplier;
 import javafx.scene.Node;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.HBox;
-import lightning.editor.document.Change;
-import lightning.editor.document.Channel;
-import lightning.editor.document.ChannelEdits;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.MixerChannel;
+import lightning.editor.document.MixerEdits;
 import lightning.scene.Scene;
 
 /** The mouse on the heads of strips: a click selects, a drag puts a light to another place of the scene's order. */
 final class StripDrag {
     /** A hand that clicks moves a little, pixels. */
-    private static final double CLICK = 5;
+    private static final double CLICK_TOLERANCE = 5;
 
-    private final Board board;
-    private final Supplier<List<Strip>> shown;
-    private Strip pressed;
+    private final MixerModel model;
+    private final Supplier<List<MixerStrip>> shownStrips;
+    private MixerStrip pressed;
     private double pressX;
     private boolean dragging;
 
-    /** @param shown the strips that are seen, from the left */
-    StripDrag(Board board, Supplier<List<Strip>> shown) {
-        this.board = board;
-        this.shown = shown;
+    /** @param shownStrips the strips that are seen, from the left */
+    StripDrag(MixerModel model, Supplier<List<MixerStrip>> shownStrips) {
+        this.model = model;
+        this.shownStrips = shownStrips;
     }
 
-    void on(HBox row) {
+    void attach(HBox row) {
         row.addEventHandler(MouseEvent.MOUSE_PRESSED, this::press);
         row.addEventHandler(MouseEvent.MOUSE_DRAGGED, this::drag);
         row.addEventHandler(MouseEvent.MOUSE_RELEASED, this::release);
     }
 
     private void press(MouseEvent e) {
-        pressed = shown.get().stream().filter(s -> isIn(e, s.head())).findFirst().orElse(null);
+        pressed = shownStrips.get().stream().filter(s -> isInside(e, s.head())).findFirst().orElse(null);
         pressX = e.getSceneX();
         dragging = false;
     }
 
-    private static boolean isIn(MouseEvent e, Node part) {
+    private static boolean isInside(MouseEvent e, Node part) {
         for (Node n = e.getTarget() instanceof Node target ? target : null; n != null; n = n.getParent()) {
             if (n == part) {
                 return true;
@@ -50,76 +50,78 @@ final class StripDrag {
     }
 
     private void drag(MouseEvent e) {
-        if (pressed != null && !(pressed.channel() instanceof Channel.OfEnvironment)
-                && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK)) {
+        if (pressed != null && !(pressed.channel() instanceof MixerChannel.OfEnvironment)
+                && (dragging || Math.abs(e.getSceneX() - pressX) > CLICK_TOLERANCE)) {
             dragging = true;
             pressed.setDragged(true);
-            Optional<Strip> next = place(pressed.channel(), e.getSceneX());
-            shown.get().forEach(s -> s.setDrop(next.isPresent() && s == next.get()));
+            Optional<MixerStrip> next = dropTarget(pressed.channel(), e.getSceneX());
+            shownStrips.get().forEach(s -> s.setDropTarget(next.isPresent() && s == next.get()));
         }
     }
 
     /** The strip that a dragged one would come before; empty at the end. */
-    private Optional<Strip> next(double x) {
-        return shown.get().stream().filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst();
+    private Optional<MixerStrip> nextStrip(double x) {
+        return shownStrips.get().stream().filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst();
     }
 
     /** Where it would be dropped: a bank comes before a bank, or behind all. */
-    private Optional<Strip> place(Channel dragged, double x) {
-        return dragged instanceof Channel.OfBank ? shown.get().stream().filter(s -> s.channel() instanceof Channel.OfBank)
-                .filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst() : next(x);
+    private Optional<MixerStrip> dropTarget(MixerChannel dragged, double x) {
+        return dragged instanceof MixerChannel.OfLightGroup
+                ? shownStrips.get().stream().filter(s -> s.channel() instanceof MixerChannel.OfLightGroup)
+                        .filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst()
+                : nextStrip(x);
     }
 
-    private static Optional<String> bank(Optional<Strip> strip) {
-        return strip.map(Strip::channel).map(Channel::title);
+    private static Optional<String> groupName(Optional<MixerStrip> strip) {
+        return strip.map(MixerStrip::channel).map(MixerChannel::title);
     }
 
     private void release(MouseEvent e) {
         if (pressed == null) {
             return;
         }
-        Strip strip = pressed;
+        MixerStrip strip = pressed;
         pressed = null;
-        shown.get().forEach(s -> s.setDrop(false));
+        shownStrips.get().forEach(s -> s.setDropTarget(false));
         strip.setDragged(false);
         if (dragging) {
-            Optional<Strip> next = place(strip.channel(), e.getSceneX());
+            Optional<MixerStrip> next = dropTarget(strip.channel(), e.getSceneX());
             if (next.isEmpty() || next.get() != strip) {
-                board.edit(scene -> switch (strip.channel()) {
-                    case Channel.OfLight(String light) -> drop(scene, light, next);
-                    case Channel.OfBank(String bank) -> ChannelEdits.moveBank(scene, bank, bank(next));
-                    case Channel.OfEnvironment _ -> new Change.To(scene);
+                model.edit(scene -> switch (strip.channel()) {
+                    case MixerChannel.OfLight(String light) -> dropLight(scene, light, next);
+                    case MixerChannel.OfLightGroup(String bank) -> MixerEdits.moveLightGroup(scene, bank, groupName(next));
+                    case MixerChannel.OfEnvironment _ -> new EditOutcome.Applied(scene);
                 }, null);
             }
         } else if (e.isShiftDown()) {
-            board.selectTo(strip.channel(), shown.get().stream().map(Strip::channel).toList());
+            model.selectRange(strip.channel(), shownStrips.get().stream().map(MixerStrip::channel).toList());
         } else if (e.isShortcutDown()) {
-            board.toggle(strip.channel());
+            model.toggle(strip.channel());
         } else {
-            board.select(strip.channel());
+            model.select(strip.channel());
         }
     }
 
-    private Change drop(Scene scene, String light, Optional<Strip> next) {
-        if (next.isPresent() && next.get().channel() instanceof Channel.OfLight(String before)) {
-            return ChannelEdits.moveBefore(scene, light, before);
+    private EditOutcome dropLight(Scene scene, String light, Optional<MixerStrip> next) {
+        if (next.isPresent() && next.get().channel() instanceof MixerChannel.OfLight(String before)) {
+            return MixerEdits.moveBefore(scene, light, before);
         }
-        List<Strip> all = shown.get();
-        int at = next.map(all::indexOf).orElse(all.size());
+        List<MixerStrip> strips = shownStrips.get();
+        int index = next.map(strips::indexOf).orElse(strips.size());
         // Behind the last strip before that is of a light or a bank.
-        for (int i = at - 1; i >= 0; i--) {
-            switch (all.get(i).channel()) {
-                case Channel.OfLight(String name) -> {
-                    return ChannelEdits.moveLast(scene, light, scene.light(name).map(l -> l.bank()).orElse(""));
+        for (int i = index - 1; i >= 0; i--) {
+            switch (strips.get(i).channel()) {
+                case MixerChannel.OfLight(String name) -> {
+                    return MixerEdits.moveToEnd(scene, light, scene.light(name).map(l -> l.lightGroup()).orElse(""));
                 }
-                case Channel.OfBank(String bank) -> {
-                    return ChannelEdits.moveLast(scene, light, bank);
+                case MixerChannel.OfLightGroup(String bank) -> {
+                    return MixerEdits.moveToEnd(scene, light, bank);
                 }
-                case Channel.OfEnvironment _ -> {
+                case MixerChannel.OfEnvironment _ -> {
                     // It stands behind all lights.
                 }
             }
         }
-        return ChannelEdits.moveLast(scene, light, "");
+        return MixerEdits.moveToEnd(scene, light, "");
     }
 }

@@ -1,16 +1,17 @@
 package lightning.editor.window.mixer;
 
 import java.util.Locale;
-import lightning.base.text.Texts;
-import lightning.editor.document.Channel;
+import lightning.base.text.Messages;
+import lightning.editor.document.MixerChannel;
 import lightning.editor.window.widget.LightTypes;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /** Which strips of the board are seen. */
 enum StripFilter {
-    ALL(Texts.key("All")), SHINING(Texts.key("Shining")), DARK(Texts.key("Dark")), SOLO(Texts.key("Solo")), MUTED(Texts.key("Muted")),
-    BANKS(Texts.key("Banks"));
+    ALL(Messages.key("All")), SHINING(Messages.key("Shining")), DARK(Messages.key("Dark")), SOLO(Messages.key("Solo")),
+    MUTED(Messages.key("Muted")),
+    LIGHT_GROUPS(Messages.key("Banks"));
 
     private final String title;
 
@@ -20,29 +21,29 @@ enum StripFilter {
 
     @Override
     public String toString() {
-        return Texts.of(title);
+        return Messages.tr(title);
     }
 
-    boolean shows(Channel channel, Scene scene) {
+    boolean includes(MixerChannel channel, Scene scene) {
         return switch (this) {
             case ALL -> true;
-            case SHINING -> channel.shines(scene);
-            case DARK -> !channel.shines(scene);
+            case SHINING -> channel.isShining(scene);
+            case DARK -> !channel.isShining(scene);
             case SOLO -> channel.isSolo(scene);
             case MUTED -> !channel.isOn(scene);
-            case BANKS -> channel instanceof Channel.OfBank;
+            case LIGHT_GROUPS -> channel instanceof MixerChannel.OfLightGroup;
         };
     }
 
     /** Whether a strip's name, its bank's or its type has the words. */
-    static boolean finds(String words, Channel channel, Scene scene) {
-        String all = channel.title() + switch (channel) {
-            case Channel.OfLight(String name) -> scene.light(name).map(StripFilter::words).orElse("");
-            case Channel.OfBank _ -> Texts.of(" bank");
-            case Channel.OfEnvironment _ -> "";
+    static boolean matches(String query, MixerChannel channel, Scene scene) {
+        String title = channel.title() + switch (channel) {
+            case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");
+            case MixerChannel.OfLightGroup _ -> Messages.tr(" bank");
+            case MixerChannel.OfEnvironment _ -> "";
         };
-        String text = all.toLowerCase(Locale.ROOT);
-        for (String word : words.strip().toLowerCase(Locale.ROOT).split("\\s+")) {
+        String text = title.toLowerCase(Locale.ROOT);
+        for (String word : query.strip().toLowerCase(Locale.ROOT).split("\\s+")) {
             if (!text.contains(word)) {
                 return false;
             }
@@ -50,7 +51,7 @@ enum StripFilter {
         return true;
     }
 
-    private static String words(Light light) {
-        return " " + light.bank() + " " + LightTypes.title(light.type());
+    private static String searchText(Light light) {
+        return " " + light.lightGroup() + " " + LightTypes.title(light.type());
     }
 }

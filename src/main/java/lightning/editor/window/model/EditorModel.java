@@ -2,12 +2,12 @@ package lightning.editor.window.model;
 
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.FileThread;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.PreviewCamera;
-import lightning.editor.document.Recovery;
+import lightning.editor.document.RecoveryFolder;
 import lightning.editor.document.Workbench;
 import lightning.render.image.ViewTransform;
 
@@ -17,21 +17,21 @@ import lightning.render.image.ViewTransform;
  */
 public final class EditorModel implements AutoCloseable {
     private final FileThread files;
-    private final FileWork fileWork = new FileWork(this::refresh);
-    private final KeyChoice keyChoice = new KeyChoice(this::refresh);
-    private final Arrangement arrangement = new Arrangement();
-    private final MachineChoice machineChoice = new MachineChoice();
-    private final PreviewLook previewLook = new PreviewLook();
-    private final PicturePart part = new PicturePart();
-    private final ObjectProperty<Precision> precision = new SimpleObjectProperty<>(Precision.EXACT);
-    private final ObjectProperty<Speech> speech = new SimpleObjectProperty<>(Speech.SYSTEM);
+    private final FileActivity fileActivity = new FileActivity(this::refresh);
+    private final KeySelection keySelection = new KeySelection(this::refresh);
+    private final WindowLayout layout = new WindowLayout();
+    private final RenderMachines renderMachines = new RenderMachines();
+    private final PreviewSettings previewSettings = new PreviewSettings();
+    private final PicturePointer picturePointer = new PicturePointer();
+    private final ObjectProperty<AccuracyMode> accuracyMode = new SimpleObjectProperty<>(AccuracyMode.EXACT);
+    private final ObjectProperty<UiLanguage> language = new SimpleObjectProperty<>(UiLanguage.SYSTEM);
     private final Workbench workbench;
     private final SceneEditor editor;
     private final TracedPicture picture;
-    private final Commands commands;
-    private final PictureLook look;
-    private final MaterialChoice materials;
-    private final FileBringer bringer;
+    private final CommandRegistry commands;
+    private final PictureDisplay pictureDisplay;
+    private final MaterialSelection materials;
+    private final FileImporter fileImporter;
     private final UpdateLog updates;
 
     /**
@@ -40,35 +40,36 @@ public final class EditorModel implements AutoCloseable {
      * @param recovery keeps unsaved edits for the case of a crash
      * @param files    reads and writes beside the window's thread
      */
-    public EditorModel(OpenDocument first, Recovery recovery, FileThread files) {
-        this(first, Glimpse.none(ViewTransform.DEFAULT), recovery, files);
+    public EditorModel(OpenDocument document, RecoveryFolder recovery, FileThread files) {
+        this(document, StartupPreview.none(ViewTransform.DEFAULT), recovery, files);
     }
 
     /**
      * The same where the scene is looked at already.
      *
-     * @param seen of the document's scene
+     * @param preview of the document's scene
      */
-    public EditorModel(OpenDocument first, Glimpse seen, Recovery recovery, FileThread files) {
+    public EditorModel(OpenDocument document, StartupPreview preview, RecoveryFolder recovery, FileThread files) {
         this.files = files;
-        workbench = new Workbench(first, precision.get().options(), recovery, files, this::refresh, this::progressed, seen.raster(),
-                why -> files.window().execute(() -> sayNotKept(why)));
-        editor = new SceneEditor(workbench, previewLook.cameraProperty(), fileWork, keyChoice);
-        picture = new TracedPicture(workbench, seen.raster());
-        updates = new UpdateLog(picture.renderingProperty());
-        commands = new Commands(editor.situationProperty(), editor.message());
-        look = new PictureLook(editor, workbench, commands);
-        materials = new MaterialChoice(editor);
-        bringer = new FileBringer(editor, files);
-        precision.addListener((_, _, now) -> workbench.reopen(now.options()));
+        workbench =
+                new Workbench(document, accuracyMode.get().options(), recovery, files, this::refresh, this::progressed, preview.raster(),
+                        failure -> files.windowExecutor().execute(() -> reportAutosaveFailure(failure)));
+        editor = new SceneEditor(workbench, previewSettings.cameraProperty(), fileActivity, keySelection);
+        picture = new TracedPicture(workbench, preview.raster());
+        updates = new UpdateLog(picture.renderStateProperty());
+        commands = new CommandRegistry(editor.editorStateProperty(), editor.message());
+        pictureDisplay = new PictureDisplay(editor, workbench, commands);
+        materials = new MaterialSelection(editor);
+        fileImporter = new FileImporter(editor, files);
+        accuracyMode.addListener((_, _, mode) -> workbench.changeOptions(mode.options()));
         addCommands();
-        opened();
-        workbench.begin(seen.coarse());
+        documentOpened();
+        workbench.setStartupPreview(preview.coarse());
         workbench.go();
     }
 
-    private void sayNotKept(Throwable why) {
-        editor.message().show(Texts.of("The last edits could not be kept for the case of a crash: {0}", Sentence.of(why)));
+    private void reportAutosaveFailure(Throwable failure) {
+        editor.message().show(Messages.tr("The last edits could not be kept for the case of a crash: {0}", ErrorMessage.of(failure)));
     }
 
     private void addCommands() {
@@ -78,20 +79,20 @@ public final class EditorModel implements AutoCloseable {
         commands.setAction(Command.CANCEL, this::cancel);
         commands.setAction(Command.UNDO, workbench::undo);
         commands.setAction(Command.REDO, workbench::redo);
-        LightActions.addTo(editor, workbench, commands);
-        NodeActions.addTo(editor, commands);
-        ShotActions.addTo(editor, keyChoice, arrangement, commands);
-        LookThrough.addTo(commands, editor, previewLook.cameraProperty());
-        commands.setSwitch(Command.LIVE, editor.liveProperty());
-        commands.setSwitch(Command.HIDE_PANELS, arrangement.panelsHiddenProperty());
-        commands.setSwitch(Command.TIMELINE, arrangement.timelineShownProperty());
-        commands.setSwitch(Command.FILM_STRIP, arrangement.filmStripShownProperty(), () -> {
-            var shown = arrangement.filmStripShownProperty();
+        LightActions.register(editor, workbench, commands);
+        NodeActions.register(editor, commands);
+        ShotActions.register(editor, keySelection, layout, commands);
+        LightCameraToggle.register(commands, editor, previewSettings.cameraProperty());
+        commands.setToggle(Command.LIVE, editor.liveProperty());
+        commands.setToggle(Command.HIDE_PANELS, layout.panelsHiddenProperty());
+        commands.setToggle(Command.TIMELINE, layout.timelineShownProperty());
+        commands.setToggle(Command.FILM_STRIP, layout.filmStripShownProperty(), () -> {
+            var shown = layout.filmStripShownProperty();
             shown.set(!shown.get());
-            arrangement.timelineShownProperty().set(arrangement.timelineShownProperty().get() || shown.get());
+            layout.timelineShownProperty().set(layout.timelineShownProperty().get() || shown.get());
         });
-        commands.setSwitch(Command.HIDE_GIZMOS, previewLook.gizmosHiddenProperty());
-        commands.setSwitch(Command.GLOWING_TEXTURES, previewLook.glowingProperty());
+        commands.setToggle(Command.HIDE_GIZMOS, previewSettings.gizmosHiddenProperty());
+        commands.setToggle(Command.GLOWING_TEXTURES, previewSettings.glowingTexturesProperty());
     }
 
     /** Takes another document in place of the open one, and traces it. Unsaved edits are lost: ask before. */
@@ -99,28 +100,28 @@ public final class EditorModel implements AutoCloseable {
         editor.dropAnimation();
         workbench.open(other);
         picture.repaint();
-        opened();
+        documentOpened();
     }
 
     /** Takes what a crash left unsaved in place of the open document, and traces it. */
-    public void recover(Recovery.Found found, OpenDocument recovered) {
+    public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
         editor.dropAnimation();
-        workbench.recover(found, recovered);
+        workbench.recover(recoverable, recovered);
         picture.repaint();
-        opened();
+        documentOpened();
     }
 
-    private void opened() {
+    private void documentOpened() {
         OpenDocument document = workbench.document();
-        previewLook.cameraProperty().set(PreviewCamera.of(document.scene()));
-        arrangement.timelineShownProperty().set(document.moment().isPresent());
+        previewSettings.cameraProperty().set(PreviewCamera.of(document.scene()));
+        layout.timelineShownProperty().set(document.shotFrame().isPresent());
         document.scene().lights().stream().findFirst().ifPresent(l -> document.selectLight(l.name()));
         refresh();
     }
 
     /** Stops what runs, and waits no longer for what is read. */
     private void cancel() {
-        if (fileWork.giveUp()) {
+        if (fileActivity.cancel()) {
             // How far it was.
             editor.message().clear();
         }
@@ -133,7 +134,7 @@ public final class EditorModel implements AutoCloseable {
     }
 
     private void progressed() {
-        picture.progressed();
+        picture.update();
     }
 
     /** The open document's scene, its selection, and the edits of both. */
@@ -147,22 +148,22 @@ public final class EditorModel implements AutoCloseable {
     }
 
     /** What of the traced picture is shown. */
-    public PictureLook look() {
-        return look;
+    public PictureDisplay pictureDisplay() {
+        return pictureDisplay;
     }
 
     /** Which part of the traced picture the artist points at. */
-    public PicturePart part() {
-        return part;
+    public PicturePointer picturePointer() {
+        return picturePointer;
     }
 
     /** How the preview looks, and from where. */
-    public PreviewLook previewLook() {
-        return previewLook;
+    public PreviewSettings previewSettings() {
+        return previewSettings;
     }
 
     /** What the commands do, their keys, and which of them have something to do. */
-    public Commands commands() {
+    public CommandRegistry commands() {
         return commands;
     }
 
@@ -171,18 +172,18 @@ public final class EditorModel implements AutoCloseable {
         return workbench;
     }
 
-    public ObjectProperty<Precision> precisionProperty() {
-        return precision;
+    public ObjectProperty<AccuracyMode> accuracyModeProperty() {
+        return accuracyMode;
     }
 
     /** Which material is edited. */
-    public MaterialChoice materials() {
+    public MaterialSelection materials() {
         return materials;
     }
 
     /** Which keys of the shot are chosen. */
-    public KeyChoice keyChoice() {
-        return keyChoice;
+    public KeySelection keySelection() {
+        return keySelection;
     }
 
     /** What the last updates of the picture did. */
@@ -196,28 +197,28 @@ public final class EditorModel implements AutoCloseable {
     }
 
     /** The file that is read or written, which may be given up. */
-    public FileWork fileWork() {
-        return fileWork;
+    public FileActivity fileActivity() {
+        return fileActivity;
     }
 
     /** Brings files from elsewhere beside the scene. */
-    public FileBringer bringer() {
-        return bringer;
+    public FileImporter fileImporter() {
+        return fileImporter;
     }
 
     /** How the window's room is shared. */
-    public Arrangement arrangement() {
-        return arrangement;
+    public WindowLayout layout() {
+        return layout;
     }
 
     /** Which other machines hold frames, where the artist wants that. */
-    public MachineChoice machineChoice() {
-        return machineChoice;
+    public RenderMachines renderMachines() {
+        return renderMachines;
     }
 
     /** What the editor speaks from its next start on; titles and labels that stand on the screen stay as they are. */
-    public ObjectProperty<Speech> speechProperty() {
-        return speech;
+    public ObjectProperty<UiLanguage> languageProperty() {
+        return language;
     }
 
     /** Stops the threads; nothing is saved. */

@@ -11,8 +11,8 @@ import lightning.scene.Scene;
 public final class FramePlayer {
     private final SceneEditor editor;
     private final TracedPicture picture;
-    private final BooleanSupplier ends;
-    private final LongPredicate next;
+    private final BooleanSupplier stopCondition;
+    private final LongPredicate showNextFrame;
     private final ReadOnlyBooleanWrapper playing = new ReadOnlyBooleanWrapper();
     private final AnimationTimer timer = new AnimationTimer() {
         @Override
@@ -20,17 +20,17 @@ public final class FramePlayer {
             pulse(now);
         }
     };
-    private Scene awaited;
+    private Scene awaitedScene;
 
     /**
-     * @param ends whether to stop playing
-     * @param next shows another frame if one is due at a time in nanoseconds; returns whether one was
+     * @param stopCondition whether to stop playing
+     * @param showNextFrame shows another frame if one is due at a time in nanoseconds; returns whether one was
      */
-    public FramePlayer(SceneEditor editor, TracedPicture picture, BooleanSupplier ends, LongPredicate next) {
+    public FramePlayer(SceneEditor editor, TracedPicture picture, BooleanSupplier stopCondition, LongPredicate showNextFrame) {
         this.editor = editor;
         this.picture = picture;
-        this.ends = ends;
-        this.next = next;
+        this.stopCondition = stopCondition;
+        this.showNextFrame = showNextFrame;
     }
 
     public ReadOnlyBooleanProperty playingProperty() {
@@ -43,7 +43,7 @@ public final class FramePlayer {
 
     /** Starts when the picture of the scene that is shown now is finished. */
     public void play() {
-        awaited = editor.scene();
+        awaitedScene = editor.scene();
         playing.set(true);
         timer.start();
     }
@@ -55,10 +55,10 @@ public final class FramePlayer {
     }
 
     private void pulse(long now) {
-        if (ends.getAsBoolean() || picture.renderingProperty().get().problem() != null) {
+        if (stopCondition.getAsBoolean() || picture.renderStateProperty().get().problem() != null) {
             stop();
-        } else if (picture.frame() != null && picture.frame().scene().equals(awaited) && next.test(now)) {
-            awaited = editor.scene();
+        } else if (picture.frame() != null && picture.frame().scene().equals(awaitedScene) && showNextFrame.test(now)) {
+            awaitedScene = editor.scene();
         }
     }
 }

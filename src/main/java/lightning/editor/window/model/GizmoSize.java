@@ -1,10 +1,10 @@
 package lightning.editor.window.model;
 
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /** How large the lights' wireframes are drawn. */
 public enum GizmoSize {
-    SMALL(Texts.key("Small"), 0.6), NORMAL(Texts.key("Normal"), 1), LARGE(Texts.key("Large"), 1.6);
+    SMALL(Messages.key("Small"), 0.6), NORMAL(Messages.key("Normal"), 1), LARGE(Messages.key("Large"), 1.6);
 
     private final String title;
     private final double factor;
@@ -21,6 +21,6 @@ public enum GizmoSize {
 
     @Override
     public String toString() {
-        return Texts.of(title);
+        return Messages.tr(title);
     }
 }

@@ -2,13 +2,13 @@ package lightning.editor.window.model;
 
 import java.util.List;
 import java.util.function.BiFunction;
-import lightning.base.text.Decimal;
-import lightning.base.text.Texts;
-import lightning.editor.document.BankEdits;
-import lightning.editor.document.Beside;
-import lightning.editor.document.Change;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.DuplicateOffset;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
+import lightning.editor.document.LightGroupEdits;
 import lightning.editor.document.Workbench;
 import lightning.scene.Light;
 import lightning.scene.LightType;
@@ -24,7 +24,7 @@ final class LightActions {
         selection = editor.selection();
     }
 
-    static void addTo(SceneEditor editor, Workbench bench, Commands commands) {
+    static void register(SceneEditor editor, Workbench bench, CommandRegistry commands) {
         var actions = new LightActions(editor);
         StatusMessage message = editor.message();
         commands.setAction(Command.UNDO_LIGHT, () -> bench.undoLight().ifPresent(message::show));
@@ -32,15 +32,16 @@ final class LightActions {
         commands.setAction(Command.ADD_LIGHT, () -> actions.add(LightType.POINT));
         commands.setAction(Command.DUPLICATE_LIGHT, actions::duplicate);
         commands.setAction(Command.DELETE_LIGHT, () -> actions.edit(LightEdits::delete));
-        commands.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.on(s, n, !actions.selection.light().on())));
-        commands.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.solo(s, n, !actions.selection.light().solo())));
-        commands.setAction(Command.NEW_BANK, () -> actions.edit(BankEdits::add));
-        commands.setAction(Command.DELETE_BANK, () -> actions.edit((s, n) -> BankEdits.delete(s, LightEdits.light(s, n).bank())));
+        commands.setAction(Command.SWITCH_ON, () -> actions.edit((s, n) -> LightEdits.setOn(s, n, !actions.selection.light().on())));
+        commands.setAction(Command.SOLO, () -> actions.edit((s, n) -> LightEdits.setSolo(s, n, !actions.selection.light().solo())));
+        commands.setAction(Command.NEW_BANK, () -> actions.edit(LightGroupEdits::create));
+        commands.setAction(Command.DELETE_BANK,
+                () -> actions.edit((s, n) -> LightGroupEdits.delete(s, LightEdits.light(s, n).lightGroup())));
         commands.setAction(Command.COPY_SETTINGS, bench::copySettings);
         commands.setAction(Command.PASTE_SETTINGS, () -> bench.pasteSettings().ifPresent(message::show));
     }
 
-    private void edit(BiFunction<Scene, String, Change> edit) {
+    private void edit(BiFunction<Scene, String, EditOutcome> edit) {
         String light = selection.lightName();
         editor.editOrReport(scene -> edit.apply(scene, light));
     }
@@ -59,13 +60,14 @@ final class LightActions {
             List<Light> lights = editor.scene().lights();
             String copy = lights.get(lights.indexOf(original) + 1).name();
             selection.selectLight(copy);
-            tellBeside(editor, copy, original.name());
+            reportDuplicateOffset(editor, copy, original.name());
         }
     }
 
     /** Tells where a copy stands. */
-    static void tellBeside(SceneEditor editor, String copy, String original) {
+    static void reportDuplicateOffset(SceneEditor editor, String copy, String original) {
         editor.message()
-                .show(Texts.of("{0} stands {1} beside {2}, along x", copy, Decimal.text(Beside.length(editor.scene())), original));
+                .show(Messages.tr("{0} stands {1} beside {2}, along x", copy, DecimalNumber.format(DuplicateOffset.length(editor.scene())),
+                        original));
     }
 }

@@ -2,25 +2,25 @@ package lightning.editor.window.model;
 
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
-import lightning.scene.Node;
+import lightning.scene.SceneNode;
 
 /** What the commands do to the selected shape or group. */
 final class NodeActions {
     private NodeActions() {}
 
-    static void addTo(SceneEditor editor, Commands commands) {
+    static void register(SceneEditor editor, CommandRegistry commands) {
         commands.setAction(Command.SHOW_SHAPE, () -> editor.selection().node()
-                .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.visible(scene, n.name(), !n.visible()))));
+                .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.setVisible(scene, n.name(), !n.visible()))));
         commands.setAction(Command.DUPLICATE_SHAPE, () -> editor.selection().node().ifPresent(n -> duplicate(editor, n)));
         commands.setAction(Command.DELETE_SHAPE, () -> editor.selection().node()
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.delete(scene, n.name()))));
     }
 
     /** The copy is selected. */
-    private static void duplicate(SceneEditor editor, Node original) {
-        String copy = NodeEdits.copyOf(editor.scene(), original.name());
+    private static void duplicate(SceneEditor editor, SceneNode original) {
+        String copy = NodeEdits.copyName(editor.scene(), original.name());
         if (editor.editAndSelect(scene -> NodeEdits.duplicate(scene, original.name()), copy).isEmpty()) {
-            LightActions.tellBeside(editor, copy, original.name());
+            LightActions.reportDuplicateOffset(editor, copy, original.name());
         }
     }
 }

@@ -8,12 +8,12 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleBooleanProperty;
-import lightning.base.text.Texts;
-import lightning.editor.document.Change;
+import lightning.base.text.Messages;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.OpenDocument;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Selection;
-import lightning.editor.document.Situation;
 import lightning.editor.document.Workbench;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
@@ -25,28 +25,28 @@ import lightning.scene.shot.AnimatedScene;
 public final class SceneEditor {
     private final ReadOnlyObjectWrapper<OpenDocument> document = new ReadOnlyObjectWrapper<>();
     private final ReadOnlyObjectWrapper<Scene> scene = new ReadOnlyObjectWrapper<>();
-    private final ReadOnlyObjectWrapper<Situation> situation = new ReadOnlyObjectWrapper<>();
+    private final ReadOnlyObjectWrapper<EditorState> editorState = new ReadOnlyObjectWrapper<>();
     private final BooleanProperty live = new SimpleBooleanProperty();
-    private final BooleanProperty materialInFront = new SimpleBooleanProperty();
+    private final BooleanProperty materialShown = new SimpleBooleanProperty();
     private final StatusMessage message = new StatusMessage();
     private final SceneSelection selection;
     private final Workbench workbench;
     private final ObjectProperty<PreviewCamera> previewCamera;
-    private final FileWork fileWork;
-    private final KeyChoice keyChoice;
+    private final FileActivity fileActivity;
+    private final KeySelection keySelection;
     /** What an open animation shows in place of the document; null where none is open. */
-    private Scene staged;
+    private Scene animationScene;
 
     /** @param previewCamera follows the scene's camera from frame to frame while it is the same */
-    SceneEditor(Workbench workbench, ObjectProperty<PreviewCamera> previewCamera, FileWork fileWork, KeyChoice keyChoice) {
+    SceneEditor(Workbench workbench, ObjectProperty<PreviewCamera> previewCamera, FileActivity fileActivity, KeySelection keySelection) {
         this.workbench = workbench;
         this.previewCamera = previewCamera;
-        this.fileWork = fileWork;
-        this.keyChoice = keyChoice;
-        selection = new SceneSelection(workbench, situationProperty(), materialInFront);
+        this.fileActivity = fileActivity;
+        this.keySelection = keySelection;
+        selection = new SceneSelection(workbench, editorStateProperty(), materialShown);
         live.addListener((_, _, on) -> {
             workbench.setLive(on);
-            stage(staged);
+            setAnimationScene(animationScene);
         });
     }
 
@@ -60,8 +60,8 @@ public final class SceneEditor {
     }
 
     /** Everything that decides which commands are enabled. */
-    public ReadOnlyObjectProperty<Situation> situationProperty() {
-        return situation.getReadOnlyProperty();
+    public ReadOnlyObjectProperty<EditorState> editorStateProperty() {
+        return editorState.getReadOnlyProperty();
     }
 
     /** Whether edits are rendered as they are made, without Go. */
@@ -70,8 +70,8 @@ public final class SceneEditor {
     }
 
     /** Whether the properties of the material are shown in place of those of the selection. */
-    public BooleanProperty materialInFrontProperty() {
-        return materialInFront;
+    public BooleanProperty materialShownProperty() {
+        return materialShown;
     }
 
     public SceneSelection selection() {
@@ -87,7 +87,7 @@ public final class SceneEditor {
     }
 
     public Scene scene() {
-        return staged == null ? document().scene() : staged;
+        return animationScene == null ? document().scene() : animationScene;
     }
 
     /**
@@ -95,7 +95,7 @@ public final class SceneEditor {
      *
      * @return why it was refused; empty if it was made
      */
-    public Optional<String> edit(Function<Scene, Change> edit) {
+    public Optional<String> edit(Function<Scene, EditOutcome> edit) {
         return edit(edit, null);
     }
 
@@ -104,24 +104,24 @@ public final class SceneEditor {
      *
      * @param gesture any object that stands for one drag, told by identity; null for a step of its own
      */
-    public Optional<String> edit(Function<Scene, Change> edit, Object gesture) {
+    public Optional<String> edit(Function<Scene, EditOutcome> edit, Object gesture) {
         message.clear();
-        Change change = edit.apply(scene());
-        if (staged == null) {
+        EditOutcome change = edit.apply(scene());
+        if (animationScene == null) {
             return workbench.edit(change, gesture);
         }
-        stage(change.or(staged));
+        setAnimationScene(change.sceneOr(animationScene));
         return change.refusal();
     }
 
     /** Makes an edit as {@link #edit(Function)} does, and shows a refusal in the status line. */
-    public Optional<String> editOrReport(Function<Scene, Change> edit) {
+    public Optional<String> editOrReport(Function<Scene, EditOutcome> edit) {
         return editOrReport(edit, null);
     }
 
     /** Makes an edit as {@link #edit(Function, Object)} does, and shows a refusal in the status line. */
-    public Optional<String> editOrReport(Function<Scene, Change> edit, Object gesture) {
-        return reported(edit(edit, gesture));
+    public Optional<String> editOrReport(Function<Scene, EditOutcome> edit, Object gesture) {
+        return reportRefusal(edit(edit, gesture));
     }
 
     /**
@@ -131,27 +131,27 @@ public final class SceneEditor {
      * @param gesture as in {@link #edit(Function, Object)}
      * @return why it was refused; empty if it was made
      */
-    public Optional<String> editAll(UnaryOperator<AnimatedScene> edit, Object gesture) {
+    public Optional<String> editShot(UnaryOperator<AnimatedScene> edit, Object gesture) {
         message.clear();
-        if (staged != null) {
-            return Optional.of(Texts.of("an animation is open; close it first"));
+        if (animationScene != null) {
+            return Optional.of(Messages.tr("an animation is open; close it first"));
         }
-        return workbench.editAll(() -> edit.apply(document().content()), gesture);
+        return workbench.editShot(() -> edit.apply(document().content()), gesture);
     }
 
-    /** Makes an edit as {@link #editAll} does, and shows a refusal in the status line. */
-    public Optional<String> editAllOrReport(UnaryOperator<AnimatedScene> edit, Object gesture) {
-        return reported(editAll(edit, gesture));
+    /** Makes an edit as {@link #editShot} does, and shows a refusal in the status line. */
+    public Optional<String> editShotOrReport(UnaryOperator<AnimatedScene> edit, Object gesture) {
+        return reportRefusal(editShot(edit, gesture));
     }
 
     /** Makes an edit of the document, shows a refusal in the status line, and selects the shape or the group of a name if it was made. */
-    Optional<String> editAndSelect(Function<Scene, Change> edit, String node) {
+    Optional<String> editAndSelect(Function<Scene, EditOutcome> edit, String node) {
         message.clear();
-        materialInFront.set(false);
-        return reported(workbench.editAndSelect(edit.apply(document().scene()), new Selection.OfNode(node)));
+        materialShown.set(false);
+        return reportRefusal(workbench.editAndSelect(edit.apply(document().scene()), new Selection.OfNode(node)));
     }
 
-    private Optional<String> reported(Optional<String> refusal) {
+    private Optional<String> reportRefusal(Optional<String> refusal) {
         refusal.ifPresent(message::show);
         return refusal;
     }
@@ -167,34 +167,34 @@ public final class SceneEditor {
 
     /** Renders the scene as edited. */
     public void go() {
-        if (staged == null) {
+        if (animationScene == null) {
             workbench.go();
         } else {
-            workbench.show(staged);
+            workbench.show(animationScene);
         }
     }
 
     /** Whether an animation is open: edits then are no edits of the document, and are gone when it is closed. */
     public boolean isAnimating() {
-        return staged != null;
+        return animationScene != null;
     }
 
     public void beginAnimation() {
-        staged = document().scene();
+        animationScene = document().scene();
         workbench.setAnimating(true);
     }
 
     /** Shows and renders a scene of the animation. */
-    public void animate(Scene frame) {
-        staged = frame;
+    public void showAnimationScene(Scene frame) {
+        animationScene = frame;
         workbench.show(frame);
     }
 
-    private void stage(Scene frame) {
-        staged = frame;
+    private void setAnimationScene(Scene frame) {
+        animationScene = frame;
         refresh();
-        if (staged != null && live.get() && situation.get().isPending()) {
-            workbench.show(staged);
+        if (animationScene != null && live.get() && editorState.get().hasPendingEdits()) {
+            workbench.show(animationScene);
         }
     }
 
@@ -202,14 +202,14 @@ public final class SceneEditor {
     public void endAnimation() {
         dropAnimation();
         workbench.setAnimating(false);
-        if (situation.get().isPending()) {
+        if (editorState.get().hasPendingEdits()) {
             go();
         }
     }
 
     /** Ends an animation whose document is about to be closed. */
     void dropAnimation() {
-        staged = null;
+        animationScene = null;
     }
 
     /** Takes over what the workbench has now. */
@@ -217,9 +217,11 @@ public final class SceneEditor {
         document.set(document());
         scene.set(scene());
         selection.refresh(scene());
-        Situation now =
-                workbench.situation().withReading(fileWork.file() != null).withChosenKeys(keyChoice.settled(document().content()));
-        situation.set(staged == null ? now
-                : now.withStaged(staged, Optional.ofNullable(selection.light()), document().selection().node(staged)));
+        EditorState state =
+                workbench.editorState().withReading(fileActivity.file() != null)
+                        .withSelectedKeyCount(keySelection.retainExisting(document().content()));
+        editorState.set(animationScene == null ? state
+                : state.withAnimationScene(animationScene, Optional.ofNullable(selection.light()),
+                        document().selection().node(animationScene)));
     }
 }

@@ -5,25 +5,25 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.value.ObservableObjectValue;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.Selection;
-import lightning.editor.document.Situation;
 import lightning.editor.document.Workbench;
 import lightning.scene.Light;
-import lightning.scene.Node;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 
 /** The light, shape or group that the artist selected, as the shown scene has it. */
 public final class SceneSelection {
     private final ReadOnlyObjectWrapper<Light> light = new ReadOnlyObjectWrapper<>();
     private final Workbench workbench;
-    private final ObservableObjectValue<Situation> situation;
-    private final BooleanProperty materialInFront;
+    private final ObservableObjectValue<EditorState> editorState;
+    private final BooleanProperty materialShown;
 
-    /** @param materialInFront whether a material's properties cover those of the selection: set to false by a selection */
-    SceneSelection(Workbench workbench, ObservableObjectValue<Situation> situation, BooleanProperty materialInFront) {
+    /** @param materialShown whether a material's properties cover those of the selection: set to false by a selection */
+    SceneSelection(Workbench workbench, ObservableObjectValue<EditorState> editorState, BooleanProperty materialShown) {
         this.workbench = workbench;
-        this.situation = situation;
-        this.materialInFront = materialInFront;
+        this.editorState = editorState;
+        this.materialShown = materialShown;
     }
 
     /** The selected light; null if none is selected. */
@@ -41,8 +41,8 @@ public final class SceneSelection {
     }
 
     /** The selected shape or group; empty while a light is selected. */
-    public Optional<Node> node() {
-        return situation.get().node();
+    public Optional<SceneNode> node() {
+        return editorState.get().selectedNode();
     }
 
     /** Selects the light of that name; nothing where there is none, or for null. */
@@ -51,14 +51,14 @@ public final class SceneSelection {
             workbench.select(Selection.NONE);
         } else {
             workbench.selectLight(name);
-            materialInFront.set(false);
+            materialShown.set(false);
         }
     }
 
     /** Selects the shape or the group of that name in place of a light; nothing where there is none. */
     public void selectNode(String name) {
         workbench.select(new Selection.OfNode(name));
-        materialInFront.set(false);
+        materialShown.set(false);
     }
 
     /** Takes the selected light from the scene that is shown now. */

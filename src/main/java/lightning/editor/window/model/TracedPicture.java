@@ -15,7 +15,7 @@ import lightning.scene.Scene;
 
 /** The traced picture: its pixels, the progress of the next one, and how linear light becomes display pixels. */
 public final class TracedPicture {
-    private final ReadOnlyObjectWrapper<RenderState> rendering = new ReadOnlyObjectWrapper<>(RenderState.NONE);
+    private final ReadOnlyObjectWrapper<RenderState> renderState = new ReadOnlyObjectWrapper<>(RenderState.NONE);
     private final LongProperty repaints = new SimpleLongProperty();
     private final ObjectProperty<ViewTransform> view = new SimpleObjectProperty<>();
     private final Workbench workbench;
@@ -35,13 +35,13 @@ public final class TracedPicture {
     }
 
     /** The last picture, and the progress of the next one. */
-    public ReadOnlyObjectProperty<RenderState> renderingProperty() {
-        return rendering.getReadOnlyProperty();
+    public ReadOnlyObjectProperty<RenderState> renderStateProperty() {
+        return renderState.getReadOnlyProperty();
     }
 
     /** The last picture; null before the first. */
     public Frame frame() {
-        return rendering.get().frame();
+        return renderState.get().frame();
     }
 
     /** How linear light becomes display pixels. */
@@ -64,21 +64,21 @@ public final class TracedPicture {
     }
 
     /** Shows a film of the scene that is being rendered, made by another machine, until its own picture is there. */
-    public void showAhead(Film film, Scene of) {
-        raster.ahead(film, of);
+    public void showRemote(Film film, Scene scene) {
+        raster.showRemote(film, scene);
         repaint();
     }
 
     /** Shows what the workbench renders now, where that is another picture or further. */
     void refresh() {
-        if (rendering.get() != workbench.rendering()) {
-            progressed();
+        if (renderState.get() != workbench.renderState()) {
+            update();
         }
     }
 
     /** Shows what the workbench renders now; the raster may have changed without it. */
-    void progressed() {
-        rendering.set(workbench.rendering());
+    void update() {
+        renderState.set(workbench.renderState());
         repaint();
     }
 }

@@ -17,36 +17,36 @@ public final class TracedRaster implements RenderListener {
     public record Pixels(int width, int height, int[] pixels) {}
 
     /** The columns and rows that changed, [left, right) and [top, bottom). */
-    public record Dirty(int left, int top, int right, int bottom) {
-        public static final Dirty NONE = new Dirty(Integer.MAX_VALUE, Integer.MAX_VALUE, 0, 0);
+    public record DirtyRect(int left, int top, int right, int bottom) {
+        public static final DirtyRect NONE = new DirtyRect(Integer.MAX_VALUE, Integer.MAX_VALUE, 0, 0);
 
         public boolean isEmpty() {
             return left >= right;
         }
 
-        public Dirty plus(int l, int t, int r, int b) {
-            return new Dirty(Math.min(left, l), Math.min(top, t), Math.max(right, r), Math.max(bottom, b));
+        public DirtyRect plus(int l, int t, int r, int b) {
+            return new DirtyRect(Math.min(left, l), Math.min(top, t), Math.max(right, r), Math.max(bottom, b));
         }
     }
 
     /** Tiles of an unfinished picture are told of together, so that a window does not draw all the time, nanoseconds. */
-    private static final long STEP_NS = 40_000_000;
+    private static final long REPORT_INTERVAL_NS = 40_000_000;
 
     private Pixels pixels;
-    private Film shown;
-    private Film coarse;
+    private Film shownFilm;
+    private Film coarseFilm;
     /** What another machine made of the scene that is being traced; null where that shows none. Likewise the scene. */
-    private Film ahead;
-    private Scene aheadOf;
+    private Film remoteFilm;
+    private Scene remoteScene;
     /** The scene whose picture is shown last, with all its samples; null where it lacks some. */
-    private Scene finished;
+    private Scene finishedScene;
     private ViewTransform view = ViewTransform.DEFAULT;
-    private Dirty dirty = Dirty.NONE;
-    private Dirty patch = Dirty.NONE;
+    private DirtyRect dirty = DirtyRect.NONE;
+    private DirtyRect patch = DirtyRect.NONE;
     /** Tiles of a picture that is not whole yet: whether there are any, what of them was not told, and when the last was. */
-    private boolean unfinished;
-    private Dirty untold = Dirty.NONE;
-    private long toldAt;
+    private boolean isUnfinished;
+    private DirtyRect unreported = DirtyRect.NONE;
+    private long lastReportNs;
 
     /** The pixels now; null before the first picture. */
     public synchronized Pixels pixels() {
@@ -55,55 +55,55 @@ public final class TracedRaster implements RenderListener {
 
     @Override
     public synchronized void rendered(Frame frame) {
-        finished = frame.finished() ? frame.scene() : null;
+        finishedScene = frame.isFinished() ? frame.scene() : null;
         // What it lacks is seen already.
-        if (frame.finished() || frame.scene() != aheadOf || !frame.look().isPlain()) {
-            show(frame.seen());
+        if (frame.isFinished() || frame.scene() != remoteScene || !frame.displayMode().isFullPicture()) {
+            show(frame.displayed());
         } else {
-            shown = frame.seen();
+            shownFilm = frame.displayed();
         }
     }
 
     @Override
-    public synchronized void coarse(Film film, Scene scene) {
-        if (scene == aheadOf) {
+    public synchronized void coarseRendered(Film film, Scene scene) {
+        if (scene == remoteScene) {
             return;
         }
-        coarse(film, scene.picture().width(), scene.picture().height());
+        showCoarse(film, scene.picture().width(), scene.picture().height());
     }
 
     /** A tile comes into what a coarse picture shows; where none did, the whole picture is there soon. */
     @Override
-    public synchronized void tile(Scene scene, int tile, float[][] film) {
+    public synchronized void tileRendered(Scene scene, int tile, float[][] film) {
         int width = scene.picture().width();
         int height = scene.picture().height();
-        if (!fits(width, height) || scene == aheadOf) {
+        if (!hasSize(width, height) || scene == remoteScene) {
             return;
         }
-        int across = Film.tilesAlong(width);
-        int left = tile % across * Film.TILE;
-        int top = tile / across * Film.TILE;
+        int tilesAcross = Film.tilesAlong(width);
+        int left = tile % tilesAcross * Film.TILE_SIZE;
+        int top = tile / tilesAcross * Film.TILE_SIZE;
         view.packTile(film[0], film[1], film[2], left, top, width, pixels.pixels());
-        unfinished = true;
-        untold = untold.plus(left, top, Math.min(left + Film.TILE, width), Math.min(top + Film.TILE, height));
+        isUnfinished = true;
+        unreported = unreported.plus(left, top, Math.min(left + Film.TILE_SIZE, width), Math.min(top + Film.TILE_SIZE, height));
         long now = System.nanoTime();
-        if (now - toldAt > STEP_NS) {
-            dirty = dirty.plus(untold.left(), untold.top(), untold.right(), untold.bottom());
-            untold = Dirty.NONE;
-            toldAt = now;
+        if (now - lastReportNs > REPORT_INTERVAL_NS) {
+            dirty = dirty.plus(unreported.left(), unreported.top(), unreported.right(), unreported.bottom());
+            unreported = DirtyRect.NONE;
+            lastReportNs = now;
         }
     }
 
     /** Goes back from a picture that was given up to the one before. */
     @Override
     public synchronized void idle() {
-        if (coarse == null && !unfinished) {
+        if (coarseFilm == null && !isUnfinished) {
             return;
         }
-        if (shown == null) {
-            forget();
+        if (shownFilm == null) {
+            clear();
         } else {
-            show(shown);
+            show(shownFilm);
         }
     }
 
@@ -111,68 +111,69 @@ public final class TracedRaster implements RenderListener {
      * Shows the picture of a scene that is being traced, as it was made elsewhere, until it is finished here or given up; nothing where it is
      * finished.
      */
-    public synchronized void ahead(Film film, Scene scene) {
-        if (scene == finished) {
+    public synchronized void showRemote(Film film, Scene scene) {
+        if (scene == finishedScene) {
             return;
         }
-        forgetAhead();
-        coarse = null;
-        size(film.width(), film.height());
+        clearRemote();
+        coarseFilm = null;
+        resize(film.width(), film.height());
         pack(film, IntStream.range(0, film.tileCount()).toArray());
-        ahead = film;
-        aheadOf = scene;
-        unfinished = true;
-        untold = Dirty.NONE;
-        patch = Dirty.NONE;
+        remoteFilm = film;
+        remoteScene = scene;
+        isUnfinished = true;
+        unreported = DirtyRect.NONE;
+        patch = DirtyRect.NONE;
     }
 
-    private void forgetAhead() {
-        ahead = null;
-        aheadOf = null;
+    private void clearRemote() {
+        remoteFilm = null;
+        remoteScene = null;
     }
 
     /** The picture of another document is none of this one. */
     @Override
-    public synchronized void forgotten(long number) {
-        forget();
+    public synchronized void pictureDropped(long number) {
+        clear();
     }
 
-    private void forget() {
+    private void clear() {
         pixels = null;
-        shown = null;
-        coarse = null;
-        forgetAhead();
-        finished = null;
-        unfinished = false;
-        untold = Dirty.NONE;
-        dirty = Dirty.NONE;
-        patch = Dirty.NONE;
+        shownFilm = null;
+        coarseFilm = null;
+        clearRemote();
+        finishedScene = null;
+        isUnfinished = false;
+        unreported = DirtyRect.NONE;
+        dirty = DirtyRect.NONE;
+        patch = DirtyRect.NONE;
     }
 
     /** What changed since the last call. */
-    public synchronized Dirty takeDirty() {
-        Dirty taken = dirty;
-        dirty = Dirty.NONE;
-        return taken;
+    public synchronized DirtyRect takeDirty() {
+        DirtyRect result = dirty;
+        dirty = DirtyRect.NONE;
+        return result;
     }
 
     /** Shows another picture; tiles that it shares with the one before are not packed again. */
     synchronized void show(Film film) {
-        boolean fresh = shown == null || coarse != null || unfinished || !patch.isEmpty() || !fits(film.width(), film.height());
-        size(film.width(), film.height());
-        pack(film, IntStream.range(0, film.tileCount()).filter(tile -> fresh || film.red(tile) != shown.red(tile)
-                || film.green(tile) != shown.green(tile) || film.blue(tile) != shown.blue(tile)).toArray());
-        shown = film;
-        coarse = null;
-        forgetAhead();
-        unfinished = false;
-        untold = Dirty.NONE;
-        patch = Dirty.NONE;
+        boolean isNew =
+                shownFilm == null || coarseFilm != null || isUnfinished || !patch.isEmpty() || !hasSize(film.width(), film.height());
+        resize(film.width(), film.height());
+        pack(film, IntStream.range(0, film.tileCount()).filter(tile -> isNew || film.red(tile) != shownFilm.red(tile)
+                || film.green(tile) != shownFilm.green(tile) || film.blue(tile) != shownFilm.blue(tile)).toArray());
+        shownFilm = film;
+        coarseFilm = null;
+        clearRemote();
+        isUnfinished = false;
+        unreported = DirtyRect.NONE;
+        patch = DirtyRect.NONE;
     }
 
     /** Shows a part of another picture of the same size, until the next picture comes. */
-    public synchronized void patch(Film film, Dirty part) {
-        if (!fits(film.width(), film.height())) {
+    public synchronized void patch(Film film, DirtyRect part) {
+        if (!hasSize(film.width(), film.height())) {
             return;
         }
         int[] all = pixels.pixels();
@@ -191,10 +192,10 @@ public final class TracedRaster implements RenderListener {
     }
 
     /** Shows a small picture, enlarged to the size of the one that is being traced. */
-    synchronized void coarse(Film film, int width, int height) {
-        size(width, height);
-        forgetAhead();
-        coarse = film;
+    synchronized void showCoarse(Film film, int width, int height) {
+        resize(width, height);
+        clearRemote();
+        coarseFilm = film;
         int[] small = view.toPixels(film);
         int[] large = pixels.pixels();
         for (int y = 0; y < height; y++) {
@@ -209,13 +210,13 @@ public final class TracedRaster implements RenderListener {
     /** Another exposure: everything is packed again. */
     synchronized void setView(ViewTransform v) {
         view = v;
-        if (ahead != null) {
-            pack(ahead, IntStream.range(0, ahead.tileCount()).toArray());
-        } else if (coarse != null) {
-            coarse(coarse, pixels.width(), pixels.height());
-        } else if (shown != null) {
-            Film film = shown;
-            shown = null;
+        if (remoteFilm != null) {
+            pack(remoteFilm, IntStream.range(0, remoteFilm.tileCount()).toArray());
+        } else if (coarseFilm != null) {
+            showCoarse(coarseFilm, pixels.width(), pixels.height());
+        } else if (shownFilm != null) {
+            Film film = shownFilm;
+            shownFilm = null;
             show(film);
         }
     }
@@ -224,15 +225,15 @@ public final class TracedRaster implements RenderListener {
         return view;
     }
 
-    private boolean fits(int width, int height) {
+    private boolean hasSize(int width, int height) {
         return pixels != null && pixels.width() == width && pixels.height() == height;
     }
 
-    private void size(int width, int height) {
-        if (!fits(width, height)) {
-            patch = Dirty.NONE;
+    private void resize(int width, int height) {
+        if (!hasSize(width, height)) {
+            patch = DirtyRect.NONE;
             pixels = new Pixels(width, height, new int[Math.multiplyExact(width, height)]);
-            dirty = Dirty.NONE.plus(0, 0, width, height);
+            dirty = DirtyRect.NONE.plus(0, 0, width, height);
         }
     }
 
@@ -240,9 +241,9 @@ public final class TracedRaster implements RenderListener {
     private void pack(Film film, int[] tiles) {
         Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, pixels.pixels()));
         for (int tile : tiles) {
-            int left = tile % film.tilesX() * Film.TILE;
-            int top = tile / film.tilesX() * Film.TILE;
-            dirty = dirty.plus(left, top, Math.min(left + Film.TILE, film.width()), Math.min(top + Film.TILE, film.height()));
+            int left = tile % film.tilesX() * Film.TILE_SIZE;
+            int top = tile / film.tilesX() * Film.TILE_SIZE;
+            dirty = dirty.plus(left, top, Math.min(left + Film.TILE_SIZE, film.width()), Math.min(top + Film.TILE_SIZE, film.height()));
         }
     }
 }

@@ -9,27 +9,27 @@ import javafx.collections.ObservableList;
 import lightning.bench.accuracy.WarmSaving;
 import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 
 /** What the last updates of the picture did, the latest first. Numbers alone: no picture is kept alive. */
 public final class UpdateLog {
-    private static final int MOST = 200;
+    private static final int MAX_ENTRIES = 200;
 
     private final ObservableList<Entry> entries = FXCollections.observableArrayList();
 
     /**
      * One update.
      *
-     * @param at       when it was shown
+     * @param shownAt       when it was shown
      * @param update   what it did
-     * @param finished whether the picture had all its samples
-     * @param promise  what the picture is: {@code exact}
+     * @param isFinished whether the picture had all its samples
+     * @param accuracyText  what the picture is: {@code exact}
      * @param saving   what it saves of a full trace; empty while that is not known
      */
-    public record Entry(LocalTime at, Update update, boolean finished, String promise, Optional<WarmSaving> saving) {
+    public record Entry(LocalTime shownAt, UpdateResult update, boolean isFinished, String accuracyText, Optional<WarmSaving> saving) {
         /** All of it in one line. */
         public String text() {
-            return StatusText.of(update, finished, promise, saving);
+            return StatusText.of(update, isFinished, accuracyText, saving);
         }
     }
 
@@ -48,15 +48,16 @@ public final class UpdateLog {
             return;
         }
         var last = entries.isEmpty() ? null : entries.getFirst();
-        if (last == null || last.update() != frame.update() || last.finished() != frame.finished()) {
+        if (last == null || last.update() != frame.update() || last.isFinished() != frame.isFinished()) {
             entries.addFirst(
-                    new Entry(LocalTime.now(ZoneId.systemDefault()), frame.update(), frame.finished(), frame.promise().text(frame.update()),
+                    new Entry(LocalTime.now(ZoneId.systemDefault()), frame.update(), frame.isFinished(),
+                            frame.guarantee().text(frame.update()),
                             state.saving()));
-            if (entries.size() > MOST) {
+            if (entries.size() > MAX_ENTRIES) {
                 entries.removeLast();
             }
         } else if (!last.saving().equals(state.saving())) {
-            entries.set(0, new Entry(last.at(), last.update(), last.finished(), last.promise(), state.saving()));
+            entries.set(0, new Entry(last.shownAt(), last.update(), last.isFinished(), last.accuracyText(), state.saving()));
         }
     }
 }

@@ -13,7 +13,7 @@ import lightning.editor.document.LightGizmo;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
-import lightning.editor.window.model.GizmoPaint;
+import lightning.editor.window.model.GizmoPainter;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -24,17 +24,17 @@ import lightning.scene.Scene;
  */
 final class GizmoLayer extends Pane {
     private static final double HANDLE_EDGE = 4;
-    private static final double DOT = 4;
+    private static final double DOT_SIZE = 4;
     /** The sides of the arrow at the border, pixels, and half the angle of its tip, radians. */
-    private static final double ARROW = 15;
-    private static final double SPREAD = Math.toRadians(26);
+    private static final double ARROW_LENGTH = 15;
+    private static final double ARROW_HALF_ANGLE = Math.toRadians(26);
 
     private final Canvas others = new Canvas();
     private final Canvas selected = new Canvas();
-    private View seen;
+    private View drawnView;
     private List<Light> shining = List.of();
     private List<Light> dark = List.of();
-    private Own own;
+    private SelectedDrawing drawnSelection;
     private int gizmosDrawn;
 
     /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
@@ -56,7 +56,7 @@ final class GizmoLayer extends Pane {
      * @param lines    of the selected light, in the scene; none where none is selected
      * @param position its own; null where none is
      */
-    private record Own(View view, List<LightGizmo.Line> lines, Vec3 position, Marks marks) {}
+    private record SelectedDrawing(View view, List<LightGizmo.Segment> lines, Vec3 position, Marks marks) {}
 
     GizmoLayer() {
         setMouseTransparent(true);
@@ -64,31 +64,31 @@ final class GizmoLayer extends Pane {
     }
 
     /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
-    void draw(Scene scene, Light chosen, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
+    void draw(Scene scene, Light selectedLight, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
         View view = new View(camera, canvas, size);
         List<Light> shiningNow = new ArrayList<>();
         List<Light> darkNow = new ArrayList<>();
         for (Light light : scene.lights()) {
-            if (!light.equals(chosen)) {
-                (scene.shines(light) ? shiningNow : darkNow).add(light);
+            if (!light.equals(selectedLight)) {
+                (scene.isActive(light) ? shiningNow : darkNow).add(light);
             }
         }
-        if (!view.equals(seen) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
+        if (!view.equals(drawnView) || !shiningNow.equals(shining) || !darkNow.equals(dark)) {
             GraphicsContext g = clear(others, canvas);
-            draw(g, shiningNow, GizmoPaint.PLAIN, view);
-            draw(g, darkNow, GizmoPaint.DARK, view);
-            seen = view;
+            draw(g, shiningNow, GizmoPainter.UNSELECTED, view);
+            draw(g, darkNow, GizmoPainter.UNLIT, view);
+            drawnView = view;
             shining = shiningNow;
             dark = darkNow;
         }
-        Own now = chosen == null ? new Own(view, List.of(), null, marks)
-                : new Own(view, LightGizmo.of(chosen, camera, canvas, size).lines(), chosen.position(), marks);
-        if (!now.equals(own)) {
+        SelectedDrawing newSelection = selectedLight == null ? new SelectedDrawing(view, List.of(), null, marks)
+                : new SelectedDrawing(view, LightGizmo.of(selectedLight, camera, canvas, size).lines(), selectedLight.position(), marks);
+        if (!newSelection.equals(drawnSelection)) {
             GraphicsContext g = clear(selected, canvas);
-            draw(g, chosen == null ? List.of() : List.of(chosen), GizmoPaint.SELECTED, view);
-            GizmoPaint.wires(g, marks.box(), GizmoPaint.SELECTED);
-            marks.handles().ifPresent(gizmo -> GizmoPaint.handles(g, gizmo, camera, canvas, HANDLE_EDGE));
-            own = now;
+            draw(g, selectedLight == null ? List.of() : List.of(selectedLight), GizmoPainter.SELECTED, view);
+            GizmoPainter.drawWireframe(g, marks.box(), GizmoPainter.SELECTED);
+            marks.handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, camera, canvas, HANDLE_EDGE));
+            drawnSelection = newSelection;
         }
     }
 
@@ -114,30 +114,30 @@ final class GizmoLayer extends Pane {
             int before = strokes.size();
             strokes.addAll(LightGizmo.of(light, view.camera(), view.canvas(), view.size()).strokes(view.camera(), view.canvas()));
             if (strokes.size() > before) {
-                dots.add(view.canvas().pixel(view.camera(), light.position()));
+                dots.add(view.canvas().project(view.camera(), light.position()));
             }
         }
-        GizmoPaint.wires(g, strokes, color);
+        GizmoPainter.drawWireframe(g, strokes, color);
         g.setFill(color);
         for (Viewport.Pixel at : dots) {
-            g.fillOval(at.x() - DOT / 2, at.y() - DOT / 2, DOT, DOT);
+            g.fillOval(at.x() - DOT_SIZE / 2, at.y() - DOT_SIZE / 2, DOT_SIZE, DOT_SIZE);
         }
         for (LightMarker marker : LightMarker.of(lights, view.camera(), view.canvas())) {
-            arrow(g, marker, color);
+            drawArrow(g, marker, color);
         }
     }
 
-    private static void arrow(GraphicsContext g, LightMarker marker, Color color) {
+    private static void drawArrow(GraphicsContext g, LightMarker marker, Color color) {
         double[] x = new double[3];
         double[] y = new double[3];
         for (int i = 0; i < 3; i++) {
-            double length = i == 0 ? 0 : ARROW;
-            double angle = marker.angle() + (i == 1 ? SPREAD : -SPREAD);
-            x[i] = marker.at().x() - length * Math.cos(angle);
-            y[i] = marker.at().y() - length * Math.sin(angle);
+            double length = i == 0 ? 0 : ARROW_LENGTH;
+            double angle = marker.angle() + (i == 1 ? ARROW_HALF_ANGLE : -ARROW_HALF_ANGLE);
+            x[i] = marker.tip().x() - length * Math.cos(angle);
+            y[i] = marker.tip().y() - length * Math.sin(angle);
         }
-        g.setStroke(GizmoPaint.EDGE);
-        g.setLineWidth(GizmoPaint.EDGE_LINE);
+        g.setStroke(GizmoPainter.OUTLINE);
+        g.setLineWidth(GizmoPainter.OUTLINE_WIDTH);
         g.strokePolygon(x, y, 3);
         g.setFill(color);
         g.fillPolygon(x, y, 3);

@@ -11,10 +11,10 @@ import lightning.scene.Light;
 /**
  * An arrow at the border of the preview that points to a light out of view, which can be taken there as the light itself.
  *
- * @param at    its tip, pixels of the canvas
+ * @param tip    its tip, pixels of the canvas
  * @param angle where it points to, radians, clockwise from right
  */
-record LightMarker(Light light, Viewport.Pixel at, double angle) {
+record LightMarker(Light light, Viewport.Pixel tip, double angle) {
     /** From the border, pixels. */
     private static final double INSET = 10;
     private static final double TOLERANCE = 14;
@@ -31,30 +31,30 @@ record LightMarker(Light light, Viewport.Pixel at, double angle) {
 
     private static Optional<LightMarker> of(Light light, PreviewCamera view, Viewport canvas) {
         if (view.depth(light.position()) > 0) {
-            Viewport.Pixel p = canvas.pixel(view, light.position());
+            Viewport.Pixel p = canvas.project(view, light.position());
             if (p.x() >= 0 && p.y() >= 0 && p.x() < canvas.width() && p.y() < canvas.height()) {
                 return Optional.empty();
             }
         }
-        Vec3 way = light.position().minus(view.camera().from());
-        if (way.maxAbs() == 0) {
+        Vec3 direction = light.position().minus(view.camera().from());
+        if (direction.maxAbs() == 0) {
             // Seen through the light itself there is no way to it.
             return Optional.empty();
         }
-        double angle = Math.atan2(-way.dot(view.up()), way.dot(view.right()));
+        double angle = Math.atan2(-direction.dot(view.up()), direction.dot(view.right()));
         double halfWidth = Math.max(1, canvas.width() / 2 - INSET);
         double halfHeight = Math.max(1, canvas.height() / 2 - INSET);
-        double reach = Math.min(halfWidth / Math.abs(Math.cos(angle)), halfHeight / Math.abs(Math.sin(angle)));
-        return Optional.of(new LightMarker(light, new Viewport.Pixel(canvas.width() / 2 + reach * Math.cos(angle),
-                canvas.height() / 2 + reach * Math.sin(angle)), angle));
+        double distance = Math.min(halfWidth / Math.abs(Math.cos(angle)), halfHeight / Math.abs(Math.sin(angle)));
+        return Optional.of(new LightMarker(light, new Viewport.Pixel(canvas.width() / 2 + distance * Math.cos(angle),
+                canvas.height() / 2 + distance * Math.sin(angle)), angle));
     }
 
     /** The light whose marker is under a place. */
-    static Optional<Light> pick(List<Light> lights, PreviewCamera view, Viewport canvas, Viewport.Pixel place) {
+    static Optional<Light> pick(List<Light> lights, PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         LightMarker best = null;
         for (LightMarker marker : of(lights, view, canvas)) {
-            double distance = marker.at().distance(place);
-            if (distance <= TOLERANCE && (best == null || distance < best.at().distance(place))) {
+            double distance = marker.tip().distance(point);
+            if (distance <= TOLERANCE && (best == null || distance < best.tip().distance(point))) {
                 best = marker;
             }
         }
@@ -67,22 +67,22 @@ record LightMarker(Light light, Viewport.Pixel at, double angle) {
      * would become too small to work in.
      */
     static PreviewCamera firstView(List<Light> lights, PreviewCamera view, Viewport canvas) {
-        List<Light> near = lights.stream().filter(light -> {
-            PreviewCamera far = framing(List.of(light), view, canvas);
-            return far.distance() <= FIRST_DISTANCE * view.distance() && of(List.of(light), far, canvas).isEmpty();
+        List<Light> nearLights = lights.stream().filter(light -> {
+            PreviewCamera zoomedOut = frameLights(List.of(light), view, canvas);
+            return zoomedOut.distance() <= FIRST_DISTANCE * view.distance() && of(List.of(light), zoomedOut, canvas).isEmpty();
         }).toList();
-        return framing(near, view, canvas);
+        return frameLights(nearLights, view, canvas);
     }
 
     /** The view from farther away, until every light is in it; as it is where all are. */
-    static PreviewCamera framing(List<Light> lights, PreviewCamera view, Viewport canvas) {
+    static PreviewCamera frameLights(List<Light> lights, PreviewCamera view, Viewport canvas) {
         if (of(lights, view, canvas).isEmpty()) {
             return view;
         }
-        PreviewCamera far = view;
-        for (int i = 0; i < 100 && !of(lights, far, canvas).isEmpty(); i++) {
-            far = far.zoomed(-canvas.height() / 20, canvas);
+        PreviewCamera zoomedOut = view;
+        for (int i = 0; i < 100 && !of(lights, zoomedOut, canvas).isEmpty(); i++) {
+            zoomedOut = zoomedOut.zoom(-canvas.height() / 20, canvas);
         }
-        return of(lights, far, canvas).isEmpty() ? far.zoomed(-canvas.height() / 20, canvas) : view;
+        return of(lights, zoomedOut, canvas).isEmpty() ? zoomedOut.zoom(-canvas.height() / 20, canvas) : view;
     }
 }

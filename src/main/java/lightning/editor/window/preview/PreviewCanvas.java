@@ -16,83 +16,84 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
-import lightning.base.text.Texts;
-import lightning.editor.document.GroupBox;
+import lightning.base.text.Messages;
+import lightning.editor.document.EditorState;
+import lightning.editor.document.GroupBounds;
 import lightning.editor.document.LightGizmo;
 import lightning.editor.document.PreviewCamera;
-import lightning.editor.document.Situation;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.Grip;
-import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.GizmoMouseBinding;
+import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.CanvasSize;
 import lightning.editor.window.widget.PixelImage;
-import lightning.scene.Group;
+import lightning.scene.NodeGroup;
 import lightning.scene.effects.ViewEffects;
 
 /** The drawn preview with the lights' wireframes over it; takes the mouse and the keyboard. */
 public final class PreviewCanvas extends Region implements AutoCloseable {
     /** The camera rests when it did not move for so long. */
-    private static final Duration REST = Duration.millis(120);
+    private static final Duration REST_DELAY = Duration.millis(120);
     /** What a turn of the wheel is as a drag that zooms. */
-    private static final double WHEEL = 0.5;
+    private static final double WHEEL_FACTOR = 0.5;
 
     private final EditorModel model;
     private final SceneEditor editor;
-    private final PreviewLook settings;
+    private final PreviewSettings settings;
     private final ObjectProperty<PreviewCamera> camera;
     private final ImageView image = new ImageView();
     private final GizmoLayer gizmos = new GizmoLayer();
     private final PreviewMouse mouse;
     private final ShapeMenu menu;
-    private final PreviewShapes shapes;
+    private final ShapePicker shapes;
     private final PreviewLoop loop;
-    private final PreviewScene look = new PreviewScene();
-    private final GroupBox box = new GroupBox();
-    private final AtomicReference<PreviewLoop.Picture> drawn = new AtomicReference<>();
-    private final PauseTransition rest = new PauseTransition(REST);
-    private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.LIKE_PICTURE);
-    private boolean moving;
+    private final PreviewScene previewScene = new PreviewScene();
+    private final GroupBounds groupBox = new GroupBounds();
+    private final AtomicReference<PreviewLoop.Picture> pendingPicture = new AtomicReference<>();
+    private final PauseTransition restTimer = new PauseTransition(REST_DELAY);
+    private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.PICTURE_ASPECT);
+    private boolean isCameraMoving;
     /** Whether a scene was opened and is not laid out yet. */
-    private boolean opened;
+    private boolean needsFirstView;
 
     PreviewCanvas(EditorModel model) {
         this.model = model;
         editor = model.editor();
-        settings = model.previewLook();
+        settings = model.previewSettings();
         camera = settings.cameraProperty();
         mouse = new PreviewMouse(editor, settings);
-        Executor window = model.files().window();
+        Executor windowExecutor = model.files().windowExecutor();
         menu = new ShapeMenu(editor, model.materials(), model.commands());
-        shapes = new PreviewShapes(editor, menu, camera, window, this);
-        loop = new PreviewLoop(this::drawn, problem -> window.execute(() -> editor.message().show(Sentence.of(problem))));
+        shapes = new ShapePicker(editor, menu, camera, windowExecutor, this);
+        loop = new PreviewLoop(this::queuePicture,
+                problem -> windowExecutor.execute(() -> editor.message().show(ErrorMessage.of(problem))));
         setId("preview-canvas");
         setFocusTraversable(true);
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
-        setAccessibleText(Texts.of("Preview of the scene with its lights"));
+        setAccessibleText(Messages.tr("Preview of the scene with its lights"));
         getChildren().addAll(image, gizmos);
-        editor.documentProperty().subscribe(_ -> opened = true);
+        editor.documentProperty().subscribe(_ -> needsFirstView = true);
         editor.sceneProperty().subscribe(_ -> requestLayout());
         editor.selection().lightProperty().subscribe(_ -> requestLayout());
-        editor.situationProperty().map(Situation::node).subscribe(_ -> requestLayout());
+        editor.editorStateProperty().map(EditorState::selectedNode).subscribe(_ -> requestLayout());
         model.picture().viewProperty().subscribe(_ -> requestLayout());
-        settings.glowingProperty().subscribe(_ -> requestLayout());
+        settings.glowingTexturesProperty().subscribe(_ -> requestLayout());
         settings.gizmosHiddenProperty().subscribe(_ -> requestLayout());
-        settings.sizeProperty().subscribe(_ -> requestLayout());
+        settings.gizmoSizeProperty().subscribe(_ -> requestLayout());
         size.subscribe(_ -> requestLayout());
         camera.subscribe(_ -> {
-            moving = true;
-            rest.playFromStart();
+            isCameraMoving = true;
+            restTimer.playFromStart();
             requestLayout();
         });
-        rest.setOnFinished(_ -> {
-            moving = false;
+        restTimer.setOnFinished(_ -> {
+            isCameraMoving = false;
             requestLayout();
         });
-        listen();
+        addHandlers();
     }
 
     /** Whether nothing is drawn yet. */
@@ -105,31 +106,31 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         return size;
     }
 
-    private void listen() {
+    private void addHandlers() {
         var keys = new PreviewKeys(editor, model.commands(), camera, mouse);
-        addEventHandler(KeyEvent.KEY_PRESSED, keys::pressed);
-        addEventHandler(KeyEvent.KEY_RELEASED, _ -> keys.released());
+        addEventHandler(KeyEvent.KEY_PRESSED, keys::handlePress);
+        addEventHandler(KeyEvent.KEY_RELEASED, _ -> keys.handleRelease());
         addEventHandler(MouseEvent.MOUSE_PRESSED, e -> {
             requestFocus();
             menu.hide();
-            mouse.press(e.getX() - left(), e.getY() - top(), Grip.of(e), e.isShiftDown());
+            mouse.press(e.getX() - left(), e.getY() - top(), GizmoMouseBinding.lightDrag(e), e.isShiftDown());
         });
         addEventHandler(ScrollEvent.SCROLL, e -> {
             if (e.getDeltaY() != 0) {
-                camera.set(camera.get().zoomed(e.getDeltaY() * WHEEL, viewport()));
+                camera.set(camera.get().zoom(e.getDeltaY() * WHEEL_FACTOR, viewport()));
                 e.consume();
             }
         });
         addEventHandler(MouseEvent.MOUSE_DRAGGED, e -> mouse.drag(e.getX() - left(), e.getY() - top()));
         addEventHandler(MouseEvent.MOUSE_RELEASED, e -> {
             mouse.release();
-            var place = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
+            var point = new Viewport.Pixel(e.getX() - left(), e.getY() - top());
             if (e.getButton() == MouseButton.PRIMARY && e.isStillSincePress() && !e.isShiftDown()
-                    && !settings.gizmosHiddenProperty().get() && !mouse.takes(place.x(), place.y())) {
-                shapes.select(mouse.canvas(), place);
+                    && !settings.gizmosHiddenProperty().get() && !mouse.canGrab(point.x(), point.y())) {
+                shapes.select(mouse.canvas(), point);
             }
-            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(place.x(), place.y()).isEmpty()) {
-                shapes.offer(mouse.canvas(), place, e.getScreenX(), e.getScreenY());
+            if (e.getButton() == MouseButton.SECONDARY && e.isStillSincePress() && mouse.lightsAt(point.x(), point.y()).isEmpty()) {
+                shapes.showMenu(mouse.canvas(), point, e.getScreenX(), e.getScreenY());
             }
         });
     }
@@ -144,12 +145,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
 
     /** Goes back with the camera until all lights are in view. */
     void frameLights() {
-        camera.set(LightMarker.framing(editor.scene().lights(), camera.get(), mouse.canvas()));
+        camera.set(LightMarker.frameLights(editor.scene().lights(), camera.get(), mouse.canvas()));
     }
 
     /** Where a place of the canvas is on the screen. */
-    public Point2D onScreen(Viewport.Pixel place) {
-        return gizmos.localToScreen(place.x(), place.y());
+    public Point2D toScreen(Viewport.Pixel point) {
+        return gizmos.localToScreen(point.x(), point.y());
     }
 
     /** The canvas in this region, pixels of the window. */
@@ -163,38 +164,39 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         if (getWidth() < 1 || getHeight() < 1) {
             return;
         }
-        double screen = getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
-        var frame = size.get().within(getWidth(), getHeight(), editor.scene().picture(), screen);
+        double pixelScale = getScene() == null || getScene().getWindow() == null ? 1 : getScene().getWindow().getOutputScaleX();
+        var frame = size.get().fit(getWidth(), getHeight(), editor.scene().picture(), pixelScale);
         image.setFitWidth(frame.shownWidth());
         image.setFitHeight(frame.shownHeight());
         image.relocate(Math.rint((getWidth() - frame.shownWidth()) / 2), Math.rint((getHeight() - frame.shownHeight()) / 2));
         gizmos.resize(frame.shownWidth(), frame.shownHeight());
         gizmos.relocate(left(), top());
         mouse.setCanvas(new Viewport(frame.shownWidth(), frame.shownHeight()));
-        if (opened) {
-            opened = false;
+        if (needsFirstView) {
+            needsFirstView = false;
             camera.set(
                     LightMarker.firstView(editor.scene().lights(), camera.get(), mouse.canvas()));
         }
         gizmos.setVisible(!settings.gizmosHiddenProperty().get());
-        List<LightGizmo.Stroke> group = editor.selection().node().filter(Group.class::isInstance).map(Group.class::cast).map(g -> GroupBox
-                .strokes(box.lines(editor.scene(), g), camera.get(), mouse.canvas())).orElse(List.of());
+        List<LightGizmo.Stroke> group =
+                editor.selection().node().filter(NodeGroup.class::isInstance).map(NodeGroup.class::cast).map(g -> GroupBounds
+                        .strokes(groupBox.lines(editor.scene(), g), camera.get(), mouse.canvas())).orElse(List.of());
         gizmos.draw(editor.scene(), editor.selection().light(), new GizmoLayer.Marks(group, mouse.handles()), camera.get(),
-                mouse.canvas(), settings.sizeProperty().get().factor());
-        loop.draw(new PreviewLoop.Wish(look.of(editor.scene()), camera.get(), frame.width(), frame.height(),
-                model.picture().viewProperty().get().ofPicture(),
-                settings.glowingProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
-                moving, model.picture().frame() == null ? null : model.picture().frame().geometry()));
+                mouse.canvas(), settings.gizmoSizeProperty().get().factor());
+        loop.draw(new PreviewLoop.Request(previewScene.of(editor.scene()), camera.get(), frame.width(), frame.height(),
+                model.picture().viewProperty().get().forOutput(),
+                settings.glowingTexturesProperty().get() ? ViewEffects.PREVIEW_1998 : ViewEffects.PREVIEW,
+                isCameraMoving, model.picture().frame() == null ? null : model.picture().frame().geometry()));
     }
 
-    private void drawn(PreviewLoop.Picture picture) {
-        if (drawn.getAndSet(picture) == null) {
-            model.files().window().execute(this::show);
+    private void queuePicture(PreviewLoop.Picture picture) {
+        if (pendingPicture.getAndSet(picture) == null) {
+            model.files().windowExecutor().execute(this::showPicture);
         }
     }
 
-    private void show() {
-        PreviewLoop.Picture picture = drawn.getAndSet(null);
+    private void showPicture() {
+        PreviewLoop.Picture picture = pendingPicture.getAndSet(null);
         image.setImage(PixelImage.of(picture.width(), picture.height(), picture.pixels()));
         settings.framesProperty().set(settings.framesProperty().get() + 1);
     }

@@ -10,7 +10,7 @@ import lightning.editor.document.LightManipulation;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 import lightning.editor.window.command.ShapeKeys;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 
@@ -25,12 +25,12 @@ final class PreviewKeys {
     private static final double STEP = 8;
 
     private final SceneEditor editor;
-    private final Commands commands;
+    private final CommandRegistry commands;
     private final ObjectProperty<PreviewCamera> camera;
     private final PreviewMouse mouse;
     private Object gesture = new Object();
 
-    PreviewKeys(SceneEditor editor, Commands commands, ObjectProperty<PreviewCamera> camera, PreviewMouse mouse) {
+    PreviewKeys(SceneEditor editor, CommandRegistry commands, ObjectProperty<PreviewCamera> camera, PreviewMouse mouse) {
         this.editor = editor;
         this.commands = commands;
         this.camera = camera;
@@ -38,28 +38,28 @@ final class PreviewKeys {
     }
 
     /** A key that is held is one step to undo. */
-    void released() {
+    void handleRelease() {
         gesture = new Object();
     }
 
-    void pressed(KeyEvent e) {
-        if (handles(e) || ShapeKeys.pressed(commands, e)) {
+    void handlePress(KeyEvent e) {
+        if (handle(e) || ShapeKeys.handle(commands, e)) {
             e.consume();
         }
     }
 
-    private boolean handles(KeyEvent e) {
+    private boolean handle(KeyEvent e) {
         if (e.isAltDown() || e.isMetaDown()) {
             return false;
         }
         boolean plain = !e.isShiftDown() && !e.isControlDown();
         return switch (e.getCode()) {
-            case LEFT -> arrow(e, -STEP, 0);
-            case RIGHT -> arrow(e, STEP, 0);
-            case UP -> arrow(e, 0, STEP);
-            case DOWN -> arrow(e, 0, -STEP);
-            case PAGE_UP -> plain && moved(STEP);
-            case PAGE_DOWN -> plain && moved(-STEP);
+            case LEFT -> handleArrow(e, -STEP, 0);
+            case RIGHT -> handleArrow(e, STEP, 0);
+            case UP -> handleArrow(e, 0, STEP);
+            case DOWN -> handleArrow(e, 0, -STEP);
+            case PAGE_UP -> plain && dolly(STEP);
+            case PAGE_DOWN -> plain && dolly(-STEP);
             case X -> plain && run(Command.VIEW_X);
             case Y -> plain && run(Command.VIEW_Y);
             case Z -> plain && run(Command.VIEW_Z);
@@ -72,12 +72,12 @@ final class PreviewKeys {
         };
     }
 
-    private boolean arrow(KeyEvent e, double right, double up) {
+    private boolean handleArrow(KeyEvent e, double right, double up) {
         PreviewCamera view = camera.get();
         Viewport canvas = mouse.canvas();
         if (e.isShiftDown()) {
             CameraDrag drag = e.isControlDown() ? CameraDrag.TRACKBALL : up == 0 ? CameraDrag.PAN : CameraDrag.ZOOM;
-            return view(drag.applied(view, canvas, right, -up));
+            return setView(drag.apply(view, canvas, right, -up));
         }
         Light light = editor.selection().light();
         return light != null && edit(e.isControlDown()
@@ -85,19 +85,19 @@ final class PreviewKeys {
                 : LightManipulation.rotate(light, view, canvas, right, up));
     }
 
-    private boolean moved(double away) {
+    private boolean dolly(double away) {
         Light light = editor.selection().light();
         return light != null
                 && edit(LightManipulation.dolly(light, camera.get(), mouse.canvas(), away));
     }
 
-    private boolean edit(Light moved) {
-        editor.editOrReport(scene -> LightEdits.with(scene, moved.name(), _ -> moved), gesture);
+    private boolean edit(Light newLight) {
+        editor.editOrReport(scene -> LightEdits.edit(scene, newLight.name(), _ -> newLight), gesture);
         return true;
     }
 
-    private boolean view(PreviewCamera moved) {
-        camera.set(moved);
+    private boolean setView(PreviewCamera newView) {
+        camera.set(newView);
         return true;
     }
 
@@ -109,8 +109,8 @@ final class PreviewKeys {
     private boolean select(int step) {
         List<Light> lights = editor.scene().lights();
         if (!lights.isEmpty()) {
-            int now = lights.indexOf(editor.selection().light());
-            editor.selection().selectLight(lights.get(Math.floorMod(now < 0 ? 0 : now + step, lights.size())).name());
+            int index = lights.indexOf(editor.selection().light());
+            editor.selection().selectLight(lights.get(Math.floorMod(index < 0 ? 0 : index + step, lights.size())).name());
         }
         return true;
     }

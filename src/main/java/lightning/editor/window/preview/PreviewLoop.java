@@ -3,7 +3,7 @@ package lightning.editor.window.preview;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import lightning.base.math.Vec3;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 import lightning.editor.document.PreviewCamera;
 import lightning.render.image.Film;
@@ -11,7 +11,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.PlannedUpdate;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
@@ -22,143 +22,144 @@ import lightning.scene.effects.ViewEffects;
  * rests. Render space stays where it is meanwhile, so that no shape and no box is moved.
  */
 final class PreviewLoop implements AutoCloseable {
-    private static final Options OPTIONS = Options.DEFAULT.withView(ViewEffects.PREVIEW);
+    private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withView(ViewEffects.PREVIEW);
     /** How long a moving picture may take; its coarseness follows what the last one took. */
-    private static final double WANTED_MS = 25;
+    private static final double TARGET_MS = 25;
     private static final int COARSEST = 8;
-    private static final long PATIENCE_MS = 10_000;
+    private static final long JOIN_TIMEOUT_MS = 10_000;
 
     /**
      * What is to be drawn.
      *
      * @param width pixels; likewise {@code height}
      * @param effects which effects are shown
-     * @param moving whether a better wish follows soon
-     * @param known  what is known elsewhere of the scene's shapes; null where nothing is
+     * @param isMoving whether a better wish follows soon
+     * @param knownGeometry  what is known elsewhere of the scene's shapes; null where nothing is
      */
-    record Wish(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean moving,
-            Geometry known) {
+    record Request(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean isMoving,
+            Geometry knownGeometry) {
         private Vec3 eye() {
             return camera.camera().from();
         }
 
-        private Scene at(int coarseness, Vec3 origin) {
+        private Scene sceneAt(int coarseness, Vec3 origin) {
             return scene.withCamera(camera.camera().withOrigin(origin)).withPicture(scene.picture()
                     .withSize(Math.max(1, width / coarseness), Math.max(1, height / coarseness)));
         }
     }
 
     /** A drawn picture: {@code int[width * height]}, opaque. */
-    record Picture(Wish wish, int width, int height, int[] pixels, double milliseconds) {
+    record Picture(Request request, int width, int height, int[] pixels, double milliseconds) {
         boolean isSharp() {
-            return width == wish.width() && height == wish.height();
+            return width == request.width() && height == request.height();
         }
     }
 
-    private final Consumer<Picture> heard;
-    private final Consumer<Throwable> failed;
+    private final Consumer<Picture> onPicture;
+    private final Consumer<Throwable> onFailure;
     private final Thread thread;
     private final Renderer sharp = new Renderer(OPTIONS);
-    private final Renderer quick = new Renderer(OPTIONS);
+    private final Renderer coarse = new Renderer(OPTIONS);
     private int coarseness = 2;
     /** What the preview was drawn with last; null before the first. */
-    private Geometry last;
-    private Wish newest;
+    private Geometry lastGeometry;
+    private Request latest;
     private boolean closed;
 
-    /** @param heard hears on the drawing thread; likewise {@code failed} */
-    PreviewLoop(Consumer<Picture> heard, Consumer<Throwable> failed) {
-        this.heard = heard;
-        this.failed = failed;
-        thread = OwnThread.of("lightning-preview", this::run);
+    /** @param onPicture hears on the drawing thread; likewise {@code onFailure} */
+    PreviewLoop(Consumer<Picture> onPicture, Consumer<Throwable> onFailure) {
+        this.onPicture = onPicture;
+        this.onFailure = onFailure;
+        thread = DedicatedThread.create("lightning-preview", this::run);
         thread.start();
     }
 
-    synchronized void draw(Wish wish) {
-        newest = wish;
+    synchronized void draw(Request request) {
+        latest = request;
         notifyAll();
     }
 
-    private synchronized Wish take() throws InterruptedException {
-        while (newest == null && !closed) {
+    private synchronized Request nextRequest() throws InterruptedException {
+        while (latest == null && !closed) {
             wait();
         }
-        Wish taken = closed ? null : newest;
-        newest = null;
-        return taken;
+        Request request = closed ? null : latest;
+        latest = null;
+        return request;
     }
 
     private synchronized boolean isOutdated() {
-        return newest != null || closed;
+        return latest != null || closed;
     }
 
     private void run() {
         try {
-            for (Wish wish = take(); wish != null; wish = take()) {
-                attempt(wish);
+            for (Request request = nextRequest(); request != null; request = nextRequest()) {
+                tryDraw(request);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
             sharp.close();
-            quick.close();
+            coarse.close();
         }
     }
 
-    private void attempt(Wish wish) {
+    private void tryDraw(Request request) {
         try {
-            sharp.change(OPTIONS.withView(wish.effects()));
-            quick.change(OPTIONS.withView(wish.effects()));
-            Geometry shared = shared(wish);
-            sharp.share(shared);
-            quick.share(shared);
-            Vec3 origin = shared != null && shared.servesEye(wish.scene(), wish.eye()) ? shared.origin() : wish.eye();
-            draw(wish, origin, sharp.plan(wish.at(1, origin)));
+            sharp.setOptions(OPTIONS.withView(request.effects()));
+            coarse.setOptions(OPTIONS.withView(request.effects()));
+            Geometry geometry = sharedGeometry(request);
+            sharp.setSharedGeometry(geometry);
+            coarse.setSharedGeometry(geometry);
+            Vec3 origin = geometry != null && geometry.canServeEye(request.scene(), request.eye()) ? geometry.origin() : request.eye();
+            draw(request, origin, sharp.plan(request.sceneAt(1, origin)));
         } catch (CancellationException e) {
             // The newer wish is next.
         } catch (RuntimeException | OutOfMemoryError e) {
-            failed.accept(e);
+            onFailure.accept(e);
         }
     }
 
     /** The traced picture's shapes serve while the eye is not far from them, and else those of the preview that was drawn last. */
-    private Geometry shared(Wish wish) {
-        return wish.known() != null && wish.known().servesEye(wish.scene(), wish.eye()) || last == null ? wish.known() : last;
+    private Geometry sharedGeometry(Request request) {
+        return request.knownGeometry() != null && request.knownGeometry().canServeEye(request.scene(), request.eye())
+                || lastGeometry == null ? request.knownGeometry() : lastGeometry;
     }
 
-    private void draw(Wish wish, Vec3 origin, PlannedUpdate inFull) {
-        boolean fresh = inFull.update() instanceof UpdatePlan.FirstPass;
-        if (fresh && wish.moving()) {
-            double took = render(quick, wish, quick.plan(wish.at(coarseness, origin)), Progress.NONE);
-            adapt(took);
+    private void draw(Request request, Vec3 origin, PlannedUpdate fullUpdate) {
+        boolean isFirstPass = fullUpdate.update() instanceof UpdatePlan.FirstPass;
+        if (isFirstPass && request.isMoving()) {
+            double elapsedMs = render(coarse, request, coarse.plan(request.sceneAt(coarseness, origin)), Progress.NONE);
+            adaptCoarseness(elapsedMs);
         } else {
-            render(sharp, wish, inFull, fresh ? new UntilOutdated() : Progress.NONE);
+            render(sharp, request, fullUpdate, isFirstPass ? new OutdatedCheck() : Progress.NONE);
         }
     }
 
-    private double render(Renderer renderer, Wish wish, PlannedUpdate planned, Progress progress) {
+    private double render(Renderer renderer, Request request, PlannedUpdate planned, Progress progress) {
         double milliseconds = renderer.render(planned, progress).milliseconds();
         Film film = renderer.film();
-        last = renderer.cache().geometry();
-        heard.accept(new Picture(wish, film.width(), film.height(), wish.view().toPixels(film), milliseconds));
+        lastGeometry = renderer.cache().geometry();
+        onPicture.accept(new Picture(request, film.width(), film.height(), request.view().toPixels(film), milliseconds));
         return milliseconds;
     }
 
-    private void adapt(double took) {
-        if (took > WANTED_MS && coarseness < COARSEST) {
+    private void adaptCoarseness(double elapsedMs) {
+        if (elapsedMs > TARGET_MS && coarseness < COARSEST) {
             coarseness++;
-        } else if (took < WANTED_MS / 4 && coarseness > 1) {
+        } else if (elapsedMs < TARGET_MS / 4 && coarseness > 1) {
             coarseness--;
         }
     }
 
     /** A sharp picture is given up for a newer wish. */
-    private final class UntilOutdated implements Progress {
+    private final class OutdatedCheck implements Progress {
         @Override
-        public void tiles(int done, int total) {}
+        public void report(int done, int total) {}
 
         @Override
-        public boolean isCancelled() {
+        public boolean isCanceled() {
             return isOutdated();
         }
     }
@@ -170,7 +171,7 @@ final class PreviewLoop implements AutoCloseable {
             notifyAll();
         }
         try {
-            thread.join(PATIENCE_MS);
+            thread.join(JOIN_TIMEOUT_MS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

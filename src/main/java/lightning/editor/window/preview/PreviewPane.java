@@ -6,35 +6,35 @@ import javafx.scene.control.MenuButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.StackPane;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.window.command.CommandButton;
 import lightning.editor.window.command.SizeMenu;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
 
 /** The interactive preview: every light in real time, and the place where lights are taken by hand. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
-    private final PreviewLook look;
-    private final Commands commands;
+    private final PreviewSettings settings;
+    private final CommandRegistry commands;
     private final PreviewCanvas canvas;
 
     public PreviewPane(EditorModel model) {
-        look = model.previewLook();
+        settings = model.previewSettings();
         commands = model.commands();
         SceneEditor editor = model.editor();
         setId("preview");
         getStyleClass().add("canvas-pane");
         canvas = new PreviewCanvas(model);
-        commands.setAction(Command.VIEW_X, () -> look(PreviewCamera.alongX(editor.scene())));
-        commands.setAction(Command.VIEW_Y, () -> look(PreviewCamera.alongMinusY(editor.scene())));
-        commands.setAction(Command.VIEW_Z, () -> look(PreviewCamera.of(editor.scene())));
+        commands.setAction(Command.VIEW_X, () -> setCamera(PreviewCamera.alongX(editor.scene())));
+        commands.setAction(Command.VIEW_Y, () -> setCamera(PreviewCamera.alongMinusY(editor.scene())));
+        commands.setAction(Command.VIEW_Z, () -> setCamera(PreviewCamera.of(editor.scene())));
         commands.setAction(Command.VIEW_ALL, canvas::frameLights);
-        var waiting = new Label(Texts.of("Drawing …"));
+        var waiting = new Label(Messages.tr("Drawing …"));
         waiting.getStyleClass().add("canvas-note");
         waiting.visibleProperty().bind(canvas.emptyProperty());
         waiting.setMouseTransparent(true);
@@ -42,7 +42,8 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         stage.getStyleClass().add("canvas");
         setTop(header());
         setCenter(stage);
-        var hint = new Label(Texts.of("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera"));
+        var hint =
+                new Label(Messages.tr("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera"));
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
         hint.setWrapText(true);
@@ -54,20 +55,20 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
     }
 
     private Node header() {
-        var sizes = new MenuButton(Texts.of(canvas.sizeProperty().get().title()));
+        var sizes = new MenuButton(Messages.tr(canvas.sizeProperty().get().title()));
         sizes.setId("preview-size");
         sizes.getStyleClass().add("flat");
-        sizes.setTooltip(new Tooltip(Texts.of("Size of the preview's canvas")));
-        sizes.getItems().setAll(SizeMenu.ofPreview(commands, canvas.sizeProperty()));
-        canvas.sizeProperty().subscribe(v -> sizes.setText(Texts.of(v.title())));
-        return new PaneHeader(Texts.of("Preview"), sizes, CommandButton.view(commands, Command.VIEW_ALL, Texts.of("All")),
-                CommandButton.view(commands, Command.VIEW_X, "X"), CommandButton.view(commands, Command.VIEW_Y, "−Y"),
-                CommandButton.view(commands, Command.VIEW_Z, "−Z"), CommandButton.view(commands, Command.HIDE_GIZMOS),
-                CommandButton.view(commands, Command.LOOK_THROUGH_LIGHT));
+        sizes.setTooltip(new Tooltip(Messages.tr("Size of the preview's canvas")));
+        sizes.getItems().setAll(SizeMenu.previewSizeItems(commands, canvas.sizeProperty()));
+        canvas.sizeProperty().subscribe(v -> sizes.setText(Messages.tr(v.title())));
+        return new PaneHeader(Messages.tr("Preview"), sizes, CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("All")),
+                CommandButton.viewButton(commands, Command.VIEW_X, "X"), CommandButton.viewButton(commands, Command.VIEW_Y, "−Y"),
+                CommandButton.viewButton(commands, Command.VIEW_Z, "−Z"), CommandButton.viewButton(commands, Command.HIDE_GIZMOS),
+                CommandButton.viewButton(commands, Command.LOOK_THROUGH_LIGHT));
     }
 
-    private void look(PreviewCamera camera) {
-        look.cameraProperty().set(camera);
+    private void setCamera(PreviewCamera camera) {
+        settings.cameraProperty().set(camera);
     }
 
     @Override

@@ -9,31 +9,32 @@ import java.util.stream.IntStream;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.FileImporter;
 import lightning.format.jen.FileKind;
 
 /** Offers the files of a kind that lie beside the scene, pictures with what they show, none, and to bring one from elsewhere; what lies there is seen a moment after the menu opens. */
 final class FileMenu extends MenuButton {
     /** So many are shown with a small picture. */
-    private static final int SMALL = 60;
+    private static final int MAX_THUMBNAILS = 60;
 
-    private final Commands commands;
-    private final FileBringer files;
+    private final CommandRegistry commands;
+    private final FileImporter files;
     private final Command command;
     private final FileKind kind;
-    private final Consumer<String> chosen;
+    private final Consumer<String> onChosen;
     private final Runnable browse;
 
     /**
      * @param command what choosing one does
-     * @param chosen  hears the name of the file; empty for none
+     * @param onChosen  hears the name of the file; empty for none
      * @param browse  asks for one from elsewhere
      */
-    FileMenu(Commands commands, FileBringer files, String text, Command command, FileKind kind, Consumer<String> chosen, Runnable browse) {
+    FileMenu(CommandRegistry commands, FileImporter files, String text, Command command, FileKind kind, Consumer<String> onChosen,
+            Runnable browse) {
         super(text);
         // An underscore in a file's name is one.
         setMnemonicParsing(false);
@@ -41,40 +42,42 @@ final class FileMenu extends MenuButton {
         this.files = files;
         this.command = command;
         this.kind = kind;
-        this.chosen = chosen;
+        this.onChosen = onChosen;
         this.browse = browse;
-        setOnShowing(_ -> fill());
-        offer(List.of());
+        setOnShowing(_ -> loadFiles());
+        showFiles(List.of());
     }
 
-    private void fill() {
+    private void loadFiles() {
         Path folder = files.folder();
-        files.files().beside(() -> found(folder), this::offer, _ -> offer(List.of()));
+        files.files().runConcurrently(() -> findFiles(folder), this::showFiles, _ -> showFiles(List.of()));
     }
 
     /** A file that is offered. */
-    private record Found(String name, Optional<FileThumbnail> picture) {}
+    private record FileItem(String name, Optional<FileThumbnail> thumbnail) {}
 
-    private List<Found> found(Path folder) {
-        List<String> all = kind.names(folder);
-        return IntStream.range(0, all.size())
-                .mapToObj(i -> new Found(all.get(i), i < SMALL ? FileThumbnail.of(kind, folder, all.get(i)) : Optional.empty())).toList();
+    private List<FileItem> findFiles(Path folder) {
+        List<String> names = kind.fileNames(folder);
+        return IntStream.range(0, names.size())
+                .mapToObj(i -> new FileItem(names.get(i),
+                        i < MAX_THUMBNAILS ? FileThumbnail.of(kind, folder, names.get(i)) : Optional.empty()))
+                .toList();
     }
 
-    private void offer(List<Found> names) {
+    private void showFiles(List<FileItem> fileItems) {
         List<MenuItem> items = new ArrayList<>();
-        items.add(item(Texts.of("None"), ""));
-        items.add(CommandItems.of(commands).value(command, Texts.of("Browse…"), browse));
+        items.add(item(Messages.tr("None"), ""));
+        items.add(CommandMenuItems.forMenu(commands).value(command, Messages.tr("Browse…"), browse));
         items.add(new SeparatorMenuItem());
-        names.forEach(found -> {
+        fileItems.forEach(found -> {
             MenuItem item = item(found.name(), found.name());
-            found.picture().ifPresent(p -> item.setGraphic(p.view()));
+            found.thumbnail().ifPresent(p -> item.setGraphic(p.view()));
             items.add(item);
         });
         getItems().setAll(items);
     }
 
     private MenuItem item(String title, String name) {
-        return CommandItems.of(commands).value(command, title, () -> chosen.accept(name));
+        return CommandMenuItems.forMenu(commands).value(command, title, () -> onChosen.accept(name));
     }
 }

@@ -20,9 +20,9 @@ import lightning.format.jen.FileKind;
  */
 record FileThumbnail(int width, int height, int[] pixels) {
     /** Of the longer side, pixels. */
-    private static final int SIDE = 40;
+    private static final int MAX_SIDE = 40;
     /** A larger picture is not looked at. */
-    private static final long MOST_PIXELS = 1L << 26;
+    private static final long MAX_PIXELS = 1L << 26;
 
     /** Beside the window's thread: that of a file where a scene of that folder finds it; empty where it does not, or it is too large. */
     static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
@@ -44,30 +44,30 @@ record FileThumbnail(int width, int height, int[] pixels) {
             ImageReader reader = readers.next();
             try {
                 reader.setInput(in, true, true);
-                return (long) reader.getWidth(0) * reader.getHeight(0) > MOST_PIXELS ? Optional.empty() : Optional.of(small(reader));
+                return (long) reader.getWidth(0) * reader.getHeight(0) > MAX_PIXELS ? Optional.empty() : Optional.of(subsample(reader));
             } finally {
                 reader.dispose();
             }
         }
     }
 
-    private static FileThumbnail small(ImageReader reader) throws IOException {
-        int step = Math.max(1, Math.max(reader.getWidth(0), reader.getHeight(0)) / SIDE);
-        var some = reader.getDefaultReadParam();
-        some.setSourceSubsampling(step, step, 0, 0);
-        BufferedImage read = reader.read(0, some);
-        int[] pixels = read.getRGB(0, 0, read.getWidth(), read.getHeight(), null, 0, read.getWidth());
+    private static FileThumbnail subsample(ImageReader reader) throws IOException {
+        int step = Math.max(1, Math.max(reader.getWidth(0), reader.getHeight(0)) / MAX_SIDE);
+        var parameters = reader.getDefaultReadParam();
+        parameters.setSourceSubsampling(step, step, 0, 0);
+        BufferedImage subsampled = reader.read(0, parameters);
+        int[] pixels = subsampled.getRGB(0, 0, subsampled.getWidth(), subsampled.getHeight(), null, 0, subsampled.getWidth());
         for (int i = 0; i < pixels.length; i++) {
             pixels[i] |= 0xFF000000;
         }
-        return new FileThumbnail(read.getWidth(), read.getHeight(), pixels);
+        return new FileThumbnail(subsampled.getWidth(), subsampled.getHeight(), pixels);
     }
 
     ImageView view() {
         var view = new ImageView(PixelImage.of(width, height, pixels));
         view.setPreserveRatio(true);
-        view.setFitWidth(SIDE);
-        view.setFitHeight(SIDE);
+        view.setFitWidth(MAX_SIDE);
+        view.setFitHeight(MAX_SIDE);
         return view;
     }
 }

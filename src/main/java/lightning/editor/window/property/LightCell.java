@@ -8,14 +8,14 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
-import lightning.base.text.Texts;
-import lightning.editor.document.Change;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.widget.DisplayColors;
 import lightning.editor.window.widget.LightTypes;
-import lightning.editor.window.widget.Paints;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -25,38 +25,38 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
  * A line of the list: a light's type, colour, name, solo and on, which a double click renames in place; or a bank. A light is dragged into a
  * bank, or out of one.
  */
-final class LightCell extends NamedCell<RigRow> {
+final class LightCell extends NamedCell<LightListRow> {
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final PseudoClass MEMBER = PseudoClass.getPseudoClass("member");
 
     private final FontIcon type = new FontIcon();
     private final Region chip = new Region();
     private final ToggleButton solo = toggle("solo");
-    private final ToggleButton on = toggle("on");
+    private final ToggleButton onToggle = toggle("on");
     private final FontIcon bulb = new FontIcon();
     private final SceneEditor editor;
     private final HBox row;
-    private final BankRow bank;
-    private Light shown;
+    private final LightGroupRow groupRow;
+    private Light shownLight;
 
-    /** @param folded the names of the banks whose lights are not listed */
-    LightCell(SceneEditor editor, Commands commands, ObservableSet<String> folded) {
+    /** @param collapsedGroups the names of the banks whose lights are not listed */
+    LightCell(SceneEditor editor, CommandRegistry commands, ObservableSet<String> collapsedGroups) {
         super(commands, Command.RENAME_LIGHT, (old, typed) -> editor.editOrReport(scene -> LightEdits.rename(scene, old, typed)));
         this.editor = editor;
-        bank = new BankRow(editor, folded, () -> getListView().requestFocus());
-        BankDrop.between(this, editor);
-        LinkDrop.ontoLight(this, editor);
+        groupRow = new LightGroupRow(editor, collapsedGroups, () -> getListView().requestFocus());
+        LightGroupDrop.install(this, editor);
+        LinkDrop.acceptShapes(this, editor);
         type.getStyleClass().add("light-type");
         chip.getStyleClass().add("light-chip");
         solo.setGraphic(new FontIcon(MaterialDesignA.ALPHA_S_CIRCLE));
-        solo.setOnAction(_ -> edit((scene, light) -> LightEdits.solo(scene, light, solo.isSelected())));
-        on.setGraphic(bulb);
-        on.setOnAction(_ -> edit((scene, light) -> LightEdits.on(scene, light, on.isSelected())));
-        row = new HBox(type, chip, name, solo, on);
+        solo.setOnAction(_ -> edit((scene, light) -> LightEdits.setSolo(scene, light, solo.isSelected())));
+        onToggle.setGraphic(bulb);
+        onToggle.setOnAction(_ -> edit((scene, light) -> LightEdits.setOn(scene, light, onToggle.isSelected())));
+        row = new HBox(type, chip, name, solo, onToggle);
         row.getStyleClass().add("light-row");
         editor.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
-            if (event.getClickCount() == 2 && getItem() instanceof RigRow.OfLight) {
+            if (event.getClickCount() == 2 && getItem() instanceof LightListRow.LightRow) {
                 commands.run(Command.RENAME_LIGHT);
             }
         });
@@ -70,34 +70,34 @@ final class LightCell extends NamedCell<RigRow> {
         return button;
     }
 
-    private void edit(BiFunction<Scene, String, Change> edit) {
-        String light = shown.name();
+    private void edit(BiFunction<Scene, String, EditOutcome> edit) {
+        String light = shownLight.name();
         editor.editOrReport(scene -> edit.apply(scene, light));
     }
 
     /** The light at the cell's place; null where there is none. */
     Light light() {
-        return getItem() instanceof RigRow.OfLight(int place) && place < editor.scene().lights().size()
+        return getItem() instanceof LightListRow.LightRow(int place) && place < editor.scene().lights().size()
                 ? editor.scene().lights().get(place) : null;
     }
 
     /** The bank whose line it is, or in which its light is; empty for none. */
-    String bank() {
-        return getItem() instanceof RigRow.OfBank(int place) && place < editor.scene().rig().banks().size()
-                ? editor.scene().rig().banks().get(place).name() : light() == null ? "" : light().bank();
+    String groupName() {
+        return getItem() instanceof LightListRow.GroupRow(int place) && place < editor.scene().rig().lightGroups().size()
+                ? editor.scene().rig().lightGroups().get(place).name() : light() == null ? "" : light().lightGroup();
     }
 
     /** Renames the bank whose line it is. */
-    void renameBank() {
-        bank.startRename();
+    void renameGroup() {
+        groupRow.startRename();
     }
 
     @Override
-    protected void updateItem(RigRow item, boolean empty) {
+    protected void updateItem(LightListRow item, boolean empty) {
         super.updateItem(item, empty);
         setGraphic(empty || item == null ? null : switch (item) {
-            case RigRow.OfLight _ -> row;
-            case RigRow.OfBank _ -> bank;
+            case LightListRow.LightRow _ -> row;
+            case LightListRow.GroupRow _ -> groupRow;
         });
         if (empty || item == null) {
             setAccessibleText(null);
@@ -107,31 +107,31 @@ final class LightCell extends NamedCell<RigRow> {
 
     private void show() {
         show(light());
-        if (getItem() instanceof RigRow.OfBank(int place) && place < editor.scene().rig().banks().size()) {
-            bank.show(editor.scene().rig().banks().get(place));
-            setAccessibleText(bank.text());
+        if (getItem() instanceof LightListRow.GroupRow(int place) && place < editor.scene().rig().lightGroups().size()) {
+            groupRow.show(editor.scene().rig().lightGroups().get(place));
+            setAccessibleText(groupRow.text());
         }
     }
 
     private void show(Light light) {
-        if (light != null && light != shown) {
-            row.pseudoClassStateChanged(MEMBER, !light.bank().isEmpty());
+        if (light != null && light != shownLight) {
+            row.pseudoClassStateChanged(MEMBER, !light.lightGroup().isEmpty());
             type.setIconCode(LightTypes.icon(light.type()));
-            chip.setStyle("-fx-background-color: " + Paints.css(light.color()) + ";");
+            chip.setStyle("-fx-background-color: " + DisplayColors.css(light.color()) + ";");
             name.setText(light.name());
-            describe(solo, Texts.of("{0} solo", light.name()), Texts.of("Show only the lights that are solo"));
-            bulb.setIconCode(LightTypes.bulb(light.on()));
-            describe(on, Texts.of("{0} on", light.name()), light.on() ? Texts.of("Switch off") : Texts.of("Switch on"));
-            setAccessibleText(light.name() + ", " + LightTypes.light(light.type())
-                    + (light.on() ? "" : Texts.of(", off")) + (light.solo() ? Texts.of(", solo") : ""));
+            describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Show only the lights that are solo"));
+            bulb.setIconCode(LightTypes.onIcon(light.on()));
+            describe(onToggle, Messages.tr("{0} on", light.name()), light.on() ? Messages.tr("Switch off") : Messages.tr("Switch on"));
+            setAccessibleText(light.name() + ", " + LightTypes.phrase(light.type())
+                    + (light.on() ? "" : Messages.tr(", off")) + (light.solo() ? Messages.tr(", solo") : ""));
         }
-        shown = light;
+        shownLight = light;
         if (light != null) {
             // A click has switched them already, whatever came of it.
             solo.setSelected(light.solo());
-            on.setSelected(light.on());
+            onToggle.setSelected(light.on());
             // Another light that is solo darkens this one.
-            row.pseudoClassStateChanged(DARK, !editor.scene().shines(light));
+            row.pseudoClassStateChanged(DARK, !editor.scene().isActive(light));
         }
     }
 
@@ -141,7 +141,7 @@ final class LightCell extends NamedCell<RigRow> {
     }
 
     @Override
-    Optional<String> renamed() {
-        return light() == null ? Optional.empty() : Optional.of(shown.name());
+    Optional<String> renameTarget() {
+        return light() == null ? Optional.empty() : Optional.of(shownLight.name());
     }
 }

@@ -13,16 +13,16 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.SceneSelection;
+import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.LightTypes;
-import lightning.editor.window.widget.Obstacle;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -33,44 +33,45 @@ final class LightHeader extends VBox {
 
     private final SceneEditor editor;
     private final SceneSelection selection;
-    private final Commands commands;
+    private final CommandRegistry commands;
     private final TextField name = new TextField();
     private final Label refusal = new Label();
     private final ComboBox<LightType> type = new ComboBox<>();
-    private final ToggleButton on = new ToggleButton();
+    private final ToggleButton onToggle = new ToggleButton();
     private final ToggleButton solo = new ToggleButton();
     private String shownName = "";
-    private boolean showing;
+    private boolean isUpdating;
 
-    LightHeader(SceneEditor editor, Commands commands) {
+    LightHeader(SceneEditor editor, CommandRegistry commands) {
         this.editor = editor;
         this.commands = commands;
         selection = editor.selection();
         getStyleClass().add("light-header");
         buildName();
         buildType();
-        StackPane onBox = toggle(on, "light-on", Texts.of("On"), Texts.of("Whether the light shines"), Command.SWITCH_ON);
-        StackPane soloBox = toggle(solo, "light-solo", Texts.of("Solo"), Texts.of("Show only the lights that are solo"), Command.SOLO);
-        HBox identity = row(surrounded(name, Command.RENAME_LIGHT, Texts.of("The light's name")),
-                surrounded(type, Command.CHANGE_TYPE, Texts.of("The light's type; all settings are kept")));
+        StackPane onBox = toggle(onToggle, "light-on", Messages.tr("On"), Messages.tr("Whether the light shines"), Command.SWITCH_ON);
+        StackPane soloBox =
+                toggle(solo, "light-solo", Messages.tr("Solo"), Messages.tr("Show only the lights that are solo"), Command.SOLO);
+        HBox identity = row(withDisabledReason(name, Command.RENAME_LIGHT, Messages.tr("The light's name")),
+                withDisabledReason(type, Command.CHANGE_TYPE, Messages.tr("The light's type; all settings are kept")));
         HBox.setHgrow(identity.getChildren().getFirst(), Priority.ALWAYS);
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         HBox buttons = row(onBox, soloBox, gap,
-                CommandButton.icon(commands, Command.UNDO_LIGHT),
-                CommandButton.icon(commands, Command.REDO_LIGHT),
-                CommandButton.icon(commands, Command.COPY_SETTINGS),
-                CommandButton.icon(commands, Command.PASTE_SETTINGS),
-                CommandButton.icon(commands, Command.LOOK_THROUGH_LIGHT));
+                CommandButton.iconButton(commands, Command.UNDO_LIGHT),
+                CommandButton.iconButton(commands, Command.REDO_LIGHT),
+                CommandButton.iconButton(commands, Command.COPY_SETTINGS),
+                CommandButton.iconButton(commands, Command.PASTE_SETTINGS),
+                CommandButton.iconButton(commands, Command.LOOK_THROUGH_LIGHT));
         getChildren().addAll(identity, refusal, buttons);
         commands.setAction(Command.CHANGE_TYPE, type::show);
-        editor.situationProperty().subscribe(this::show);
+        editor.editorStateProperty().subscribe(this::show);
     }
 
     private void buildName() {
         name.setId("light-name");
-        name.setPromptText(Texts.of("no light"));
-        name.setAccessibleText(Texts.of("name"));
+        name.setPromptText(Messages.tr("no light"));
+        name.setAccessibleText(Messages.tr("name"));
         name.setOnAction(_ -> rename());
         name.focusedProperty().addListener((_, wasFocused, _) -> {
             if (wasFocused) {
@@ -91,12 +92,12 @@ final class LightHeader extends VBox {
 
     private void buildType() {
         type.setId("light-type");
-        type.setAccessibleText(Texts.of("type"));
+        type.setAccessibleText(Messages.tr("type"));
         type.getItems().setAll(LightType.values());
         type.setConverter(LightTypes.CONVERTER);
         type.valueProperty().addListener((_, _, now) -> {
-            if (!showing && now != null && selection.light() != null) {
-                editor.editOrReport(scene -> LightEdits.type(scene, selection.lightName(), now));
+            if (!isUpdating && now != null && selection.light() != null) {
+                editor.editOrReport(scene -> LightEdits.setType(scene, selection.lightName(), now));
             }
         });
     }
@@ -108,22 +109,22 @@ final class LightHeader extends VBox {
         button.setMinWidth(Region.USE_PREF_SIZE);
         button.setOnAction(_ -> {
             commands.run(command);
-            show(editor.situationProperty().get());
+            show(editor.editorStateProperty().get());
         });
         if (command == Command.SWITCH_ON) {
             FontIcon icon = new FontIcon();
-            icon.iconCodeProperty().bind(button.selectedProperty().map(LightTypes::bulb));
+            icon.iconCodeProperty().bind(button.selectedProperty().map(LightTypes::onIcon));
             button.setGraphic(icon);
         }
-        return surrounded(button, command, hint);
+        return withDisabledReason(button, command, hint);
     }
 
-    private StackPane surrounded(Region control, Command command, String hint) {
+    private StackPane withDisabledReason(Region control, Command command, String hint) {
         control.setMaxWidth(Double.MAX_VALUE);
-        StackPane around = new StackPane(control);
-        var obstacle = new Obstacle(around, control, hint);
-        editor.situationProperty().subscribe(_ -> obstacle.set(commands.reason(command)));
-        return around;
+        StackPane wrapper = new StackPane(control);
+        var reason = new DisabledReason(wrapper, control, hint);
+        editor.editorStateProperty().subscribe(_ -> reason.set(commands.disabledReason(command)));
+        return wrapper;
     }
 
     private static HBox row(Region... parts) {
@@ -132,12 +133,12 @@ final class LightHeader extends VBox {
         return row;
     }
 
-    private void show(Situation now) {
-        Optional<Light> light = now.selected();
-        showing = true;
+    private void show(EditorState state) {
+        Optional<Light> light = state.selectedLight();
+        isUpdating = true;
         type.setValue(light.map(Light::type).orElse(null));
-        showing = false;
-        on.setSelected(light.map(Light::on).orElse(false));
+        isUpdating = false;
+        onToggle.setSelected(light.map(Light::on).orElse(false));
         solo.setSelected(light.map(Light::solo).orElse(false));
         if (!shownName.equals(selection.lightName())) {
             revert();
@@ -148,7 +149,7 @@ final class LightHeader extends VBox {
     void revert() {
         shownName = selection.lightName();
         name.setText(shownName);
-        mark("");
+        showRefusal("");
     }
 
     private void rename() {
@@ -157,11 +158,11 @@ final class LightHeader extends VBox {
             revert();
         } else {
             String old = selection.lightName();
-            editor.edit(scene -> LightEdits.rename(scene, old, typed)).ifPresentOrElse(this::mark, this::revert);
+            editor.edit(scene -> LightEdits.rename(scene, old, typed)).ifPresentOrElse(this::showRefusal, this::revert);
         }
     }
 
-    private void mark(String reason) {
+    private void showRefusal(String reason) {
         refusal.setText(reason);
         name.setAccessibleHelp(reason);
         name.pseudoClassStateChanged(REFUSED, !reason.isEmpty());

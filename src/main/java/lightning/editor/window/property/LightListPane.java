@@ -17,19 +17,19 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
-import lightning.editor.document.BankEdits;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.Situation;
+import lightning.editor.document.LightGroupEdits;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.LightTypes;
-import lightning.editor.window.widget.Obstacle;
+import lightning.scene.LightRig;
 import lightning.scene.LightType;
-import lightning.scene.Rig;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
@@ -39,50 +39,50 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
  */
 public final class LightListPane extends VBox {
     private final SceneEditor editor;
-    private final Commands commands;
-    private final ListView<RigRow> list = new ListView<>();
-    private final ObservableSet<String> folded = FXCollections.observableSet();
+    private final CommandRegistry commands;
+    private final ListView<LightListRow> list = new ListView<>();
+    private final ObservableSet<String> collapsedGroups = FXCollections.observableSet();
     /** The bank whose line is selected; empty while that of the selected light is. */
-    private String bankInHand = "";
-    private boolean showing;
+    private String selectedGroup = "";
+    private boolean isUpdating;
 
-    public LightListPane(SceneEditor editor, Commands commands) {
+    public LightListPane(SceneEditor editor, CommandRegistry commands) {
         this.editor = editor;
         this.commands = commands;
         setId("lights");
         getStyleClass().add("lights");
         list.setId("light-list");
         list.getStyleClass().addAll("light-list", "edge-to-edge");
-        list.setAccessibleText(Texts.of("lights"));
-        list.setPlaceholder(new Label(Texts.of("No lights. Add one above.")));
-        list.setCellFactory(_ -> new LightCell(editor, commands, folded));
-        folded.addListener((SetChangeListener<String>) _ -> show(editor.situationProperty().get()));
+        list.setAccessibleText(Messages.tr("lights"));
+        list.setPlaceholder(new Label(Messages.tr("No lights. Add one above.")));
+        list.setCellFactory(_ -> new LightCell(editor, commands, collapsedGroups));
+        collapsedGroups.addListener((SetChangeListener<String>) _ -> show(editor.editorStateProperty().get()));
         list.setContextMenu(menu());
-        list.addEventHandler(KeyEvent.KEY_PRESSED, this::press);
+        list.addEventHandler(KeyEvent.KEY_PRESSED, this::handleKey);
         list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
         setVgrow(list, Priority.ALWAYS);
         getChildren().addAll(tools(), list);
         commands.setAction(Command.RENAME_LIGHT, this::rename);
-        editor.situationProperty().subscribe(this::show);
+        editor.editorStateProperty().subscribe(this::show);
     }
 
     private HBox tools() {
-        MenuButton add = new MenuButton(Texts.of("Add Light"), new FontIcon(MaterialDesignP.PLUS));
+        MenuButton add = new MenuButton(Messages.tr("Add Light"), new FontIcon(MaterialDesignP.PLUS));
         add.setId("add-light");
-        CommandItems items = CommandItems.of(commands);
+        CommandMenuItems items = CommandMenuItems.forMenu(commands);
         for (LightType type : List.of(LightType.POINT, LightType.SPOT, LightType.DIRECTIONAL, LightType.RECT, LightType.DISC)) {
             MenuItem item = items.value(Command.ADD_LIGHT, LightTypes.title(type), () -> add(type));
             item.setGraphic(new FontIcon(LightTypes.icon(type)));
             add.getItems().add(item);
         }
-        StackPane around = new StackPane(add);
-        var obstacle = new Obstacle(around, add, Texts.of("Add a light at the camera's upper right"));
-        editor.situationProperty().subscribe(_ -> obstacle.set(commands.reason(Command.ADD_LIGHT)));
+        StackPane wrapper = new StackPane(add);
+        var reason = new DisabledReason(wrapper, add, Messages.tr("Add a light at the camera's upper right"));
+        editor.editorStateProperty().subscribe(_ -> reason.set(commands.disabledReason(Command.ADD_LIGHT)));
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        HBox tools = new HBox(around, gap,
-                CommandButton.icon(commands, Command.DUPLICATE_LIGHT),
-                CommandButton.icon(commands, Command.DELETE_LIGHT));
+        HBox tools = new HBox(wrapper, gap,
+                CommandButton.iconButton(commands, Command.DUPLICATE_LIGHT),
+                CommandButton.iconButton(commands, Command.DELETE_LIGHT));
         tools.getStyleClass().add("lights-tools");
         return tools;
     }
@@ -94,15 +94,15 @@ public final class LightListPane extends VBox {
     }
 
     private ContextMenu menu() {
-        CommandItems items = CommandItems.of(commands, "of-light-");
+        CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-light-");
         return new ContextMenu(items.item(Command.RENAME_LIGHT), items.item(Command.DUPLICATE_LIGHT), items.item(Command.DELETE_LIGHT),
                 new SeparatorMenuItem(), items.item(Command.NEW_BANK), items.item(Command.DELETE_BANK),
                 new SeparatorMenuItem(), items.item(Command.COPY_SETTINGS), items.item(Command.PASTE_SETTINGS), new SeparatorMenuItem(),
                 items.item(Command.SWITCH_ON), items.item(Command.SOLO), items.item(Command.LOOK_THROUGH_LIGHT));
     }
 
-    private void press(KeyEvent event) {
-        if (!bankInHand.isEmpty() && pressOnBank(event.getCode())) {
+    private void handleKey(KeyEvent event) {
+        if (!selectedGroup.isEmpty() && handleGroupKey(event.getCode())) {
             event.consume();
             return;
         }
@@ -121,14 +121,15 @@ public final class LightListPane extends VBox {
     }
 
     /** The keys of lights do for a bank what they do for a light. */
-    private boolean pressOnBank(KeyCode key) {
-        String bank = bankInHand;
+    private boolean handleGroupKey(KeyCode key) {
+        String bank = selectedGroup;
         switch (key) {
-            case DELETE, BACK_SPACE -> editor.editOrReport(scene -> BankEdits.delete(scene, bank));
-            case SPACE -> editor.editOrReport(scene -> BankEdits.with(scene, bank, b -> b.withOn(!b.on())));
-            case S -> editor.editOrReport(scene -> BankEdits.with(scene, bank, b -> b.withSolo(!b.solo())));
+            case DELETE, BACK_SPACE -> editor.editOrReport(scene -> LightGroupEdits.delete(scene, bank));
+            case SPACE -> editor.editOrReport(scene -> LightGroupEdits.edit(scene, bank, b -> b.withOn(!b.on())));
+            case S -> editor.editOrReport(scene -> LightGroupEdits.edit(scene, bank, b -> b.withSolo(!b.solo())));
             case F2 -> list.lookupAll(".list-cell").stream().map(LightCell.class::cast)
-                    .filter(c -> c.getItem() instanceof RigRow.OfBank && c.bank().equals(bank)).forEach(LightCell::renameBank);
+                    .filter(c -> c.getItem() instanceof LightListRow.GroupRow && c.groupName().equals(bank))
+                    .forEach(LightCell::renameGroup);
             default -> {
                 return false;
             }
@@ -143,38 +144,40 @@ public final class LightListPane extends VBox {
     }
 
     private void select(int index) {
-        if (!showing && index >= 0) {
-            bankInHand = "";
+        if (!isUpdating && index >= 0) {
+            selectedGroup = "";
             switch (list.getItems().get(index)) {
-                case RigRow.OfLight(int place) -> editor.selection().selectLight(editor.scene().lights().get(place).name());
-                case RigRow.OfBank(int place) -> bankInHand = editor.scene().rig().banks().get(place).name();
+                case LightListRow.LightRow(int place) -> editor.selection().selectLight(editor.scene().lights().get(place).name());
+                case LightListRow.GroupRow(int place) -> selectedGroup = editor.scene().rig().lightGroups().get(place).name();
             }
         }
     }
 
     /** The list knows places alone, and cells what stands there: an edit of a light touches its cell, and the list not at all. */
-    private void show(Situation now) {
-        showing = true;
-        Rig rig = now.scene().rig();
-        List<RigRow> rows = RigRow.of(rig, folded);
-        RigRow inHand = list.getSelectionModel().getSelectedItem();
-        boolean same = list.getItems().equals(rows);
-        if (!same) {
+    private void show(EditorState state) {
+        isUpdating = true;
+        LightRig rig = state.scene().rig();
+        List<LightListRow> rows = LightListRow.of(rig, collapsedGroups);
+        LightListRow selectedRow = list.getSelectionModel().getSelectedItem();
+        boolean isUnchanged = list.getItems().equals(rows);
+        if (!isUnchanged) {
             list.getItems().setAll(rows);
         }
-        if (rig.bank(bankInHand).isEmpty()) {
+        if (rig.lightGroup(selectedGroup).isEmpty()) {
             // A bank of another name in the same place is the same bank, renamed.
-            bankInHand = same && inHand instanceof RigRow.OfBank(int place) ? rig.banks().get(place).name() : "";
+            selectedGroup =
+                    isUnchanged && selectedRow instanceof LightListRow.GroupRow(int place) ? rig.lightGroups().get(place).name() : "";
         }
-        RigRow wanted = !bankInHand.isEmpty() ? new RigRow.OfBank(rig.banks().indexOf(rig.bank(bankInHand).orElseThrow()))
-                : now.selected().<RigRow>map(l -> new RigRow.OfLight(rig.lights().indexOf(l))).orElse(null);
-        int selected = rows.indexOf(wanted);
+        LightListRow targetRow =
+                !selectedGroup.isEmpty() ? new LightListRow.GroupRow(rig.lightGroups().indexOf(rig.lightGroup(selectedGroup).orElseThrow()))
+                        : state.selectedLight().<LightListRow>map(l -> new LightListRow.LightRow(rig.lights().indexOf(l))).orElse(null);
+        int selected = rows.indexOf(targetRow);
         if (selected < 0) {
             list.getSelectionModel().clearSelection();
         } else if (list.getSelectionModel().getSelectedIndex() != selected) {
             list.getSelectionModel().clearAndSelect(selected);
             list.scrollTo(selected);
         }
-        showing = false;
+        isUpdating = false;
     }
 }

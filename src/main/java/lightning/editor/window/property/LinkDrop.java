@@ -10,11 +10,11 @@ import javafx.scene.input.DataFormat;
 import javafx.scene.input.DragEvent;
 import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.LightEdits;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.LightAttribute;
-import lightning.scene.Links;
+import lightning.scene.ShapeLinks;
 
 /**
  * Drags a light onto a shape or a group, or one of these onto a light: the light ceases to shine on it, or shines on it again; with Ctrl and Shift
@@ -25,7 +25,7 @@ final class LinkDrop {
     private static final TransferMode[] MODES = {TransferMode.MOVE, TransferMode.LINK};
     static final DataFormat LIGHT = new DataFormat("application/x-lightning-light");
     private static final DataFormat SHAPE = new DataFormat("application/x-lightning-shape");
-    private static final PseudoClass OVER = PseudoClass.getPseudoClass("drop");
+    private static final PseudoClass DROP_TARGET = PseudoClass.getPseudoClass("drop");
 
     private LinkDrop() {}
 
@@ -34,7 +34,7 @@ final class LinkDrop {
      *
      * @param name of what the line shows; null where it shows nothing
      */
-    static void drag(Cell<?> cell, DataFormat format, Supplier<String> name) {
+    static void makeDraggable(Cell<?> cell, DataFormat format, Supplier<String> name) {
         cell.setOnDragDetected(event -> {
             if (name.get() != null && !cell.isEditing()) {
                 Dragboard board = cell.startDragAndDrop(MODES);
@@ -47,35 +47,35 @@ final class LinkDrop {
     }
 
     /** A light's line takes shapes and groups. */
-    static void ontoLight(LightCell cell, SceneEditor editor) {
-        takes(cell, SHAPE, () -> cell.light() == null ? null : cell.light().name(),
-                (shape, light, shadows) -> drop(light, shape, shadows, editor));
+    static void acceptShapes(LightCell cell, SceneEditor editor) {
+        acceptDrops(cell, SHAPE, () -> cell.light() == null ? null : cell.light().name(),
+                (shape, light, shadows) -> toggleLink(light, shape, shadows, editor));
     }
 
     /** The line of a shape or a group takes lights, and is dragged onto them. */
-    static void ofShape(Cell<?> cell, Supplier<String> name, SceneEditor editor) {
-        drag(cell, SHAPE, name);
-        takes(cell, LIGHT, name, (light, shape, shadows) -> drop(light, shape, shadows, editor));
+    static void installOnShape(Cell<?> cell, Supplier<String> name, SceneEditor editor) {
+        makeDraggable(cell, SHAPE, name);
+        acceptDrops(cell, LIGHT, name, (light, shape, shadows) -> toggleLink(light, shape, shadows, editor));
     }
 
     /** What is done with what was dragged and what it was dropped on. */
-    private interface Drop {
-        void done(String dragged, String on, boolean shadows);
+    private interface DropAction {
+        void apply(String dragged, String target, boolean shadows);
     }
 
-    private static void takes(Node cell, DataFormat format, Supplier<String> name, Drop drop) {
+    private static void acceptDrops(Node cell, DataFormat format, Supplier<String> name, DropAction drop) {
         cell.addEventHandler(DragEvent.DRAG_OVER, event -> {
             if (event.getDragboard().hasContent(format) && name.get() != null) {
                 event.acceptTransferModes(MODES);
                 event.consume();
             }
         });
-        cell.addEventHandler(DragEvent.DRAG_ENTERED_TARGET, event -> cell.pseudoClassStateChanged(OVER,
+        cell.addEventHandler(DragEvent.DRAG_ENTERED_TARGET, event -> cell.pseudoClassStateChanged(DROP_TARGET,
                 event.getDragboard().hasContent(format) && name.get() != null));
-        cell.addEventHandler(DragEvent.DRAG_EXITED_TARGET, _ -> cell.pseudoClassStateChanged(OVER, false));
+        cell.addEventHandler(DragEvent.DRAG_EXITED_TARGET, _ -> cell.pseudoClassStateChanged(DROP_TARGET, false));
         cell.addEventHandler(DragEvent.DRAG_DROPPED, event -> {
             if (event.getDragboard().getContent(format) instanceof String dragged && name.get() != null) {
-                drop.done(dragged, name.get(), event.getTransferMode() == TransferMode.LINK);
+                drop.apply(dragged, name.get(), event.getTransferMode() == TransferMode.LINK);
                 event.setDropCompleted(true);
                 event.consume();
             }
@@ -83,7 +83,7 @@ final class LinkDrop {
     }
 
     /** The tab under the mouse comes in front, so that what is dragged from one list is dropped in another. */
-    static void throughTabs(TabPane tabs) {
+    static void switchTabsOnDrag(TabPane tabs) {
         tabs.addEventFilter(DragEvent.DRAG_OVER, event -> tabs.getTabs().stream()
                 .filter(tab -> tabs.lookup("#" + tab.getId()) instanceof Node header
                         && header.contains(header.sceneToLocal(event.getSceneX(), event.getSceneY())))
@@ -91,24 +91,24 @@ final class LinkDrop {
     }
 
     /** @param shadows whether it is the shadow of the shape, and not the light on it */
-    static void drop(String light, String shape, boolean shadows, SceneEditor editor) {
-        LightAttribute<Links> attribute = shadows ? LightAttribute.SHADOWED_BY : LightAttribute.ILLUMINATES;
-        if (editor.editOrReport(scene -> LightEdits.with(scene, light, l -> attribute.with(l, flipped(attribute.of(l), shape))))
+    static void toggleLink(String light, String shape, boolean shadows, SceneEditor editor) {
+        LightAttribute<ShapeLinks> attribute = shadows ? LightAttribute.SHADOWED_BY : LightAttribute.ILLUMINATES;
+        if (editor.editOrReport(scene -> LightEdits.edit(scene, light, l -> attribute.with(l, toggle(attribute.get(l), shape))))
                 .isEmpty()) {
-            editor.scene().light(light).map(attribute::of).ifPresent(
-                    links -> editor.message().show(told(light, shape, shadows, links.only() == links.names().contains(shape))));
+            editor.scene().light(light).map(attribute::get).ifPresent(
+                    links -> editor.message().show(message(light, shape, shadows, links.exclusive() == links.names().contains(shape))));
         }
     }
 
-    private static Links flipped(Links links, String name) {
+    private static ShapeLinks toggle(ShapeLinks links, String name) {
         return links.with(name, !links.names().contains(name));
     }
 
-    private static String told(String light, String shape, boolean shadows, boolean linked) {
+    private static String message(String light, String shape, boolean shadows, boolean linked) {
         if (shadows) {
-            return linked ? Texts.of("{0} throws a shadow in the light of {1}", shape, light)
-                    : Texts.of("{0} throws no shadow in the light of {1}", shape, light);
+            return linked ? Messages.tr("{0} throws a shadow in the light of {1}", shape, light)
+                    : Messages.tr("{0} throws no shadow in the light of {1}", shape, light);
         }
-        return linked ? Texts.of("{0} shines on {1}", light, shape) : Texts.of("{0} does not shine on {1}", light, shape);
+        return linked ? Messages.tr("{0} shines on {1}", light, shape) : Messages.tr("{0} does not shine on {1}", light, shape);
     }
 }

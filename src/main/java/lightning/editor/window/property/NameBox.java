@@ -7,11 +7,11 @@ import javafx.beans.value.ObservableValue;
 import javafx.scene.control.ComboBox;
 import javafx.scene.layout.StackPane;
 import javafx.util.StringConverter;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.Situation;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.widget.Obstacle;
+import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.ValueKind;
@@ -19,22 +19,22 @@ import lightning.scene.ValueKind;
 /** A box of the names that an attribute of the selected light can have, and none. */
 final class NameBox extends StackPane {
     private final LightAttribute<String> attribute;
-    private final ValueKind.Naming kind;
+    private final ValueKind.NameKind kind;
     private final ComboBox<String> box = new ComboBox<>();
-    private final Obstacle obstacle;
-    private boolean showing;
+    private final DisabledReason disabledReason;
+    private boolean isUpdating;
 
-    /** @param seen as in {@link PropertyPane} */
-    NameBox(SceneEditor editor, LightAttribute<String> attribute, ValueKind.Naming kind, ObservableValue<Situation> seen) {
+    /** @param visibleState as in {@link PropertyPane} */
+    NameBox(SceneEditor editor, LightAttribute<String> attribute, ValueKind.NameKind kind, ObservableValue<EditorState> visibleState) {
         this.attribute = attribute;
         this.kind = kind;
         box.setId("light-" + attribute.name());
-        box.setAccessibleText(Texts.of(attribute.title()));
+        box.setAccessibleText(Messages.tr(attribute.title()));
         box.setMaxWidth(Double.MAX_VALUE);
         box.setConverter(new StringConverter<>() {
             @Override
             public String toString(String name) {
-                return name == null ? "" : name.isEmpty() ? Texts.of("none") : name;
+                return name == null ? "" : name.isEmpty() ? Messages.tr("none") : name;
             }
 
             @Override
@@ -43,25 +43,26 @@ final class NameBox extends StackPane {
             }
         });
         box.valueProperty().addListener((_, _, now) -> {
-            if (!showing && now != null) {
+            if (!isUpdating && now != null) {
                 String name = editor.selection().lightName();
-                editor.editOrReport(scene -> LightEdits.with(scene, name, light -> attribute.with(light, now)));
+                editor.editOrReport(scene -> LightEdits.edit(scene, name, light -> attribute.with(light, now)));
             }
         });
         getChildren().add(box);
-        obstacle = new Obstacle(this, box, Texts.of(kind.help()));
-        seen.subscribe(this::show);
+        disabledReason = new DisabledReason(this, box, Messages.tr(kind.help()));
+        visibleState.subscribe(this::show);
     }
 
-    private void show(Situation now) {
-        Optional<Light> light = now.selected();
-        showing = true;
-        List<String> names = Stream.concat(Stream.of(""), kind.names().apply(now.scene()).stream()).toList();
+    private void show(EditorState state) {
+        Optional<Light> light = state.selectedLight();
+        isUpdating = true;
+        List<String> names = Stream.concat(Stream.of(""), kind.names().apply(state.scene()).stream()).toList();
         if (!box.getItems().equals(names)) {
             box.getItems().setAll(names);
         }
-        box.setValue(light.map(attribute::of).orElse(null));
-        showing = false;
-        obstacle.set(light.isPresent() ? attribute.obstacle(light.get().type()) : Optional.of(Texts.of("no light is selected")));
+        box.setValue(light.map(attribute::get).orElse(null));
+        isUpdating = false;
+        disabledReason
+                .set(light.isPresent() ? attribute.inactiveReason(light.get().type()) : Optional.of(Messages.tr("no light is selected")));
     }
 }

@@ -13,7 +13,7 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Priority;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /** Stands in place of a name in a row while another is typed, and says why that is refused. */
 final class NameField extends TextField {
@@ -21,42 +21,42 @@ final class NameField extends TextField {
 
     private final Label label;
     private final BiFunction<String, String, Optional<String>> rename;
-    private final Runnable taken;
-    private String old;
+    private final Runnable onRenamed;
+    private String oldName;
 
     /**
      * @param label  what shows the name, in a row of nodes
      * @param rename gives what is called by the first name the second, stripped; tells why it refuses to, here and to the artist
-     * @param taken  called when it did
-     * @param left   called when Escape is pressed or keys go elsewhere
+     * @param onRenamed  called when it did
+     * @param onCanceled   called when Escape is pressed or keys go elsewhere
      */
-    NameField(Label label, BiFunction<String, String, Optional<String>> rename, Runnable taken, Runnable left) {
+    NameField(Label label, BiFunction<String, String, Optional<String>> rename, Runnable onRenamed, Runnable onCanceled) {
         this.label = label;
         this.rename = rename;
-        this.taken = taken;
+        this.onRenamed = onRenamed;
         label.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(label, Priority.ALWAYS);
         HBox.setHgrow(this, Priority.ALWAYS);
-        setAccessibleText(Texts.of("new name"));
+        setAccessibleText(Messages.tr("new name"));
         setOnAction(_ -> rename());
         addEventFilter(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
-                left.run();
+                onCanceled.run();
                 event.consume();
             }
         });
         focusedProperty().addListener((_, was, _) -> {
             if (was) {
-                left.run();
+                onCanceled.run();
             }
         });
     }
 
     /** Takes the label's place; {@code name} is what shall be another. */
     void open(String name) {
-        old = name;
+        oldName = name;
         setText(name);
-        mark(Optional.empty());
+        showRefusal(Optional.empty());
         replace(label, this);
         requestFocus();
         selectAll();
@@ -68,23 +68,23 @@ final class NameField extends TextField {
     }
 
     private void rename() {
-        Optional<String> refusal = rename.apply(old, getText().strip());
-        mark(refusal);
+        Optional<String> refusal = rename.apply(oldName, getText().strip());
+        showRefusal(refusal);
         if (refusal.isEmpty()) {
-            taken.run();
+            onRenamed.run();
         }
     }
 
-    private void mark(Optional<String> refusal) {
+    private void showRefusal(Optional<String> refusal) {
         pseudoClassStateChanged(REFUSED, refusal.isPresent());
         setTooltip(refusal.map(Tooltip::new).orElse(null));
         setAccessibleHelp(refusal.orElse(""));
     }
 
-    private static void replace(Node shown, Node with) {
-        if (shown.getParent() instanceof Pane row) {
+    private static void replace(Node oldNode, Node newNode) {
+        if (oldNode.getParent() instanceof Pane row) {
             ObservableList<Node> nodes = row.getChildren();
-            nodes.set(nodes.indexOf(shown), with);
+            nodes.set(nodes.indexOf(oldNode), newNode);
         }
     }
 }

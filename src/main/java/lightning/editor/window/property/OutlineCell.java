@@ -7,13 +7,13 @@ import javafx.geometry.Insets;
 import javafx.scene.control.Button;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Group;
-import lightning.scene.Node;
+import lightning.scene.NodeGroup;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import org.kordamp.ikonli.Ikon;
@@ -35,37 +35,37 @@ final class OutlineCell extends NamedCell<OutlineRow> {
             Solid.Cylinder.class, MaterialDesignC.CYLINDER,
             Solid.Frustum.class, MaterialDesignC.CUP_OUTLINE,
             Solid.Plane.class, MaterialDesignS.SQUARE_OUTLINE,
-            Solid.Triangles.class, MaterialDesignV.VECTOR_POLYGON);
+            Solid.TriangleMesh.class, MaterialDesignV.VECTOR_POLYGON);
 
     private final SceneEditor editor;
     private final OutlinePane pane;
-    private final Button fold = new Button();
+    private final Button foldButton = new Button();
     private final FontIcon arrow = new FontIcon();
     private final FontIcon kind = new FontIcon();
     private final ToggleButton eye = LightCell.toggle("eye");
-    private final FontIcon lid = new FontIcon();
-    private final HBox row = new HBox(fold, kind, name, eye);
-    private Node shown;
+    private final FontIcon eyeIcon = new FontIcon();
+    private final HBox row = new HBox(foldButton, kind, name, eye);
+    private SceneNode shownNode;
 
-    OutlineCell(SceneEditor editor, Commands commands, OutlinePane pane) {
+    OutlineCell(SceneEditor editor, CommandRegistry commands, OutlinePane pane) {
         super(commands, Command.RENAME_SHAPE, (old, typed) -> typed.equals(old) ? Optional.empty() : pane.rename(old, typed));
         this.editor = editor;
         this.pane = pane;
-        fold.setGraphic(arrow);
-        fold.getStyleClass().addAll("flat", "fold");
-        fold.setFocusTraversable(false);
-        fold.setOnAction(_ -> pane.fold(shown.name()));
+        foldButton.setGraphic(arrow);
+        foldButton.getStyleClass().addAll("flat", "fold");
+        foldButton.setFocusTraversable(false);
+        foldButton.setOnAction(_ -> pane.toggleExpanded(shownNode.name()));
         kind.getStyleClass().add("light-type");
-        eye.setGraphic(lid);
+        eye.setGraphic(eyeIcon);
         eye.setOnAction(_ -> {
-            editor.editOrReport(scene -> NodeEdits.visible(scene, shown.name(), !shown.visible()));
+            editor.editOrReport(scene -> NodeEdits.setVisible(scene, shownNode.name(), !shownNode.visible()));
             show();
         });
-        LinkDrop.ofShape(this, () -> shown == null ? null : shown.name(), editor);
+        LinkDrop.installOnShape(this, () -> shownNode == null ? null : shownNode.name(), editor);
         row.getStyleClass().add("light-row");
         editor.sceneProperty().subscribe(_ -> show());
         setOnMouseClicked(event -> {
-            if (event.getClickCount() == 2 && shown != null) {
+            if (event.getClickCount() == 2 && shownNode != null) {
                 commands.run(Command.RENAME_SHAPE);
             }
         });
@@ -78,52 +78,52 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     }
 
     private void show() {
-        Node node = isEmpty() || getItem() == null ? null : getItem().node(editor.scene().stage());
+        SceneNode node = isEmpty() || getItem() == null ? null : getItem().node(editor.scene().stage());
         setGraphic(node == null ? null : row);
         if (node == null) {
             setAccessibleText(null);
         } else {
             show(node);
         }
-        shown = node;
+        shownNode = node;
     }
 
-    private void show(Node node) {
+    private void show(SceneNode node) {
         // A click has switched it already, whatever came of it.
         eye.setSelected(node.visible());
         row.setPadding(new Insets(0, 0, 0, INDENT * getItem().depth()));
-        fold.setVisible(node instanceof Group);
-        arrow.setIconCode(pane.isUnfolded(node.name()) ? MaterialDesignC.CHEVRON_DOWN : MaterialDesignC.CHEVRON_RIGHT);
-        if (node == shown) {
+        foldButton.setVisible(node instanceof NodeGroup);
+        arrow.setIconCode(pane.isExpanded(node.name()) ? MaterialDesignC.CHEVRON_DOWN : MaterialDesignC.CHEVRON_RIGHT);
+        if (node == shownNode) {
             return;
         }
-        fold.setAccessibleText(Texts.of("fold or unfold {0}", node.name()));
+        foldButton.setAccessibleText(Messages.tr("fold or unfold {0}", node.name()));
         kind.setIconCode(icon(node));
         name.setText(node.name());
-        lid.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
-        LightCell.describe(eye, Texts.of("{0} visible", node.name()),
-                node.visible() ? Texts.of("Hide it: no picture, no shadow") : Texts.of("Show it again"));
+        eyeIcon.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
+        LightCell.describe(eye, Messages.tr("{0} visible", node.name()),
+                node.visible() ? Messages.tr("Hide it: no picture, no shadow") : Messages.tr("Show it again"));
         row.pseudoClassStateChanged(DARK, !node.visible());
-        setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : Texts.of(", hidden")));
+        setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : Messages.tr(", hidden")));
     }
 
     /** What it is, for people. */
-    static String noun(Node node) {
+    static String noun(SceneNode node) {
         return switch (node) {
-            case Group _ -> Texts.of("group");
-            case Shape s -> s.solid().noun();
+            case NodeGroup _ -> Messages.tr("group");
+            case Shape s -> s.solid().typeName();
         };
     }
 
-    private static Ikon icon(Node node) {
+    private static Ikon icon(SceneNode node) {
         return switch (node) {
-            case Group _ -> MaterialDesignF.FOLDER_OUTLINE;
+            case NodeGroup _ -> MaterialDesignF.FOLDER_OUTLINE;
             case Shape s -> ICONS.getOrDefault(s.solid().getClass(), MaterialDesignS.SHAPE_OUTLINE);
         };
     }
 
     @Override
-    Optional<String> renamed() {
-        return Optional.ofNullable(shown).map(Node::name);
+    Optional<String> renameTarget() {
+        return Optional.ofNullable(shownNode).map(SceneNode::name);
     }
 }

@@ -14,17 +14,17 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.NodeEdits;
-import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.command.CommandItems;
+import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.command.ShapeKeys;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
-import lightning.scene.Group;
-import lightning.scene.Node;
+import lightning.scene.NodeGroup;
+import lightning.scene.SceneNode;
 import lightning.scene.Stage;
 
 /**
@@ -33,55 +33,55 @@ import lightning.scene.Stage;
  */
 final class OutlinePane extends VBox {
     private final SceneEditor editor;
-    private final Commands commands;
+    private final CommandRegistry commands;
     private final ListView<OutlineRow> list = new ListView<>();
     private final Label count = new Label();
     /** Made once: to look up how a language writes numbers takes a twentieth of an edit. */
-    private final NumberFormat grouped = NumberFormat.getIntegerInstance(Texts.locale());
-    private final Set<String> unfolded = new HashSet<>();
+    private final NumberFormat countFormat = NumberFormat.getIntegerInstance(Messages.locale());
+    private final Set<String> expandedGroups = new HashSet<>();
     /** What is listed, and which of it is selected; null before the first. */
-    private Stage listed;
-    private Node selected;
-    private boolean showing;
+    private Stage listedStage;
+    private SceneNode selected;
+    private boolean isUpdating;
 
-    OutlinePane(SceneEditor editor, Commands commands) {
+    OutlinePane(SceneEditor editor, CommandRegistry commands) {
         this.editor = editor;
         this.commands = commands;
         setId("shapes");
         getStyleClass().add("lights");
         list.setId("shape-list");
         list.getStyleClass().addAll("light-list", "shape-list", "edge-to-edge");
-        list.setAccessibleText(Texts.of("shapes and groups"));
-        list.setPlaceholder(new Label(Texts.of("No shapes.")));
+        list.setAccessibleText(Messages.tr("shapes and groups"));
+        list.setPlaceholder(new Label(Messages.tr("No shapes.")));
         list.setCellFactory(_ -> new OutlineCell(editor, commands, this));
-        CommandItems items = CommandItems.of(commands, "of-shape-");
+        CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
                 items.item(Command.DELETE_SHAPE), new SeparatorMenuItem(), items.item(Command.SHOW_SHAPE)));
-        list.addEventHandler(KeyEvent.KEY_PRESSED, this::press);
+        list.addEventHandler(KeyEvent.KEY_PRESSED, this::handleKey);
         list.getSelectionModel().selectedIndexProperty().addListener((_, _, now) -> select(now.intValue()));
         setVgrow(list, Priority.ALWAYS);
         count.setId("shape-count");
         count.getStyleClass().add("caption");
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
-        var tools = new HBox(count, gap, CommandButton.icon(commands, Command.SHOW_SHAPE),
-                CommandButton.icon(commands, Command.DUPLICATE_SHAPE), CommandButton.icon(commands, Command.DELETE_SHAPE));
+        var tools = new HBox(count, gap, CommandButton.iconButton(commands, Command.SHOW_SHAPE),
+                CommandButton.iconButton(commands, Command.DUPLICATE_SHAPE), CommandButton.iconButton(commands, Command.DELETE_SHAPE));
         tools.getStyleClass().add("lights-tools");
         getChildren().addAll(tools, list);
         commands.setAction(Command.RENAME_SHAPE, this::rename);
-        editor.situationProperty().subscribe(this::show);
+        editor.editorStateProperty().subscribe(this::show);
     }
 
-    private void press(KeyEvent event) {
+    private void handleKey(KeyEvent event) {
         if (list.getEditingIndex() >= 0) {
             return;
         }
         switch (event.getCode()) {
             case F2 -> commands.run(Command.RENAME_SHAPE);
-            case LEFT -> fold(false);
-            case RIGHT -> fold(true);
+            case LEFT -> setExpanded(false);
+            case RIGHT -> setExpanded(true);
             default -> {
-                if (!ShapeKeys.pressed(commands, event)) {
+                if (!ShapeKeys.handle(commands, event)) {
                     return;
                 }
             }
@@ -89,23 +89,23 @@ final class OutlinePane extends VBox {
         event.consume();
     }
 
-    private void fold(boolean unfold) {
-        if (selected instanceof Group g && isUnfolded(g.name()) != unfold) {
-            fold(g.name());
+    private void setExpanded(boolean expand) {
+        if (selected instanceof NodeGroup g && isExpanded(g.name()) != expand) {
+            toggleExpanded(g.name());
         }
     }
 
-    boolean isUnfolded(String group) {
-        return unfolded.contains(group);
+    boolean isExpanded(String group) {
+        return expandedGroups.contains(group);
     }
 
     /** Folds a group, or unfolds it. */
-    void fold(String group) {
-        if (!unfolded.remove(group)) {
-            unfolded.add(group);
+    void toggleExpanded(String group) {
+        if (!expandedGroups.remove(group)) {
+            expandedGroups.add(group);
         }
-        list(editor.scene().stage());
-        mark(editor.scene().stage(), false);
+        updateList(editor.scene().stage());
+        updateSelection(editor.scene().stage(), false);
     }
 
     /** Only until the cell ends it is the list editable, or a second click on a shape would rename it. */
@@ -118,8 +118,8 @@ final class OutlinePane extends VBox {
     Optional<String> rename(String name, String typed) {
         Optional<String> refusal = editor.editOrReport(scene -> NodeEdits.rename(scene, name, typed));
         if (refusal.isEmpty()) {
-            if (unfolded.remove(name)) {
-                unfolded.add(typed);
+            if (expandedGroups.remove(name)) {
+                expandedGroups.add(typed);
             }
             editor.selection().selectNode(typed);
         }
@@ -127,47 +127,47 @@ final class OutlinePane extends VBox {
     }
 
     private void select(int index) {
-        if (!showing && index >= 0) {
-            Node node = list.getItems().get(index).node(editor.scene().stage());
+        if (!isUpdating && index >= 0) {
+            SceneNode node = list.getItems().get(index).node(editor.scene().stage());
             if (node != null) {
                 editor.selection().selectNode(node.name());
             }
         }
     }
 
-    private void show(Situation now) {
-        Stage stage = now.scene().stage();
-        boolean other = listed == null || !stage.sharesOutlineWith(listed);
-        Node before = selected;
-        selected = now.node().orElse(null);
-        boolean moved = selected != before
-                && (selected == null || before == null || !selected.name().equals(before.name()));
-        if (moved && selected != null) {
-            other |= unfolded.addAll(stage.around(selected.name()).stream().map(Group::name).toList());
+    private void show(EditorState state) {
+        Stage stage = state.scene().stage();
+        boolean outlineChanged = listedStage == null || !stage.sharesStructure(listedStage);
+        SceneNode oldSelection = selected;
+        selected = state.selectedNode().orElse(null);
+        boolean selectionChanged = selected != oldSelection
+                && (selected == null || oldSelection == null || !selected.name().equals(oldSelection.name()));
+        if (selectionChanged && selected != null) {
+            outlineChanged |= expandedGroups.addAll(stage.enclosingGroups(selected.name()).stream().map(NodeGroup::name).toList());
         }
-        if (other) {
-            list(stage);
+        if (outlineChanged) {
+            updateList(stage);
         }
-        if (other || moved) {
+        if (outlineChanged || selectionChanged) {
             // Where lines are listed anew below a group, those in view are not known before they are laid out.
-            mark(stage, moved && (other && !unfolded.isEmpty() || !isInView(line(stage))));
+            updateSelection(stage, selectionChanged && (outlineChanged && !expandedGroups.isEmpty() || !isInView(rowIndex(stage))));
         }
     }
 
-    private void list(Stage stage) {
-        showing = true;
-        listed = stage;
+    private void updateList(Stage stage) {
+        isUpdating = true;
+        listedStage = stage;
         // A list that gains or loses lines moves its selection along, line by line; here it is made anew.
         list.getSelectionModel().clearSelection();
-        OutlineRow.update(list.getItems(), stage, unfolded);
+        OutlineRow.update(list.getItems(), stage, expandedGroups);
         int shapes = stage.shapeCount();
-        count.setText(shapes == 1 ? Texts.of("1 shape") : Texts.of("{0} shapes", grouped.format(shapes)));
-        showing = false;
+        count.setText(shapes == 1 ? Messages.tr("1 shape") : Messages.tr("{0} shapes", countFormat.format(shapes)));
+        isUpdating = false;
     }
 
     /** The line of what is selected; −1 for none. */
-    private int line(Stage stage) {
-        return selected == null ? -1 : stage.places(selected.name()).map(places -> OutlineRow.line(list.getItems(), places)).orElse(-1);
+    private int rowIndex(Stage stage) {
+        return selected == null ? -1 : stage.path(selected.name()).map(places -> OutlineRow.indexOf(list.getItems(), places)).orElse(-1);
     }
 
     /** Whether a line is among those laid out last, between the first and the last of these, which may be cut off. */
@@ -177,9 +177,9 @@ final class OutlinePane extends VBox {
     }
 
     /** @param scroll whether the line is brought into view, which takes the longer the more lines there are */
-    private void mark(Stage stage, boolean scroll) {
-        showing = true;
-        int row = line(stage);
+    private void updateSelection(Stage stage, boolean scroll) {
+        isUpdating = true;
+        int row = rowIndex(stage);
         if (row < 0) {
             list.getSelectionModel().clearSelection();
         } else if (list.getSelectionModel().getSelectedIndex() != row) {
@@ -188,6 +188,6 @@ final class OutlinePane extends VBox {
                 list.scrollTo(row);
             }
         }
-        showing = false;
+        isUpdating = false;
     }
 }

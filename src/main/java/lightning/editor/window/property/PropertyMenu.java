@@ -8,15 +8,15 @@ import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.ClipboardContent;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.editor.document.Command;
 import lightning.editor.document.KeyEdits;
-import lightning.editor.document.Moment;
-import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.Arrangement;
-import lightning.editor.window.model.Commands;
+import lightning.editor.document.ShotFrame;
+import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.model.WindowLayout;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Track;
@@ -27,101 +27,102 @@ import lightning.scene.shot.Track;
  */
 final class PropertyMenu {
     private static final PseudoClass KEYED = PseudoClass.getPseudoClass("keyed");
-    private static final PseudoClass KEY_HERE = PseudoClass.getPseudoClass("key-here");
+    private static final PseudoClass KEYED_AT_FRAME = PseudoClass.getPseudoClass("key-here");
 
     private final SceneEditor editor;
-    private final Arrangement arrangement;
-    private final CommandItems items;
+    private final WindowLayout arrangement;
+    private final CommandMenuItems items;
 
-    PropertyMenu(SceneEditor editor, Commands commands, Arrangement arrangement) {
+    PropertyMenu(SceneEditor editor, CommandRegistry commands, WindowLayout arrangement) {
         this.editor = editor;
         this.arrangement = arrangement;
-        items = CommandItems.of(commands);
+        items = CommandMenuItems.forMenu(commands);
     }
 
     /** Opens at a right click on what shows the property. */
-    void on(Node widget, PropertyOwner property) {
-        var shown = new ContextMenu();
+    void attach(Node widget, SelectedProperty property) {
+        var menu = new ContextMenu();
         widget.setOnContextMenuRequested(e -> {
-            shown.getItems().setAll(items(property));
-            shown.show(widget, e.getScreenX(), e.getScreenY());
+            menu.getItems().setAll(items(property));
+            menu.show(widget, e.getScreenX(), e.getScreenY());
             e.consume();
         });
-        editor.situationProperty().subscribe(now -> {
-            Optional<Track> keys = now.moment().filter(_ -> property.text().isPresent())
+        editor.editorStateProperty().subscribe(state -> {
+            Optional<Track> keys = state.shotFrame().filter(_ -> property.text().isPresent())
                     .flatMap(m -> m.shot().track(property.keyTarget(), property.name()));
             widget.pseudoClassStateChanged(KEYED, keys.isPresent());
-            widget.pseudoClassStateChanged(KEY_HERE, keys.flatMap(t -> t.key(now.moment().get().frame())).isPresent());
+            widget.pseudoClassStateChanged(KEYED_AT_FRAME, keys.flatMap(t -> t.key(state.shotFrame().get().frame())).isPresent());
         });
     }
 
-    private MenuItem[] items(PropertyOwner property) {
-        String title = Sections.title(property.title());
-        String there = value(property, copied());
-        var copy = items.value(Command.COPY_PROPERTY, Texts.of("Copy {0}", title), () -> copy(property));
+    private MenuItem[] items(SelectedProperty property) {
+        String title = SectionLayout.title(property.title());
+        String clipboardValue = value(property, clipboardText());
+        var copy = items.value(Command.COPY_PROPERTY, Messages.tr("Copy {0}", title), () -> copy(property));
         var paste = items.value(Command.PASTE_PROPERTY,
-                Texts.of("Paste {0}", title) + (there.isEmpty() ? Texts.of(" (none is copied)") : " " + Quote.of(there)),
+                Messages.tr("Paste {0}", title)
+                        + (clipboardValue.isEmpty() ? Messages.tr(" (none is copied)") : " " + Quote.of(clipboardValue)),
                 () -> paste(property));
         var reset =
-                items.value(Command.RESET_PROPERTY, Texts.of("Reset {0}", title), () -> editor.editOrReport(property::reset));
-        boolean none = property.text().isEmpty();
-        copy.setDisable(copy.isDisable() || none);
-        paste.setDisable(paste.isDisable() || none || there.isEmpty());
-        reset.setDisable(reset.isDisable() || none);
-        if (!property.keyed(editor.scene())) {
+                items.value(Command.RESET_PROPERTY, Messages.tr("Reset {0}", title), () -> editor.editOrReport(property::reset));
+        boolean hasNoValue = property.text().isEmpty();
+        copy.setDisable(copy.isDisable() || hasNoValue);
+        paste.setDisable(paste.isDisable() || hasNoValue || clipboardValue.isEmpty());
+        reset.setDisable(reset.isDisable() || hasNoValue);
+        if (!property.canHaveKeys(editor.scene())) {
             return new MenuItem[] {copy, paste, reset};
         }
-        var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> key(property));
-        var unkey = items.value(Command.UNKEY_PROPERTY, Texts.of("Remove Keys of {0}", title), () -> unkey(property));
+        var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> setKeyframe(property));
+        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Remove Keys of {0}", title), () -> removeKeyframes(property));
         unkey.setDisable(unkey.isDisable() || moment().flatMap(m -> m.shot().track(property.keyTarget(), property.name())).isEmpty());
         return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
     }
 
     private String keyTitle(String title) {
-        return moment().map(m -> Texts.of("Key {0} at Frame {1}", title, m.frame())).orElse(Texts.of("Key {0} in a New Shot", title));
+        return moment().map(m -> Messages.tr("Key {0} at Frame {1}", title, m.frame())).orElse(Messages.tr("Key {0} in a New Shot", title));
     }
 
-    private void key(PropertyOwner property) {
-        Scene shown = editor.scene();
-        Optional<String> refusal = editor.editAllOrReport(scene -> {
-            AnimatedScene begun = KeyEdits.begin(scene);
-            int frame = moment().map(Moment::frame).orElseGet(() -> begun.shot().orElseThrow().first());
-            return KeyEdits.key(begun, shown, property.keyTarget(), property.name(), frame);
+    private void setKeyframe(SelectedProperty property) {
+        Scene shownScene = editor.scene();
+        Optional<String> refusal = editor.editShotOrReport(scene -> {
+            AnimatedScene sceneWithShot = KeyEdits.addShot(scene);
+            int frame = moment().map(ShotFrame::frame).orElseGet(() -> sceneWithShot.shot().orElseThrow().first());
+            return KeyEdits.setKey(sceneWithShot, shownScene, property.keyTarget(), property.name(), frame);
         }, null);
         if (refusal.isEmpty()) {
             arrangement.timelineShownProperty().set(true);
         }
     }
 
-    private Optional<Moment> moment() {
-        return editor.document().moment();
+    private Optional<ShotFrame> moment() {
+        return editor.document().shotFrame();
     }
 
-    private void unkey(PropertyOwner property) {
-        Scene shown = editor.scene();
-        editor.editAllOrReport(scene -> KeyEdits.unkey(scene, shown, property.keyTarget(), property.name()), null);
+    private void removeKeyframes(SelectedProperty property) {
+        Scene shownScene = editor.scene();
+        editor.editShotOrReport(scene -> KeyEdits.removeKeys(scene, shownScene, property.keyTarget(), property.name()), null);
     }
 
-    private static String copied() {
+    private static String clipboardText() {
         String text = Clipboard.getSystemClipboard().getString();
         return text == null ? "" : text.strip();
     }
 
     /** What a copied text says of the property; empty where it speaks of another. */
-    private String value(PropertyOwner property, String text) {
+    private String value(SelectedProperty property, String text) {
         return text.startsWith(property.name() + " ") && text.indexOf('\n') < 0 ? text.substring(property.name().length() + 1).strip()
                 : "";
     }
 
-    private void copy(PropertyOwner property) {
+    private void copy(SelectedProperty property) {
         var content = new ClipboardContent();
         content.putString(property.name() + " " + property.text().orElseThrow());
         Clipboard.getSystemClipboard().setContent(content);
-        editor.message().show(Texts.of("Copied {0}", content.getString()));
+        editor.message().show(Messages.tr("Copied {0}", content.getString()));
     }
 
-    private void paste(PropertyOwner property) {
-        String value = value(property, copied());
+    private void paste(SelectedProperty property) {
+        String value = value(property, clipboardText());
         editor.editOrReport(scene -> property.set(scene, value));
     }
 }

@@ -10,82 +10,87 @@ import javafx.scene.Node;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.document.Dial;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.LightEdits;
+import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.document.Situation;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.FileBringer;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.FileImporter;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.VectorField;
-import lightning.scene.Choice;
+import lightning.scene.ChoiceKind;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.LightAttribute.Section;
-import lightning.scene.Quantity;
+import lightning.scene.NumericKind;
 import lightning.scene.ValueKind;
 
 /** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
-    private static final String NO_LIGHT = Texts.key("no light is selected");
+    private static final String NO_LIGHT = Messages.key("no light is selected");
 
     private final SceneEditor editor;
-    private final Commands commands;
-    private final FileBringer files;
+    private final CommandRegistry commands;
+    private final FileImporter files;
     private final PropertyMenu menu;
     private final List<ArrowWidget> dials = new ArrayList<>();
     private final List<Row> rows = new ArrayList<>();
     private final LightHeader header;
-    private final BankSection bank;
+    private final LightGroupSection groupSection;
     /** How things are, told while the pane is in front. */
-    private final ObservableValue<Situation> seen;
-    private Shown shown;
+    private final ObservableValue<EditorState> visibleState;
+    private ShownLight shownLight;
 
     /**
      * The widget of an attribute that is no dial.
      *
-     * @param obstacle disables it and says why; or enables it
+     * @param setDisabledReason disables it and says why; or enables it
      * @param revert   discards what was typed
      */
-    private record Row(LightAttribute<?> attribute, Consumer<Optional<String>> obstacle, Consumer<Light> show, Runnable showNothing,
+    private record Row(LightAttribute<?> attribute, Consumer<Optional<String>> setDisabledReason, Consumer<Light> show,
+            Runnable showNothing,
             Runnable revert) {}
 
-    /** @param light its number in the document's history; −1 for none */
-    private record Shown(OpenDocument document, long light) {}
+    /** @param lightId its number in the document's history; −1 for none */
+    private record ShownLight(OpenDocument document, long lightId) {}
 
     /**
      * @param menu    opens on each property
-     * @param inFront whether the pane is seen: else only what was typed is heard to be of another light, and nothing is shown
+     * @param tabSelected whether the pane is seen: else only what was typed is heard to be of another light, and nothing is shown
      */
-    PropertyPane(SceneEditor editor, Commands commands, FileBringer files, PropertyMenu menu, ObservableValue<Boolean> inFront) {
+    PropertyPane(SceneEditor editor, CommandRegistry commands, FileImporter files, PropertyMenu menu,
+            ObservableValue<Boolean> tabSelected) {
         this.editor = editor;
         this.commands = commands;
         this.files = files;
         this.menu = menu;
-        seen = editor.situationProperty().when(inFront);
+        visibleState = editor.editorStateProperty().when(tabSelected);
         setId("properties");
         getStyleClass().add("properties");
         header = new LightHeader(editor, commands);
-        bank = new BankSection(editor, new NameBox(editor, LightAttribute.BANK, (ValueKind.Naming) LightAttribute.BANK.kind(), seen), seen);
-        ScrollPane scroll = Sections.scroll(Stream.of(Stream.of(header),
-                Stream.of(Section.COLOUR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.LINKS)
+        groupSection = new LightGroupSection(editor,
+                new NameBox(editor, LightAttribute.LIGHT_GROUP, (ValueKind.NameKind) LightAttribute.LIGHT_GROUP.kind(), visibleState),
+                visibleState);
+        ScrollPane scroll = SectionLayout.scroll(Stream.of(Stream.of(header),
+                Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.LINKS)
                         .map(this::section),
-                Stream.of(Sections.section(Texts.of("Bank"), bank),
-                        Sections.section(Texts.of("Scene"), dial(Dial.AMBIENCE), Sections.caption(Texts.of("Environment")),
-                                FilePart.ofWorld(editor, commands, files, seen),
-                                dial(Dial.ENVIRONMENT_INTENSITY), dial(Dial.ENVIRONMENT_ROTATION),
-                                dial(Dial.ENVIRONMENT_LAMPS), dial(Dial.ENVIRONMENT_SOFTNESS))))
+                Stream.of(SectionLayout.section(Messages.tr("Bank"), groupSection),
+                        SectionLayout.section(Messages.tr("Scene"), dial(NumericParameter.AMBIENCE),
+                                SectionLayout.caption(Messages.tr("Environment")),
+                                FileField.forWorld(editor, commands, files, visibleState),
+                                dial(NumericParameter.ENVIRONMENT_INTENSITY), dial(NumericParameter.ENVIRONMENT_ROTATION),
+                                dial(NumericParameter.ENVIRONMENT_LAMPS), dial(NumericParameter.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
         getChildren().add(scroll);
-        editor.situationProperty().subscribe(this::revert);
-        seen.subscribe(this::show);
+        editor.editorStateProperty().subscribe(this::revert);
+        visibleState.subscribe(this::show);
     }
 
     private Node section(Section section) {
@@ -94,98 +99,101 @@ public final class PropertyPane extends VBox {
         if (section == Section.PLACE) {
             widgets.add(aim());
         }
-        return Sections.section(Sections.title(section.name()), widgets.toArray(Node[]::new));
+        return SectionLayout.section(SectionLayout.title(section.name()), widgets.toArray(Node[]::new));
     }
 
     /** What shows and edits an attribute, from the top. */
     <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
         return switch (attribute.kind()) {
-            case Quantity<V> q -> switch (q.form()) {
+            case NumericKind<V> q -> switch (q.form()) {
                 case COLOR -> List.of(withMenu(color(attribute, q), attribute));
                 case POSITION, DIRECTION ->
-                        List.of(Sections.caption(Sections.title(attribute.title())), withMenu(vector(attribute, q), attribute));
-                case EACH -> Dial.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
+                        List.of(SectionLayout.caption(SectionLayout.title(attribute.title())), withMenu(vector(attribute, q), attribute));
+                case INDEPENDENT -> NumericParameter.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
             };
-            case ValueKind.Filed<?> kind -> List.of(Sections.caption(Sections.title(attribute.title())),
-                    withMenu(FilePart.of(editor, commands, files, of(attribute, kind), kind, seen), attribute));
-            case Choice<V> c -> List.of(Sections.caption(Sections.title(attribute.title())), withMenu(choice(attribute, c), attribute));
-            case ValueKind.Linking kind -> List.of(Sections.caption(Texts.of(kind.caption())),
-                    withMenu(new LinksPart(editor, commands, of(attribute, kind), kind, seen), attribute));
-            case ValueKind.Naming kind -> List.of(Sections.caption(Sections.title(attribute.title())),
-                    withMenu(new NameBox(editor, of(attribute, kind), kind, seen), attribute));
+            case ValueKind.AssetKind<?> kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
+                    withMenu(FileField.forLight(editor, commands, files, castAttribute(attribute, kind), kind, visibleState), attribute));
+            case ChoiceKind<V> c ->
+                    List.of(SectionLayout.caption(SectionLayout.title(attribute.title())), withMenu(choice(attribute, c), attribute));
+            case ValueKind.LinksKind kind -> List.of(SectionLayout.caption(Messages.tr(kind.caption())),
+                    withMenu(new LinksField(editor, commands, castAttribute(attribute, kind), kind, visibleState), attribute));
+            case ValueKind.NameKind kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
+                    withMenu(new NameBox(editor, castAttribute(attribute, kind), kind, visibleState), attribute));
         };
     }
 
     /** The attribute with the values of its kind: the compiler cannot follow that. */
     @SuppressWarnings("unchecked")
-    private static <V> LightAttribute<V> of(LightAttribute<?> attribute, ValueKind.OfLight<V> kind) {
+    private static <V> LightAttribute<V> castAttribute(LightAttribute<?> attribute, ValueKind.LightKind<V> kind) {
         return (LightAttribute<V>) attribute;
     }
 
-    private <V> ColorSliders color(LightAttribute<V> attribute, Quantity<V> quantity) {
+    private <V> ColorSliders color(LightAttribute<V> attribute, NumericKind<V> quantity) {
         var sliders = new ColorSliders(new LightColor(editor));
         sliders.setId(attribute.name());
-        rows.add(new Row(attribute, sliders::setObstacle, light -> sliders.show(quantity.color(attribute.of(light))),
+        rows.add(new Row(attribute, sliders::setDisabledReason, light -> sliders.show(quantity.color(attribute.get(light))),
                 sliders::showNothing, sliders::revert));
         return sliders;
     }
 
-    private <V> Node choice(LightAttribute<V> attribute, Choice<V> choice) {
-        var words = new WordBox<>(attribute, choice, "", v -> editor.editOrReport(
-                scene -> LightEdits.with(scene, editor.selection().lightName(), light -> attribute.with(light, v))));
-        rows.add(new Row(attribute, words::setObstacle, light -> words.show(attribute.of(light)), words::showNothing, () -> {}));
-        return words;
+    private <V> Node choice(LightAttribute<V> attribute, ChoiceKind<V> choice) {
+        var box = new AttributeChoiceBox<>(attribute, choice, "", v -> editor.editOrReport(
+                scene -> LightEdits.edit(scene, editor.selection().lightName(), light -> attribute.with(light, v))));
+        rows.add(new Row(attribute, box::setDisabledReason, light -> box.show(attribute.get(light)), box::showNothing, () -> {}));
+        return box;
     }
 
     private <N extends Node> N withMenu(N widget, LightAttribute<?> attribute) {
-        menu.on(widget, new PropertyOwner.OfLight(editor.selection(), attribute));
+        menu.attach(widget, new SelectedProperty.LightProperty(editor.selection(), attribute));
         return widget;
     }
 
-    private ArrowWidget dial(Dial dial) {
-        ArrowWidget widget = DialGauge.widget(editor, dial, seen);
+    private ArrowWidget dial(NumericParameter dial) {
+        ArrowWidget widget = ParameterSetting.widget(editor, dial, visibleState);
         dials.add(widget);
         return widget;
     }
 
-    private <V> VectorField vector(LightAttribute<V> attribute, Quantity<V> quantity) {
-        VectorField field = new VectorField(attribute.title(), (v, gesture) -> editor.edit(scene -> LightEdits.with(scene,
-                editor.selection().lightName(), light -> attribute.with(light, quantity.join().apply(List.of(v.x(), v.y(), v.z())))),
+    private <V> VectorField vector(LightAttribute<V> attribute, NumericKind<V> quantity) {
+        VectorField field = new VectorField(attribute.title(), (v, gesture) -> editor.edit(scene -> LightEdits.edit(scene,
+                editor.selection().lightName(), light -> attribute.with(light, quantity.compose().apply(List.of(v.x(), v.y(), v.z())))),
                 gesture));
         field.setId(attribute.title());
-        rows.add(new Row(attribute, field::setObstacle, light -> field.show(quantity.vector(attribute.of(light))), field::showNothing,
-                field::revert));
+        rows.add(
+                new Row(attribute, field::setDisabledReason, light -> field.show(quantity.vector(attribute.get(light))), field::showNothing,
+                        field::revert));
         return field;
     }
 
     private Node aim() {
-        CommandButton aim = CommandButton.titled(commands, Command.AIM);
+        CommandButton aim = CommandButton.titledButton(commands, Command.AIM);
         aim.button().setMaxWidth(Double.MAX_VALUE);
         return aim;
     }
 
     /** What was typed was meant for the light selected then. */
-    private void revert(Situation now) {
-        var selected = new Shown(editor.document(), now.selected().map(l -> editor.document().history().id(l.name())).orElse(-1L));
-        if (!selected.equals(shown)) {
-            shown = selected;
+    private void revert(EditorState state) {
+        var selected =
+                new ShownLight(editor.document(), state.selectedLight().map(l -> editor.document().history().id(l.name())).orElse(-1L));
+        if (!selected.equals(shownLight)) {
+            shownLight = selected;
             header.revert();
-            bank.revert();
+            groupSection.revert();
             rows.forEach(row -> row.revert().run());
             dials.forEach(ArrowWidget::revert);
         }
     }
 
-    private void show(Situation now) {
+    private void show(EditorState state) {
         rows.forEach(row -> {
-            row.obstacle().accept(obstacle(now, row.attribute()));
-            now.selected().ifPresentOrElse(row.show(), row.showNothing());
+            row.setDisabledReason().accept(disabledReason(state, row.attribute()));
+            state.selectedLight().ifPresentOrElse(row.show(), row.showNothing());
         });
     }
 
     /** A directional light has a place too: its gizmo stands there. */
-    private static Optional<String> obstacle(Situation now, LightAttribute<?> attribute) {
-        return now.selected().isEmpty() ? Optional.of(Texts.of(NO_LIGHT))
-                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.obstacle(now.selected().get().type());
+    private static Optional<String> disabledReason(EditorState state, LightAttribute<?> attribute) {
+        return state.selectedLight().isEmpty() ? Optional.of(Messages.tr(NO_LIGHT))
+                : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.inactiveReason(state.selectedLight().get().type());
     }
 }

@@ -4,56 +4,57 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import lightning.base.math.Rgb;
-import lightning.base.text.Texts;
-import lightning.editor.document.Hsv;
+import lightning.base.text.Messages;
+import lightning.editor.document.HsvColor;
 import lightning.editor.document.MaterialEdits;
-import lightning.editor.document.Steps;
-import lightning.editor.window.model.MaterialChoice;
+import lightning.editor.document.StepRange;
+import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.ColorSliders;
-import lightning.editor.window.widget.Gauge;
+import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.MaterialAttribute;
-import lightning.scene.Quantity;
+import lightning.scene.NumericKind;
 
 /** A colour of the edited material. */
-record SurfaceColor<V>(SceneEditor editor, MaterialChoice materials, MaterialAttribute<V> attribute, Quantity<V> quantity)
+record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, MaterialAttribute<V> attribute, NumericKind<V> quantity)
         implements ColorSliders.Target {
 
     /** The sliders of the colour; whoever made them shows it. */
     ColorSliders sliders() {
-        var sliders = ColorSliders.ofSurface(attribute.title(), Texts.of(attribute.help()), quantity.max(), this);
+        var sliders = ColorSliders.forSurface(attribute.title(), Messages.tr(attribute.help()), quantity.max(), this);
         sliders.setId(attribute.title());
         return sliders;
     }
 
     @Override
-    public Gauge red() {
+    public NumberSetting red() {
         return channel(0);
     }
 
     @Override
-    public Gauge green() {
+    public NumberSetting green() {
         return channel(1);
     }
 
     @Override
-    public Gauge blue() {
+    public NumberSetting blue() {
         return channel(2);
     }
 
-    private Gauge channel(int index) {
-        return Gauge.of(attribute.title() + " " + quantity.labels().get(index), new Steps(quantity.step(), quantity.min(), quantity.max()),
+    private NumberSetting channel(int index) {
+        return NumberSetting.of(attribute.title() + " " + quantity.labels().get(index),
+                new StepRange(quantity.step(), quantity.min(), quantity.max()),
                 (v, gesture) -> edit(color -> quantity.with(color, index, v), gesture));
     }
 
     @Override
-    public Optional<String> hsv(Hsv color, Object gesture) {
+    public Optional<String> hsv(HsvColor color, Object gesture) {
         Rgb rgb = color.rgb();
-        return edit(_ -> quantity.join().apply(List.of(rgb.r(), rgb.g(), rgb.b())), gesture);
+        return edit(_ -> quantity.compose().apply(List.of(rgb.r(), rgb.g(), rgb.b())), gesture);
     }
 
-    private Optional<String> edit(UnaryOperator<V> with, Object gesture) {
+    private Optional<String> edit(UnaryOperator<V> change, Object gesture) {
         var material = materials.material();
-        return editor.edit(scene -> MaterialEdits.set(scene, material.name(), attribute, with.apply(attribute.of(material))), gesture);
+        return editor.edit(scene -> MaterialEdits.set(scene, material.name(), attribute, change.apply(attribute.get(material))), gesture);
     }
 }

@@ -11,16 +11,16 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.render.image.Downscale;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
-import lightning.shot.Take;
+import lightning.shot.ShotRevision;
 
 /**
  * Small pictures of the frames of a shot that are seen, which follow every edit: the frame that is looked at first. Belongs to the window's
@@ -29,35 +29,35 @@ import lightning.shot.Take;
 final class FilmStrip implements AutoCloseable {
     /** Of a picture, pixels. */
     static final int HEIGHT = 72;
-    private static final int MOST_WIDTH = 256;
+    private static final int MAX_WIDTH = 256;
 
-    private final StripFrames frames;
-    private final StripNews news;
-    private final Executor window;
-    private final Runnable changed;
-    private final Map<Integer, Small> pictures = new ConcurrentHashMap<>();
+    private final FilmStripFrames frames;
+    private final FilmStripStatus status;
+    private final Executor windowExecutor;
+    private final Runnable onChanged;
+    private final Map<Integer, Thumbnail> thumbnails = new ConcurrentHashMap<>();
     /** By frame, which of its films could not be had: that is told by the next. */
-    private final Map<Integer, Long> missed = new ConcurrentHashMap<>();
+    private final Map<Integer, Long> failedVersions = new ConcurrentHashMap<>();
     /** A film may be on a machine that has fallen silent: other frames do not wait for it. */
-    private final ExecutorService painters = OwnThread.forEach("lightning-strip");
-    private final Set<Integer> painted = ConcurrentHashMap.newKeySet();
-    private final ExecutorService fetcher = OwnThread.inTurn("lightning-strip-film");
-    private final ExecutorService looks = OwnThread.inTurn("lightning-strip-focus");
-    private final AtomicBoolean told = new AtomicBoolean();
+    private final ExecutorService thumbnailThreads = DedicatedThread.virtualThreadExecutor("lightning-strip");
+    private final Set<Integer> busyFrames = ConcurrentHashMap.newKeySet();
+    private final ExecutorService fetcher = DedicatedThread.sequentialExecutor("lightning-strip-film");
+    private final ExecutorService focusThread = DedicatedThread.sequentialExecutor("lightning-strip-focus");
+    private final AtomicBoolean notifyPending = new AtomicBoolean();
     private volatile boolean closed;
     private volatile ViewTransform view;
-    private volatile List<Integer> seen = List.of();
-    private AnimatedScene shown;
+    private volatile List<Integer> visibleFrames = List.of();
+    private AnimatedScene shownScene;
 
     /**
      * A picture as the display shows it.
      *
      * @param film   what it was made of
-     * @param number which film of its frame that is
+     * @param version which film of its frame that is
      * @param view   how it is shown
      * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
      */
-    record Small(Film film, long number, ViewTransform view, int[] pixels) {
+    record Thumbnail(Film film, long version, ViewTransform view, int[] pixels) {
         // An array in a record: written once by its maker, never after.
     }
 
@@ -65,36 +65,37 @@ final class FilmStrip implements AutoCloseable {
      * Begins nothing before {@link #show}.
      *
      * @param frames  closed with this
-     * @param news    hears of them
-     * @param window  runs tasks in turn on the window's thread
-     * @param changed called there after pictures or states changed
-     * @param said    gets there what else is to be told
+     * @param status    hears of them
+     * @param windowExecutor  runs tasks in turn on the window's thread
+     * @param onChanged called there after pictures or states changed
+     * @param onMessage    gets there what else is to be told
      */
-    FilmStrip(StripFrames frames, StripNews news, ViewTransform view, Executor window, Runnable changed, Consumer<String> said) {
+    FilmStrip(FilmStripFrames frames, FilmStripStatus status, ViewTransform view, Executor windowExecutor, Runnable onChanged,
+            Consumer<String> onMessage) {
         this.frames = frames;
-        this.news = news;
+        this.status = status;
         this.view = view;
-        this.window = window;
-        this.changed = changed;
-        news.follow(frames.shot(), () -> {
-            paint();
-            tell();
-        }, sentence -> window.execute(() -> said.accept(sentence)));
+        this.windowExecutor = windowExecutor;
+        this.onChanged = onChanged;
+        status.connect(frames.shot(), () -> {
+            updateThumbnails();
+            notifyChanged();
+        }, message -> windowExecutor.execute(() -> onMessage.accept(message)));
     }
 
     /** The scene as a picture of the strip. */
-    static Scene small(Scene scene) {
-        Picture picture = scene.picture();
-        Downscale small = Downscale.into(picture.width(), picture.height(), MOST_WIDTH, HEIGHT);
+    static Scene thumbnailScene(Scene scene) {
+        PictureSettings picture = scene.picture();
+        Downscale small = Downscale.fit(picture.width(), picture.height(), MAX_WIDTH, HEIGHT);
         return scene.withPicture(picture.withSize(small.width(), small.height()));
     }
 
-    private void tell() {
-        if (told.compareAndSet(false, true)) {
-            window.execute(() -> {
-                told.set(false);
+    private void notifyChanged() {
+        if (notifyPending.compareAndSet(false, true)) {
+            windowExecutor.execute(() -> {
+                notifyPending.set(false);
                 if (!closed) {
-                    changed.run();
+                    onChanged.run();
                 }
             });
         }
@@ -102,13 +103,13 @@ final class FilmStrip implements AutoCloseable {
 
     /** Brings all frames to a scene, which has a shot of the same frames. */
     void show(AnimatedScene scene, int frame) {
-        if (scene != shown) {
-            shown = scene;
-            news.edit(new Take(frames.kept(scene.still()), scene.shot().orElseThrow()));
-            tell();
+        if (scene != shownScene) {
+            shownScene = scene;
+            status.edit(new ShotRevision(frames.frameScene(scene.base()), scene.shot().orElseThrow()));
+            notifyChanged();
         }
         // Others are told, which may wait for them.
-        execute(looks, () -> frames.shot().focus(frame));
+        execute(focusThread, () -> frames.shot().focus(frame));
     }
 
     private static void execute(ExecutorService thread, Runnable task) {
@@ -122,113 +123,113 @@ final class FilmStrip implements AutoCloseable {
     /** Shows the pictures in another way. */
     void setView(ViewTransform v) {
         view = v;
-        paint();
+        updateThumbnails();
     }
 
     /** Which frames are seen, those first whose pictures are wanted first; of others none are kept. */
-    void see(List<Integer> now) {
-        if (!now.equals(seen)) {
-            seen = List.copyOf(now);
-            pictures.keySet().retainAll(Set.copyOf(now));
-            paint();
+    void setVisibleFrames(List<Integer> newFrames) {
+        if (!newFrames.equals(visibleFrames)) {
+            visibleFrames = List.copyOf(newFrames);
+            thumbnails.keySet().retainAll(Set.copyOf(newFrames));
+            updateThumbnails();
         }
     }
 
-    private void paint() {
-        seen.forEach(this::begin);
+    private void updateThumbnails() {
+        visibleFrames.forEach(this::startThumbnail);
     }
 
     /** Has a frame's picture made, unless that is being done. */
-    private void begin(int frame) {
-        if (isWanted(frame) && painted.add(frame)) {
-            execute(painters, () -> {
+    private void startThumbnail(int frame) {
+        if (needsUpdate(frame) && busyFrames.add(frame)) {
+            execute(thumbnailThreads, () -> {
                 try {
-                    while (isWanted(frame)) {
-                        paint(frame);
-                        tell();
+                    while (needsUpdate(frame)) {
+                        updateThumbnail(frame);
+                        notifyChanged();
                     }
                 } finally {
-                    painted.remove(frame);
+                    busyFrames.remove(frame);
                 }
                 // What came while the last was put away.
-                begin(frame);
+                startThumbnail(frame);
             });
         }
     }
 
-    private boolean isWanted(int frame) {
-        Small small = pictures.get(frame);
-        return !closed && seen.contains(frame) && (isOld(frame, small) || small != null && small.view != view);
+    private boolean needsUpdate(int frame) {
+        Thumbnail thumbnail = thumbnails.get(frame);
+        return !closed && visibleFrames.contains(frame) && (isOutdated(frame, thumbnail) || thumbnail != null && thumbnail.view != view);
     }
 
     /** Whether there is a newer film that can be had. */
-    private boolean isOld(int frame, Small small) {
-        long number = news.films(frame);
-        return number != (small == null ? 0 : small.number) && number != missed.getOrDefault(frame, 0L);
+    private boolean isOutdated(int frame, Thumbnail thumbnail) {
+        long version = status.version(frame);
+        return version != (thumbnail == null ? 0 : thumbnail.version) && version != failedVersions.getOrDefault(frame, 0L);
     }
 
-    private void paint(int frame) {
-        Small small = pictures.get(frame);
-        ViewTransform now = view;
-        if (!isOld(frame, small)) {
-            put(frame, new Small(small.film, small.number, now, now.toPixels(small.film)));
+    private void updateThumbnail(int frame) {
+        Thumbnail thumbnail = thumbnails.get(frame);
+        ViewTransform currentView = view;
+        if (!isOutdated(frame, thumbnail)) {
+            store(frame, new Thumbnail(thumbnail.film, thumbnail.version, currentView, currentView.toPixels(thumbnail.film)));
             return;
         }
-        long number = news.films(frame);
-        Optional<Film> film = frames.shot().film(frame, MOST_WIDTH, HEIGHT);
+        long version = status.version(frame);
+        Optional<Film> film = frames.shot().film(frame, MAX_WIDTH, HEIGHT);
         if (film.isEmpty()) {
-            missed.put(frame, number);
+            failedVersions.put(frame, version);
         } else {
-            put(frame, new Small(film.get(), number, now, now.toPixels(film.get())));
+            store(frame, new Thumbnail(film.get(), version, currentView, currentView.toPixels(film.get())));
         }
     }
 
-    private void put(int frame, Small small) {
-        if (seen.contains(frame)) {
-            pictures.put(frame, small);
+    private void store(int frame, Thumbnail thumbnail) {
+        if (visibleFrames.contains(frame)) {
+            thumbnails.put(frame, thumbnail);
         }
     }
 
     /**
      * Has the film of a frame at its full size brought, one after the other: it is given on another thread, or nothing is where it is gone.
      *
-     * @param wanted whether it still is, when its turn has come
+     * @param isNeeded whether it still is, when its turn has come
      */
-    void fetch(int frame, BooleanSupplier wanted, Consumer<Film> then) {
+    void fetch(int frame, BooleanSupplier isNeeded, Consumer<Film> consumer) {
         execute(fetcher, () -> {
-            if (wanted.getAsBoolean()) {
-                frames.shot().film(frame).ifPresent(then);
+            if (isNeeded.getAsBoolean()) {
+                frames.shot().film(frame).ifPresent(consumer);
             }
         });
     }
 
     /** Whether it is of a shot's frames. */
-    boolean isOf(Shot shot) {
+    boolean matches(Shot shot) {
         return frames.shot().first() == shot.first() && frames.shot().last() == shot.last();
     }
 
-    StripFrames frames() {
+    FilmStripFrames frames() {
         return frames;
     }
 
-    StripNews news() {
-        return news;
+    FilmStripStatus status() {
+        return status;
     }
 
-    Optional<Small> picture(int frame) {
-        return Optional.ofNullable(pictures.get(frame));
+    Optional<Thumbnail> thumbnail(int frame) {
+        return Optional.ofNullable(thumbnails.get(frame));
     }
 
     /** What there is of a frame; one is current whose film is, though its picture may be on the way. */
     FrameState state(int frame) {
         FrameState state = frames.shot().state(frame);
-        return state == FrameState.CURRENT && !news.isCurrent(frame) ? FrameState.STALE : state;
+        return state == FrameState.CURRENT && !status.isCurrent(frame) ? FrameState.STALE : state;
     }
 
     /** Whether the picture of a frame shows the newest edit. */
-    boolean showsNewest(int frame) {
-        Small small = pictures.get(frame);
-        return small != null && small.number == news.films(frame) && state(frame) == FrameState.CURRENT;
+    boolean isUpToDate(int frame) {
+        Thumbnail thumbnail = thumbnails.get(frame);
+        return thumbnail != null && thumbnail.version == status.version(frame) && state(frame) == FrameState.CURRENT;
     }
 
     /** How many frames are in a state. */
@@ -244,10 +245,10 @@ final class FilmStrip implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        frames.setUrgent(false);
-        painters.shutdownNow();
+        frames.setPictureBusy(false);
+        thumbnailThreads.shutdownNow();
         fetcher.shutdownNow();
-        looks.shutdown();
-        OwnThread.of("lightning-strip-close", frames::close).start();
+        focusThread.shutdown();
+        DedicatedThread.create("lightning-strip-close", frames::close).start();
     }
 }

@@ -2,7 +2,7 @@ package lightning.editor.window.timeline;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.scene.shot.Key;
+import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 
@@ -16,70 +16,70 @@ import lightning.scene.shot.Track;
 record FrameScale(double from, double to, double width) {
     /** Left and right of the outermost frames, pixels: half a key and a little. */
     private static final double MARGIN = 12;
-    private static final double LEAST_SPAN = 4;
+    private static final double MIN_SPAN = 4;
     /** From number to number, pixels. */
-    private static final double APART = 52;
+    private static final double LABEL_SPACING = 52;
 
     /** All frames of a shot, and all of its keys. */
     static FrameScale of(Shot shot, double width) {
         int first = shot.first();
         int last = shot.last();
         for (Track track : shot.tracks()) {
-            List<Key> keys = track.keys();
+            List<Keyframe> keys = track.keys();
             first = Math.min(first, keys.getFirst().frame());
             last = Math.max(last, keys.getLast().frame());
         }
-        return new FrameScale(first, Math.max(last, first + LEAST_SPAN), width);
+        return new FrameScale(first, Math.max(last, first + MIN_SPAN), width);
     }
 
-    private double perFrame() {
+    private double pixelsPerFrame() {
         return Math.max(1, width - 2 * MARGIN) / (to - from);
     }
 
     double x(double frame) {
-        return MARGIN + (frame - from) * perFrame();
+        return MARGIN + (frame - from) * pixelsPerFrame();
     }
 
     int frame(double x) {
-        return (int) Math.clamp(Math.rint(from + (x - MARGIN) / perFrame()), 0, Shot.MAX_FRAME);
+        return (int) Math.clamp(Math.rint(from + (x - MARGIN) / pixelsPerFrame()), 0, Shot.MAX_FRAME);
     }
 
-    boolean shows(double frame) {
+    boolean isVisible(double frame) {
         double x = x(frame);
         return x >= 0 && x <= width;
     }
 
     /** Nearer or farther about a place, and never beyond the whole. */
-    FrameScale zoomed(double factor, double x, FrameScale whole) {
-        double about = from + (x - MARGIN) / perFrame();
-        double span = Math.clamp((to - from) / factor, Math.min(LEAST_SPAN, whole.to - whole.from), whole.to - whole.from);
-        double start = about - (about - from) * span / (to - from);
-        return new FrameScale(start, start + span, width).within(whole);
+    FrameScale zoom(double factor, double x, FrameScale fullScale) {
+        double center = from + (x - MARGIN) / pixelsPerFrame();
+        double span = Math.clamp((to - from) / factor, Math.min(MIN_SPAN, fullScale.to - fullScale.from), fullScale.to - fullScale.from);
+        double start = center - (center - from) * span / (to - from);
+        return new FrameScale(start, start + span, width).clampTo(fullScale);
     }
 
     /** Moved along. */
-    FrameScale moved(double pixels, FrameScale whole) {
-        double frames = pixels / perFrame();
-        return new FrameScale(from + frames, to + frames, width).within(whole);
+    FrameScale pan(double pixels, FrameScale fullScale) {
+        double frames = pixels / pixelsPerFrame();
+        return new FrameScale(from + frames, to + frames, width).clampTo(fullScale);
     }
 
-    FrameScale within(FrameScale whole) {
-        double span = Math.min(to - from, whole.to - whole.from);
-        double start = Math.clamp(from, whole.from, whole.to - span);
-        return new FrameScale(start, start + span, whole.width);
+    FrameScale clampTo(FrameScale fullScale) {
+        double span = Math.min(to - from, fullScale.to - fullScale.from);
+        double start = Math.clamp(from, fullScale.from, fullScale.to - span);
+        return new FrameScale(start, start + span, fullScale.width);
     }
 
     /** The frames that have a number, 1, 2 or 5 times a power of ten apart. */
-    List<Integer> numbers() {
-        double least = APART / perFrame();
+    List<Integer> labeledFrames() {
+        double minStep = LABEL_SPACING / pixelsPerFrame();
         long step = 1;
-        for (int i = 0; step < least; i++) {
+        for (int i = 0; step < minStep; i++) {
             step = i % 3 == 1 ? step / 2 * 5 : step * 2;
         }
-        List<Integer> all = new ArrayList<>();
+        List<Integer> frames = new ArrayList<>();
         for (long frame = Math.max(0, (long) Math.ceil(from / step) * step); frame <= to && frame <= Shot.MAX_FRAME; frame += step) {
-            all.add((int) frame);
+            frames.add((int) frame);
         }
-        return all;
+        return frames;
     }
 }

@@ -9,13 +9,13 @@ import javafx.scene.control.TextField;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
-import lightning.base.work.OwnThread;
+import lightning.base.text.Messages;
+import lightning.base.work.DedicatedThread;
 import lightning.editor.document.FileThread;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.MachineChoice;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.RenderMachines;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
 import lightning.scene.shot.Shot;
 import lightning.shot.cluster.HostPort;
 
@@ -23,53 +23,53 @@ import lightning.shot.cluster.HostPort;
 final class MachinesPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
-    private final MachineChoice choice;
+    private final RenderMachines choice;
     private final TextField hosts = new TextField();
     private final TextField certificate = new TextField();
-    private final Button begin = new Button(Texts.of("Keep the Frames There"));
+    private final Button joinButton = new Button(Messages.tr("Keep the Frames There"));
     private final Label status = new Label();
-    private Consumer<FramesElsewhere> joined = _ -> {};
+    private Consumer<RemoteFrames> onJoined = _ -> {};
     /** Of what was begun last: whoever is of another time comes too late. */
     private int attempt;
 
-    MachinesPane(SceneEditor editor, FileThread files, MachineChoice choice, PathAsk ask) {
+    MachinesPane(SceneEditor editor, FileThread files, RenderMachines choice, PathPrompt pathPrompt) {
         this.editor = editor;
         this.files = files;
         this.choice = choice;
         setId("machines");
         getStyleClass().add("shot-export");
-        var about = new Label(Texts.of("Nodes on these machines hold the frames at their full size. The scene and its files go to them, "
+        var about = new Label(Messages.tr("Nodes on these machines hold the frames at their full size. The scene and its files go to them, "
                 + "encrypted; who has the certificate takes part, and nobody else."));
         about.getStyleClass().add("pane-note");
         about.setWrapText(true);
         about.setMinHeight(USE_PREF_SIZE);
         hosts.setId("machines-hosts");
         hosts.setText(choice.hostsProperty().get());
-        hosts.setPromptText(Texts.of("render7:7800, render8"));
-        hosts.setAccessibleText(Texts.of("machines"));
+        hosts.setPromptText(Messages.tr("render7:7800, render8"));
+        hosts.setAccessibleText(Messages.tr("machines"));
         certificate.setId("machines-certificate");
         certificate.setText(choice.certificateProperty().get());
-        certificate.setAccessibleText(Texts.of("certificate"));
-        var browse = new Button(Texts.of("Browse…"));
+        certificate.setAccessibleText(Messages.tr("certificate"));
+        var browse = new Button(Messages.tr("Browse…"));
         browse.setId("machines-browse");
         browse.setMinWidth(USE_PREF_SIZE);
-        browse.setOnAction(_ -> ask.fileToOpen(Texts.of("Certificate of the Machines"), "p12")
+        browse.setOnAction(_ -> pathPrompt.fileToOpen(Messages.tr("Certificate of the Machines"), "p12")
                 .ifPresent(file -> certificate.setText(file.toString())));
-        begin.setId("machines-begin");
-        begin.getStyleClass().add("accent");
-        begin.setOnAction(_ -> begin());
-        hosts.setOnAction(_ -> begin());
-        certificate.setOnAction(_ -> begin());
+        joinButton.setId("machines-begin");
+        joinButton.getStyleClass().add("accent");
+        joinButton.setOnAction(_ -> join());
+        hosts.setOnAction(_ -> join());
+        certificate.setOnAction(_ -> join());
         status.setId("machines-status");
         status.setWrapText(true);
         status.setMinHeight(USE_PREF_SIZE);
         var fields = new GridPane(8, 8);
-        fields.addRow(0, label(Texts.of("Machines")), hosts);
-        fields.addRow(1, label(Texts.of("Certificate")), certificate, browse);
+        fields.addRow(0, label(Messages.tr("Machines")), hosts);
+        fields.addRow(1, label(Messages.tr("Certificate")), certificate, browse);
         GridPane.setHgrow(hosts, Priority.ALWAYS);
         GridPane.setHgrow(certificate, Priority.ALWAYS);
         GridPane.setColumnSpan(hosts, 2);
-        getChildren().addAll(about, fields, begin, status);
+        getChildren().addAll(about, fields, joinButton, status);
     }
 
     private static Label label(String text) {
@@ -78,54 +78,54 @@ final class MachinesPane extends VBox {
         return label;
     }
 
-    /** @param then gets the frames on these machines, on the window's thread; they are its own from then on */
-    void whenJoined(Consumer<FramesElsewhere> then) {
-        joined = then;
+    /** @param listener gets the frames on these machines, on the window's thread; they are its own from then on */
+    void setOnJoined(Consumer<RemoteFrames> listener) {
+        onJoined = listener;
     }
 
-    private void begin() {
-        if (begin.isDisabled() || editor.document().moment().isEmpty()) {
+    private void join() {
+        if (joinButton.isDisabled() || editor.document().shotFrame().isEmpty()) {
             return;
         }
-        String asked = hosts.getText().strip();
+        String hostsText = hosts.getText().strip();
         List<HostPort> machines;
         try {
-            machines = HostPort.several(asked);
+            machines = HostPort.parseAll(hostsText);
         } catch (IllegalArgumentException e) {
             status.setText(e.getMessage());
             hosts.requestFocus();
             return;
         }
         if (certificate.getText().isBlank()) {
-            status.setText(Texts.of("Name the certificate that all machines have; “lightning node --make-certificate FILE” makes one"));
+            status.setText(Messages.tr("Name the certificate that all machines have; “lightning node --make-certificate FILE” makes one"));
             certificate.requestFocus();
             return;
         }
-        choice.hostsProperty().set(asked);
+        choice.hostsProperty().set(hostsText);
         choice.certificateProperty().set(certificate.getText().strip());
-        Shot shot = editor.document().moment().orElseThrow().shot();
+        Shot shot = editor.document().shotFrame().orElseThrow().shot();
         Path folder = editor.document().file().toAbsolutePath().getParent();
         String file = choice.certificateProperty().get();
-        begin.setDisable(true);
-        status.setText(Texts.of("Asking for the machines…"));
-        int mine = ++attempt;
-        files.beside(() -> FramesElsewhere.join(asked, machines, Path.of(file), folder, shot), frames -> {
-            if (mine == attempt) {
-                begin.setDisable(false);
-                joined.accept(frames);
+        joinButton.setDisable(true);
+        status.setText(Messages.tr("Asking for the machines…"));
+        int thisAttempt = ++attempt;
+        files.runConcurrently(() -> RemoteFrames.join(hostsText, machines, Path.of(file), folder, shot), frames -> {
+            if (thisAttempt == attempt) {
+                joinButton.setDisable(false);
+                onJoined.accept(frames);
             } else {
-                OwnThread.of("lightning-strip-close", frames::close).start();
+                DedicatedThread.create("lightning-strip-close", frames::close).start();
             }
-        }, why -> {
-            if (mine == attempt) {
-                begin.setDisable(false);
-                status.setText(why instanceof IllegalArgumentException ? why.getMessage() : Sentence.of(why));
+        }, failure -> {
+            if (thisAttempt == attempt) {
+                joinButton.setDisable(false);
+                status.setText(failure instanceof IllegalArgumentException ? failure.getMessage() : ErrorMessage.of(failure));
             }
         });
     }
 
     /** Nobody waits any more for what was begun. */
-    void stop() {
+    void cancel() {
         attempt++;
     }
 }

@@ -2,11 +2,11 @@ package lightning.editor.window.timeline;
 
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
-import lightning.base.text.Decimal;
-import lightning.base.text.Texts;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.document.Moment;
-import lightning.editor.window.model.Commands;
+import lightning.editor.document.ShotFrame;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.FramePlayer;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.TracedPicture;
@@ -17,67 +17,68 @@ import lightning.scene.shot.AnimatedScene;
  * are left out. It ends when anything is edited.
  */
 public final class Playback {
-    private static final double SECOND = 1e9;
+    private static final double NS_PER_SECOND = 1e9;
 
     private final SceneEditor editor;
     private final FramePlayer player;
-    private final ReadOnlyStringWrapper pace = new ReadOnlyStringWrapper("");
+    private final ReadOnlyStringWrapper frameRate = new ReadOnlyStringWrapper("");
     private AnimatedScene content;
     private int firstFrame;
-    private long begun;
-    private long counted;
-    private int shown;
+    private long startNs;
+    private long countStartNs;
+    private int shownFrames;
 
     /** Says what Play Shot does. */
-    public Playback(SceneEditor editor, TracedPicture picture, Commands commands) {
+    public Playback(SceneEditor editor, TracedPicture picture, CommandRegistry commands) {
         this.editor = editor;
         player = new FramePlayer(editor, picture, () -> editor.document().content() != content || editor.isAnimating(), this::showDue);
-        player.playingProperty().subscribe(_ -> pace.set(""));
-        commands.setSwitch(Command.PLAY_SHOT, player.playingProperty(), this::toggle);
+        player.playingProperty().subscribe(_ -> frameRate.set(""));
+        commands.setToggle(Command.PLAY_SHOT, player.playingProperty(), this::toggle);
     }
 
     private void toggle() {
         if (player.isPlaying()) {
             player.stop();
         } else {
-            begin();
+            start();
         }
     }
 
     /** How many frames of a second are shown; empty while nothing plays. */
-    ReadOnlyStringProperty paceProperty() {
-        return pace.getReadOnlyProperty();
+    ReadOnlyStringProperty frameRateProperty() {
+        return frameRate.getReadOnlyProperty();
     }
 
-    private void begin() {
-        Moment now = editor.document().moment().orElseThrow();
+    private void start() {
+        ShotFrame now = editor.document().shotFrame().orElseThrow();
         content = editor.document().content();
         editor.go();
         firstFrame = now.frame() < now.shot().last() ? now.frame() : now.shot().first();
-        begun = -1;
+        startNs = -1;
         player.play();
     }
 
     private boolean showDue(long now) {
-        if (begun < 0) {
-            begun = now;
-            counted = now;
-            shown = 0;
+        if (startNs < 0) {
+            startNs = now;
+            countStartNs = now;
+            shownFrames = 0;
         }
-        Moment moment = editor.document().moment().orElseThrow();
+        ShotFrame moment = editor.document().shotFrame().orElseThrow();
         int frames = moment.shot().last() - moment.shot().first() + 1;
-        long passed = (long) ((now - begun) / SECOND * moment.shot().rate());
-        int due = moment.shot().first() + (int) ((firstFrame - moment.shot().first() + passed) % frames);
-        boolean isDue = due != moment.frame();
+        long elapsedFrames = (long) ((now - startNs) / NS_PER_SECOND * moment.shot().rate());
+        int dueFrame = moment.shot().first() + (int) ((firstFrame - moment.shot().first() + elapsedFrames) % frames);
+        boolean isDue = dueFrame != moment.frame();
         if (isDue) {
-            editor.showFrame(due);
-            shown++;
+            editor.showFrame(dueFrame);
+            shownFrames++;
         }
-        if (now - counted > SECOND) {
-            pace.set(Texts.of("{0} of {1} frames a second", Decimal.text(Math.rint(shown * SECOND / (now - counted))),
-                    Decimal.text(moment.shot().rate())));
-            counted = now;
-            shown = 0;
+        if (now - countStartNs > NS_PER_SECOND) {
+            frameRate.set(Messages.tr("{0} of {1} frames a second",
+                    DecimalNumber.format(Math.rint(shownFrames * NS_PER_SECOND / (now - countStartNs))),
+                    DecimalNumber.format(moment.shot().rate())));
+            countStartNs = now;
+            shownFrames = 0;
         }
         return isDue;
     }

@@ -8,7 +8,7 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.Region;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.scene.shot.Shot;
 
 /** The numbers of the frames; a press or a drag shows that frame. */
@@ -16,13 +16,13 @@ final class Ruler extends Pane {
     static final double HEIGHT = 22;
     private static final double TICK = 5;
 
-    private final Timeline timeline;
+    private final TimelineModel timeline;
 
-    Ruler(Timeline timeline) {
+    Ruler(TimelineModel timeline) {
         this.timeline = timeline;
         setId("timeline-ruler");
         getStyleClass().add("ruler");
-        setAccessibleText(Texts.of("frames"));
+        setAccessibleText(Messages.tr("frames"));
         setMinHeight(HEIGHT);
         setMaxHeight(HEIGHT);
         timeline.scaleProperty().subscribe(_ -> draw());
@@ -34,7 +34,7 @@ final class Ruler extends Pane {
     private void scrub(MouseEvent event) {
         if (event.getButton() == MouseButton.PRIMARY && timeline.shotProperty().get() != null && !timeline.editor().isAnimating()) {
             int frame = timeline.scaleProperty().get().frame(event.getX());
-            if (timeline.editor().document().moment().filter(m -> m.frame() == frame).isEmpty()) {
+            if (timeline.editor().document().shotFrame().filter(m -> m.frame() == frame).isEmpty()) {
                 timeline.editor().showFrame(frame);
             }
             event.consume();
@@ -47,7 +47,7 @@ final class Ruler extends Pane {
         List<Node> parts = new ArrayList<>();
         if (shot != null) {
             parts.add(part("shot-range", scale.x(shot.first()), 0, scale.x(shot.last()) - scale.x(shot.first()), HEIGHT));
-            for (int frame : scale.numbers()) {
+            for (int frame : scale.labeledFrames()) {
                 parts.add(part("tick", scale.x(frame), HEIGHT - TICK, 1, TICK));
                 var number = new Label(String.valueOf(frame));
                 number.getStyleClass().add("frame-number");

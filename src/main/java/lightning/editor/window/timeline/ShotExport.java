@@ -4,32 +4,32 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
-import lightning.base.file.SafeFile;
-import lightning.base.work.Memory;
+import lightning.base.file.AtomicFile;
+import lightning.base.work.HeapBudget;
 import lightning.base.work.Progress;
-import lightning.format.picture.PictureFile;
-import lightning.format.picture.PictureFormat;
+import lightning.format.image.ImageFile;
+import lightning.format.image.ImageFormat;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.plan.Reflections;
-import lightning.render.relight.tile.Options;
-import lightning.scene.Picture;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.PictureSettings;
 import lightning.scene.shot.AnimatedScene;
 import lightning.shot.movie.Ffmpeg;
 import lightning.shot.movie.FrameFiles;
-import lightning.shot.movie.FrameRun;
-import lightning.shot.movie.MovieKind;
+import lightning.shot.movie.FrameSequenceRenderer;
+import lightning.shot.movie.MovieFormat;
 import lightning.shot.movie.MovieWriter;
 
 /**
  * Frames on their way to files, whatever is edited meanwhile.
  *
- * @param to   a folder for numbered pictures, a file for a film
+ * @param target   a folder for numbered pictures, a file for a film
  * @param name what pictures are called before their number
  */
-record ShotExport(AnimatedScene scene, int first, int last, ShotKind kind, ViewTransform view, Path to, String name) {
+record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, ViewTransform view, Path target, String name) {
     /** Hears how many frames are there. */
     interface Listener {
-        void written(int frames);
+        void framesWritten(int frames);
     }
 
     int frames() {
@@ -40,36 +40,38 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotKind kind, ViewT
     void write(Progress progress, Listener listener) throws IOException {
         // What cannot be is told before the first is begun.
         try {
-            IntStream.rangeClosed(first, last).forEach(scene::at);
+            IntStream.rangeClosed(first, last).forEach(scene::sceneAt);
         } catch (IllegalArgumentException e) {
             throw new IOException(e.getMessage(), e);
         }
-        if (kind.movie().isEmpty()) {
-            var files = new FrameFiles(to, name, kind.ending());
-            run(progress, listener, PictureFormat.of(files.file(first)).bytesToWrite(picture().width(), picture().height()),
-                    (frame, film, _) -> PictureFile.write(files.file(frame), film, view, kind.bits()));
+        if (format.movie().isEmpty()) {
+            var files = new FrameFiles(target, name, format.extension());
+            renderFrames(progress, listener, ImageFormat.of(files.file(first)).bytesToWrite(picture().width(), picture().height()),
+                    (frame, film, _) -> ImageFile.write(files.file(frame), film, view, format.bits()));
         } else {
-            MovieKind movie = kind.movie().get();
-            Ffmpeg ffmpeg = Ffmpeg.required();
-            SafeFile.at(to).writeByName(temporary -> {
+            MovieFormat movie = format.movie().get();
+            Ffmpeg ffmpeg = Ffmpeg.require();
+            AtomicFile.of(target).writeToPath(temporary -> {
                 try (var writer = new MovieWriter(ffmpeg, movie, scene.shot().orElseThrow().rate(), view, temporary)) {
-                    run(progress, listener, MovieWriter.bytes(picture()), (_, film, _) -> writer.add(film));
+                    renderFrames(progress, listener, MovieWriter.requiredBytes(picture()), (_, film, _) -> writer.add(film));
                     writer.finish();
                 }
             });
         }
     }
 
-    private Picture picture() {
-        return scene.still().picture();
+    private PictureSettings picture() {
+        return scene.base().picture();
     }
 
-    private void run(Progress progress, Listener listener, long beside, FrameRun.Listener sink) throws IOException {
-        List<Integer> all = IntStream.rangeClosed(first, last).boxed().toList();
-        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withMemory(Memory.available() - beside);
-        FrameRun.render(all, scene::at, options, progress, (frame, film, update) -> {
-            sink.rendered(frame, film, update);
-            listener.written(frame - first + 1);
+    private void renderFrames(Progress progress, Listener listener, long reservedBytes, FrameSequenceRenderer.Listener sink)
+            throws IOException {
+        List<Integer> frameNumbers = IntStream.rangeClosed(first, last).boxed().toList();
+        RenderOptions options =
+                RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withMemory(HeapBudget.availableBytes() - reservedBytes);
+        FrameSequenceRenderer.render(frameNumbers, scene::sceneAt, options, progress, (frame, film, update) -> {
+            sink.frameRendered(frame, film, update);
+            listener.framesWritten(frame - first + 1);
         });
     }
 }

@@ -14,20 +14,20 @@ import javafx.scene.control.ProgressBar;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import lightning.base.text.Messages;
 import lightning.base.text.Quote;
-import lightning.base.text.Texts;
 import lightning.editor.document.FileThread;
-import lightning.editor.document.Steps;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.Remaining;
+import lightning.editor.document.StepRange;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
-import lightning.editor.window.widget.Gauge;
+import lightning.editor.window.widget.DisabledReason;
 import lightning.editor.window.widget.NumberField;
-import lightning.editor.window.widget.Obstacle;
+import lightning.editor.window.widget.NumberSetting;
 import lightning.format.jen.JenFile;
 import lightning.render.image.ViewTransform;
-import lightning.scene.Limits;
+import lightning.scene.SceneLimits;
 import lightning.scene.shot.Shot;
 import lightning.shot.movie.Ffmpeg;
 
@@ -36,66 +36,66 @@ final class ShotExportPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
     private final ObjectProperty<ViewTransform> viewProperty;
-    private final PathAsk ask;
-    private final ChoiceBox<ShotKind> kind = new ChoiceBox<>();
+    private final PathPrompt pathPrompt;
+    private final ChoiceBox<ShotFormat> format = new ChoiceBox<>();
     private final NumberField first;
     private final NumberField last;
     private final Label about = new Label();
-    private final Button export = new Button(Texts.of("Export…"));
-    private final Obstacle obstacle;
-    private final Button cancel = new Button(Texts.of("Cancel"));
+    private final Button export = new Button(Messages.tr("Export…"));
+    private final DisabledReason exportReason;
+    private final Button cancel = new Button(Messages.tr("Cancel"));
     private final ProgressBar bar = new ProgressBar(0);
     private final Label status = new Label();
-    private final Remaining remaining = new Remaining();
-    private int from;
-    private int to;
-    private boolean ffmpeg;
+    private final RemainingTime remaining = new RemainingTime();
+    private int firstFrame;
+    private int lastFrame;
+    private boolean hasFfmpeg;
     private ShotExportTask task;
 
-    ShotExportPane(SceneEditor editor, FileThread files, ObjectProperty<ViewTransform> viewProperty, PathAsk ask) {
+    ShotExportPane(SceneEditor editor, FileThread files, ObjectProperty<ViewTransform> viewProperty, PathPrompt pathPrompt) {
         this.editor = editor;
         this.files = files;
         this.viewProperty = viewProperty;
-        this.ask = ask;
+        this.pathPrompt = pathPrompt;
         setId("shot-export");
         getStyleClass().add("shot-export");
-        Shot shot = editor.document().moment().orElseThrow().shot();
-        from = shot.first();
-        to = shot.last();
-        kind.setId("shot-kind");
-        kind.setAccessibleText(Texts.of("kind of files"));
-        kind.getItems().setAll(ShotKind.values());
-        kind.setValue(ShotKind.PNG);
-        first = field("first", Texts.key("first frame"), v -> from = v);
-        last = field("last", Texts.key("last frame"), v -> to = v);
-        first.show(from);
-        last.show(to);
+        Shot shot = editor.document().shotFrame().orElseThrow().shot();
+        firstFrame = shot.first();
+        lastFrame = shot.last();
+        format.setId("shot-kind");
+        format.setAccessibleText(Messages.tr("kind of files"));
+        format.getItems().setAll(ShotFormat.values());
+        format.setValue(ShotFormat.PNG);
+        first = field("first", Messages.key("first frame"), v -> firstFrame = v);
+        last = field("last", Messages.key("last frame"), v -> lastFrame = v);
+        first.show(firstFrame);
+        last.show(lastFrame);
         about.setId("shot-about");
         about.getStyleClass().add("pane-note");
         about.setWrapText(true);
         export.setId("shot-begin");
         export.getStyleClass().add("accent");
-        export.setOnAction(_ -> begin());
-        var around = new StackPane(export);
-        obstacle = new Obstacle(around, export, Texts.of("Asks where, and renders all frames"));
+        export.setOnAction(_ -> chooseTarget());
+        var exportBox = new StackPane(export);
+        exportReason = new DisabledReason(exportBox, export, Messages.tr("Asks where, and renders all frames"));
         cancel.setId("shot-cancel");
         cancel.setDisable(true);
-        cancel.setOnAction(_ -> stop());
+        cancel.setOnAction(_ -> cancelExport());
         bar.setMaxWidth(Double.MAX_VALUE);
         bar.setVisible(false);
-        bar.setAccessibleText(Texts.of("export progress"));
+        bar.setAccessibleText(Messages.tr("export progress"));
         status.setId("shot-status");
         status.setWrapText(true);
         status.setMinHeight(USE_PREF_SIZE);
-        getChildren().addAll(row(new Label(Texts.of("Files")), kind),
-                row(new Label(Texts.of("Frames")), first, new Label(Texts.of("to")), last),
-                about, row(around, cancel), bar, status);
-        files.beside(Ffmpeg::installed, found -> {
-            ffmpeg = found.isPresent();
-            tell();
+        getChildren().addAll(row(new Label(Messages.tr("Files")), format),
+                row(new Label(Messages.tr("Frames")), first, new Label(Messages.tr("to")), last),
+                about, row(exportBox, cancel), bar, status);
+        files.runConcurrently(Ffmpeg::find, found -> {
+            hasFfmpeg = found.isPresent();
+            update();
         }, _ -> {});
-        kind.valueProperty().subscribe(_ -> tell());
-        viewProperty.subscribe(_ -> tell());
+        format.valueProperty().subscribe(_ -> update());
+        viewProperty.subscribe(_ -> update());
     }
 
     private static HBox row(Node... nodes) {
@@ -109,9 +109,9 @@ final class ShotExportPane extends VBox {
     }
 
     private NumberField field(String id, String title, Setter setter) {
-        var field = new NumberField(title, Gauge.of(title, new Steps(1, 0, Shot.MAX_FRAME), (v, _) -> {
+        var field = new NumberField(title, NumberSetting.of(title, new StepRange(1, 0, Shot.MAX_FRAME), (v, _) -> {
             if (v != Math.rint(v) || v < 0 || v > Shot.MAX_FRAME) {
-                return Optional.of(Texts.of("{0} must be a whole number, was {1}", Texts.of(title), Limits.text(v)));
+                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", Messages.tr(title), SceneLimits.format(v)));
             }
             setter.set((int) v);
             show();
@@ -122,90 +122,92 @@ final class ShotExportPane extends VBox {
     }
 
     private void show() {
-        first.show(from);
-        last.show(to);
-        tell();
+        first.show(firstFrame);
+        last.show(lastFrame);
+        update();
     }
 
-    private void tell() {
-        ViewTransform view = viewProperty.get().ofPicture();
-        boolean film = kind.getValue().movie().isPresent();
-        String shown = kind.getValue() == ShotKind.EXR ? Texts.of("Every linear value in full.")
-                : Texts.of("As the picture is shown: {0}.", view.text());
-        about.setText(film ? shown + " " + Texts.of("A film has an even size; an odd one gets one more column or row.")
-                : shown + " " + Texts.of("Pictures of the same names are replaced."));
-        obstacle.set(task != null ? Optional.of(Texts.of("an export is running"))
-                : to < from ? Optional.of(Texts.of("the first frame is behind the last one"))
-                : film && !ffmpeg ? Optional.of(Ffmpeg.missing()) : Optional.empty());
-        if (task == null && film && !ffmpeg) {
-            status.setText(Sentence.of(new IOException(Ffmpeg.missing())));
+    private void update() {
+        ViewTransform view = viewProperty.get().forOutput();
+        boolean film = format.getValue().movie().isPresent();
+        String viewText = format.getValue() == ShotFormat.EXR ? Messages.tr("Every linear value in full.")
+                : Messages.tr("As the picture is shown: {0}.", view.description());
+        about.setText(film ? viewText + " " + Messages.tr("A film has an even size; an odd one gets one more column or row.")
+                : viewText + " " + Messages.tr("Pictures of the same names are replaced."));
+        exportReason.set(task != null ? Optional.of(Messages.tr("an export is running"))
+                : lastFrame < firstFrame ? Optional.of(Messages.tr("the first frame is behind the last one"))
+                : film && !hasFfmpeg ? Optional.of(Ffmpeg.missingMessage()) : Optional.empty());
+        if (task == null && film && !hasFfmpeg) {
+            status.setText(ErrorMessage.of(new IOException(Ffmpeg.missingMessage())));
         }
     }
 
-    private void begin() {
+    private void chooseTarget() {
         String name = JenFile.stem(editor.document().name());
-        ShotKind wanted = kind.getValue();
-        if (wanted.movie().isEmpty()) {
-            ask.folder(Texts.of("Export pictures to")).ifPresent(folder -> begin(folder, name));
+        ShotFormat chosen = format.getValue();
+        if (chosen.movie().isEmpty()) {
+            pathPrompt.folder(Messages.tr("Export pictures to")).ifPresent(folder -> startExport(folder, name));
         } else {
-            ask.fileToSave(Texts.of("Export Shot"), name + wanted.ending(), wanted.ending().substring(1)).ifPresent(file -> {
-                if (file.getFileName().toString().endsWith(wanted.ending())) {
-                    begin(file, name);
-                } else {
-                    // The system asked about the name as it was typed only.
-                    Path named = file.resolveSibling(file.getFileName() + wanted.ending());
-                    files.beside(() -> Files.exists(named), there -> {
-                        if (there) {
-                            status.setText(Texts.of("{0} is there already; choose it by its whole name", Quote.path(named.getFileName())));
+            pathPrompt.fileToSave(Messages.tr("Export Shot"), name + chosen.extension(), chosen.extension().substring(1))
+                    .ifPresent(file -> {
+                        if (file.getFileName().toString().endsWith(chosen.extension())) {
+                            startExport(file, name);
                         } else {
-                            begin(named, name);
+                            // The system asked about the name as it was typed only.
+                            Path named = file.resolveSibling(file.getFileName() + chosen.extension());
+                            files.runConcurrently(() -> Files.exists(named), exists -> {
+                                if (exists) {
+                                    status.setText(Messages.tr("{0} is there already; choose it by its whole name",
+                                            Quote.path(named.getFileName())));
+                                } else {
+                                    startExport(named, name);
+                                }
+                            }, _ -> {});
                         }
-                    }, _ -> {});
-                }
-            });
+                    });
         }
     }
 
-    private void begin(Path where, String name) {
-        task = new ShotExportTask(new ShotExport(editor.document().content(), from, to, kind.getValue(),
-                viewProperty.get().ofPicture(), where, name));
+    private void startExport(Path target, String name) {
+        task = new ShotExportTask(new ShotExport(editor.document().content(), firstFrame, lastFrame, format.getValue(),
+                viewProperty.get().forOutput(), target, name));
         bar.progressProperty().bind(task.progressProperty());
         bar.setVisible(true);
         cancel.setDisable(false);
-        ShotExportTask begun = task;
-        begun.progressProperty().addListener((_, _, share) -> tell(begun, share.doubleValue()));
-        begun.stateProperty().addListener((_, _, now) -> ended(begun, now));
-        begun.begin();
-        tell();
+        ShotExportTask running = task;
+        running.progressProperty().addListener((_, _, share) -> showProgress(running, share.doubleValue()));
+        running.stateProperty().addListener((_, _, now) -> finish(running, now));
+        running.start();
+        update();
     }
 
-    private void tell(ShotExportTask begun, double share) {
-        if (begun == task) {
-            status.setText(remaining.tell(Texts.of("Exporting"), share, System.nanoTime()) + " · "
-                    + Texts.of("{0} of {1} frames", begun.getValue(), begun.export().frames()));
+    private void showProgress(ShotExportTask running, double share) {
+        if (running == task) {
+            status.setText(remaining.describe(Messages.tr("Exporting"), share, System.nanoTime()) + " · "
+                    + Messages.tr("{0} of {1} frames", running.getValue(), running.export().frames()));
         }
     }
 
-    private void ended(ShotExportTask begun, Worker.State now) {
-        ShotExport export = begun.export();
-        switch (now) {
+    private void finish(ShotExportTask running, Worker.State state) {
+        ShotExport export = running.export();
+        switch (state) {
             case READY, SCHEDULED, RUNNING -> {
                 return;
             }
-            case SUCCEEDED -> status.setText(Texts.of("Exported {0} frames to {1}", export.frames(), Quote.path(export.to())));
-            case CANCELLED -> status.setText(export.kind().movie().isPresent() ? Texts.of("Cancelled; no film was written")
-                    : Texts.of("Cancelled; {0} of {1} pictures are written", begun.getValue(), export.frames()));
-            case FAILED -> status.setText(Texts.of("Not exported: {0}", Sentence.of(begun.getException())));
+            case SUCCEEDED -> status.setText(Messages.tr("Exported {0} frames to {1}", export.frames(), Quote.path(export.target())));
+            case CANCELLED -> status.setText(export.format().movie().isPresent() ? Messages.tr("Cancelled; no film was written")
+                    : Messages.tr("Cancelled; {0} of {1} pictures are written", running.getValue(), export.frames()));
+            case FAILED -> status.setText(Messages.tr("Not exported: {0}", ErrorMessage.of(running.getException())));
         }
         task = null;
         bar.progressProperty().unbind();
         bar.setVisible(false);
         cancel.setDisable(true);
-        tell();
+        update();
     }
 
     /** Stops an export that runs; finished pictures stay. */
-    void stop() {
+    void cancelExport() {
         if (task != null) {
             task.cancel(false);
         }

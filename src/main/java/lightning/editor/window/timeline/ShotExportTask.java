@@ -3,7 +3,7 @@ package lightning.editor.window.timeline;
 import java.io.IOException;
 import java.util.concurrent.CancellationException;
 import javafx.concurrent.Task;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 
 /** Writes a shot on a thread of its own; its value is how many frames are written. */
@@ -22,12 +22,12 @@ final class ShotExportTask extends Task<Integer> {
         try {
             export.write(new Progress() {
                 @Override
-                public void tiles(int done, int total) {
+                public void report(int done, int total) {
                     updateProgress(written + (double) done / Math.max(1, total), export.frames());
                 }
 
                 @Override
-                public boolean isCancelled() {
+                public boolean isCanceled() {
                     return ShotExportTask.this.isCancelled();
                 }
             }, frames -> {
@@ -47,7 +47,7 @@ final class ShotExportTask extends Task<Integer> {
     }
 
     /** Begins. The thread must not be interrupted, which would break a file that is being written. */
-    void begin() {
-        OwnThread.of("lightning-shot-export", this).start();
+    void start() {
+        DedicatedThread.create("lightning-shot-export", this).start();
     }
 }

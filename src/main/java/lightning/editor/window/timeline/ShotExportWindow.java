@@ -3,8 +3,8 @@ package lightning.editor.window.timeline;
 import javafx.stage.Window;
 import lightning.editor.document.Command;
 import lightning.editor.window.command.CommandKeys;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
@@ -16,12 +16,12 @@ public final class ShotExportWindow extends PanelWindow {
     /** The scene must have a shot. */
     public ShotExportWindow(EditorModel model, Window owner) {
         this(model.commands(), owner, new ShotExportPane(model.editor(), model.files(), model.picture().viewProperty(),
-                PathAsk.inWindows(owner, model.bringer().folder())));
+                PathPrompt.ofSystem(owner, model.fileImporter().folder())));
     }
 
-    private ShotExportWindow(Commands commands, Window owner, ShotExportPane pane) {
+    private ShotExportWindow(CommandRegistry commands, Window owner, ShotExportPane pane) {
         super(owner, Command.EXPORT_SHOT.plainTitle(), pane, WIDTH, HEIGHT);
-        CommandKeys.take(getScene(), commands);
-        setOnHidden(_ -> pane.stop());
+        CommandKeys.install(getScene(), commands);
+        setOnHidden(_ -> pane.cancelExport());
     }
 }

@@ -20,79 +20,79 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditorState;
 import lightning.editor.document.KeyEdits;
-import lightning.editor.document.Moment;
-import lightning.editor.document.Situation;
-import lightning.editor.document.Steps;
+import lightning.editor.document.ShotFrame;
+import lightning.editor.document.StepRange;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.command.CommandItems;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.widget.Gauge;
 import lightning.editor.window.widget.NumberField;
-import lightning.scene.Limits;
+import lightning.editor.window.widget.NumberSetting;
+import lightning.scene.SceneLimits;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 
 /** The keys of the shot over its frames, the frame that is shown, and what is done with both. */
 public final class TimelinePane extends BorderPane implements AutoCloseable {
     /** Room for the bar that scrolls the lines, pixels. */
-    private static final double SCROLL = 16;
-    private static final double ZOOM = 1.2;
+    private static final double SCROLLBAR_WIDTH = 16;
+    private static final double ZOOM_STEP = 1.2;
     /** Tools, numbers and a few lines, pixels. */
-    private static final double LEAST = 156;
+    private static final double MIN_HEIGHT = 156;
 
     private final EditorModel model;
     private final SceneEditor editor;
-    private final Commands commands;
-    private final Timeline timeline;
-    private final ListView<Row> rows = new ListView<>();
-    private final Region head = new Region();
+    private final CommandRegistry commands;
+    private final TimelineModel timeline;
+    private final ListView<TimelineRow> rows = new ListView<>();
+    private final Region playhead = new Region();
     private final Label note = new Label();
     private final NumberField frame;
     private final NumberField first;
     private final NumberField last;
     private final NumberField rate;
-    private final Region keys;
-    private final Region empty;
-    private StripPane strip;
+    private final Region keysPane;
+    private final Region emptyPane;
+    private FilmStripPane strip;
 
     public TimelinePane(EditorModel model, Playback playback) {
         this.model = model;
         editor = model.editor();
         commands = model.commands();
-        timeline = new Timeline(editor, model.keyChoice());
+        timeline = new TimelineModel(editor, model.keySelection());
         setId("timeline");
         getStyleClass().add("timeline");
-        frame = number(Texts.key("frame"), 0, Shot.MAX_FRAME, (v, _) -> {
+        frame = number(Messages.key("frame"), 0, Shot.MAX_FRAME, (v, _) -> {
             editor.showFrame((int) v);
             return Optional.empty();
         });
-        first = number(Texts.key("first frame"), 0, Shot.MAX_FRAME,
-                (v, g) -> lasting(s -> new Shot((int) v, s.last(), s.rate(), List.of()), g));
-        last = number(Texts.key("last frame"), 0, Shot.MAX_FRAME,
-                (v, g) -> lasting(s -> new Shot(s.first(), (int) v, s.rate(), List.of()), g));
-        rate = field(Texts.key("frames per second"), new Steps(1, Shot.MIN_RATE, Shot.MAX_RATE),
-                (v, g) -> lasting(s -> new Shot(s.first(), s.last(), v, List.of()), g));
+        first = number(Messages.key("first frame"), 0, Shot.MAX_FRAME,
+                (v, g) -> editRange(s -> new Shot((int) v, s.last(), s.rate(), List.of()), g));
+        last = number(Messages.key("last frame"), 0, Shot.MAX_FRAME,
+                (v, g) -> editRange(s -> new Shot(s.first(), (int) v, s.rate(), List.of()), g));
+        rate = field(Messages.key("frames per second"), new StepRange(1, Shot.MIN_RATE, Shot.MAX_RATE),
+                (v, g) -> editRange(s -> new Shot(s.first(), s.last(), v, List.of()), g));
         note.setId("timeline-note");
         note.getStyleClass().add("pane-note");
-        note.textProperty().bind(playback.paceProperty());
-        keys = keys();
-        empty = empty();
-        setTop(bar());
-        setCenter(new StackPane(keys, empty));
-        timeline.scaleProperty().subscribe(_ -> placeHead());
-        model.arrangement().filmStripShownProperty().subscribe(this::showStrip);
-        editor.situationProperty().subscribe(this::show);
+        note.textProperty().bind(playback.frameRateProperty());
+        keysPane = keysArea();
+        emptyPane = emptyNote();
+        setTop(toolBar());
+        setCenter(new StackPane(keysPane, emptyPane));
+        timeline.scaleProperty().subscribe(_ -> placePlayhead());
+        model.layout().filmStripShownProperty().subscribe(this::showStrip);
+        editor.editorStateProperty().subscribe(this::show);
     }
 
     private void showStrip(boolean on) {
-        setMinHeight(LEAST + (on ? StripPane.HEIGHT : 0));
+        setMinHeight(MIN_HEIGHT + (on ? FilmStripPane.HEIGHT : 0));
         if (on) {
-            strip = new StripPane(model, timeline);
+            strip = new FilmStripPane(model, timeline);
             setBottom(strip);
         } else if (strip != null) {
             strip.close();
@@ -107,94 +107,94 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         showStrip(false);
     }
 
-    private FlowPane bar() {
+    private FlowPane toolBar() {
         var bar = new FlowPane();
         bar.getStyleClass().add("timeline-bar");
         add(bar, Command.FIRST_FRAME, Command.PREVIOUS_KEY, Command.PREVIOUS_FRAME, Command.PLAY_SHOT, Command.NEXT_FRAME, Command.NEXT_KEY,
                 Command.LAST_FRAME);
-        bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labelled(Texts.of("Frame"), frame),
+        bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labeled(Messages.tr("Frame"), frame),
                 new Separator(Orientation.VERTICAL));
         add(bar, Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS);
-        bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labelled(Texts.of("from"), first), labelled(Texts.of("to"), last),
-                labelled(Texts.of("a second"), rate),
-                new Separator(Orientation.VERTICAL), CommandButton.icon(commands, Command.FILM_STRIP), note);
+        bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labeled(Messages.tr("from"), first), labeled(Messages.tr("to"), last),
+                labeled(Messages.tr("a second"), rate),
+                new Separator(Orientation.VERTICAL), CommandButton.iconButton(commands, Command.FILM_STRIP), note);
         return bar;
     }
 
-    private void add(FlowPane bar, Command... added) {
-        for (Command command : added) {
-            bar.getChildren().add(CommandButton.icon(commands, command));
+    private void add(FlowPane bar, Command... commandsToAdd) {
+        for (Command command : commandsToAdd) {
+            bar.getChildren().add(CommandButton.iconButton(commands, command));
         }
     }
 
-    private static HBox labelled(String text, Node field) {
+    private static HBox labeled(String text, Node field) {
         var label = new Label(text);
         label.getStyleClass().add("pane-note");
         label.setMinWidth(USE_PREF_SIZE);
-        var both = new HBox(label, field);
-        both.getStyleClass().add("timeline-field");
-        return both;
+        var box = new HBox(label, field);
+        box.getStyleClass().add("timeline-field");
+        return box;
     }
 
-    private NumberField number(String title, int min, int max, Gauge.Setter setter) {
-        return field(title, new Steps(1, min, max), (v, gesture) -> {
-            double whole = gesture == null ? v : Math.rint(v);
-            if (whole != Math.rint(whole)) {
-                return Optional.of(Texts.of("{0} must be a whole number, was {1}", Texts.of(title), Limits.text(whole)));
+    private NumberField number(String title, int min, int max, NumberSetting.Setter setter) {
+        return field(title, new StepRange(1, min, max), (v, gesture) -> {
+            double value = gesture == null ? v : Math.rint(v);
+            if (value != Math.rint(value)) {
+                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", Messages.tr(title), SceneLimits.format(value)));
             }
             try {
-                Limits.range(Texts.of(title), whole, min, max);
+                SceneLimits.checkRange(Messages.tr(title), value, min, max);
             } catch (IllegalArgumentException e) {
                 return Optional.of(e.getMessage());
             }
-            return setter.set(whole, gesture);
+            return setter.set(value, gesture);
         });
     }
 
-    private NumberField field(String title, Steps steps, Gauge.Setter setter) {
-        var field = new NumberField(title, Gauge.of(title, steps, setter));
+    private NumberField field(String title, StepRange steps, NumberSetting.Setter setter) {
+        var field = new NumberField(title, NumberSetting.of(title, steps, setter));
         field.setId("timeline-" + title.replace(' ', '-'));
         return field;
     }
 
-    private interface Lasting {
-        Shot of(Shot shot);
+    private interface ShotRangeEdit {
+        Shot apply(Shot shot);
     }
 
-    private Optional<String> lasting(Lasting edit, Object gesture) {
-        return editor.editAll(scene -> lasting(scene, edit), gesture);
+    private Optional<String> editRange(ShotRangeEdit edit, Object gesture) {
+        return editor.editShot(scene -> editRange(scene, edit), gesture);
     }
 
-    private static AnimatedScene lasting(AnimatedScene scene, Lasting edit) {
-        Shot wanted = edit.of(scene.shot().orElseThrow());
-        return KeyEdits.lasting(scene, wanted.first(), wanted.last(), wanted.rate());
+    private static AnimatedScene editRange(AnimatedScene scene, ShotRangeEdit edit) {
+        Shot range = edit.apply(scene.shot().orElseThrow());
+        return KeyEdits.setFrames(scene, range.first(), range.last(), range.rate());
     }
 
-    private Region keys() {
+    private Region keysArea() {
         rows.setId("timeline-rows");
         rows.getStyleClass().addAll("edge-to-edge", "tracks");
-        rows.setAccessibleText(Texts.of("keys"));
+        rows.setAccessibleText(Messages.tr("keys"));
         rows.setFixedCellSize(TrackCell.HEIGHT);
         rows.setCellFactory(_ -> new TrackCell(timeline));
         rows.setContextMenu(menu());
-        rows.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
-        KeyMouse.follow(timeline, rows, model.workbench());
+        rows.addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
+        KeyframeMouse.attach(timeline, rows, model.workbench());
         var ruler = new Ruler(timeline);
         HBox.setHgrow(ruler, Priority.ALWAYS);
-        var top = new HBox(space(TrackCell.NAME), ruler, space(SCROLL));
+        var top = new HBox(space(TrackCell.NAME_WIDTH), ruler, space(SCROLLBAR_WIDTH));
         VBox.setVgrow(rows, Priority.ALWAYS);
         var lines = new VBox(top, rows);
-        head.getStyleClass().add("playhead");
-        head.setId("playhead");
-        head.setManaged(false);
-        var over = new Pane(head);
-        over.setMouseTransparent(true);
-        var all = new StackPane(lines, over);
-        all.widthProperty().subscribe(w -> timeline.setWidth(Math.max(1, w.doubleValue() - TrackCell.NAME - SCROLL)));
-        all.heightProperty().subscribe(_ -> placeHead());
-        all.addEventFilter(ScrollEvent.SCROLL, this::scroll);
-        all.setMinHeight(0);
-        return all;
+        playhead.getStyleClass().add("playhead");
+        playhead.setId("playhead");
+        playhead.setManaged(false);
+        var overlay = new Pane(playhead);
+        overlay.setMouseTransparent(true);
+        var stack = new StackPane(lines, overlay);
+        stack.widthProperty().subscribe(w -> timeline.setWidth(Math.max(1, w.doubleValue() - TrackCell.NAME_WIDTH - SCROLLBAR_WIDTH)));
+        stack.heightProperty().subscribe(_ -> placePlayhead());
+        stack.addEventFilter(ScrollEvent.SCROLL, this::scroll);
+        stack.setMinHeight(0);
+        return stack;
     }
 
     private static Region space(double width) {
@@ -205,7 +205,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     }
 
     private ContextMenu menu() {
-        var items = CommandItems.of(commands, "timeline-");
+        var items = CommandMenuItems.forMenu(commands, "timeline-");
         var menu = new ContextMenu();
         for (Command command : List.of(Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS,
                 Command.STEPPED_KEYS)) {
@@ -214,15 +214,15 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         return menu;
     }
 
-    private Region empty() {
-        var text = new Label(Texts.of("The scene has no shot: nothing of it moves"));
+    private Region emptyNote() {
+        var text = new Label(Messages.tr("The scene has no shot: nothing of it moves"));
         text.getStyleClass().add("pane-note");
-        var both = new HBox(text, CommandButton.titled(commands, Command.NEW_SHOT));
-        both.getStyleClass().add("no-shot");
-        return both;
+        var box = new HBox(text, CommandButton.titledButton(commands, Command.NEW_SHOT));
+        box.getStyleClass().add("no-shot");
+        return box;
     }
 
-    private void press(KeyEvent event) {
+    private void handleKey(KeyEvent event) {
         Command command = switch (event.getCode()) {
             case LEFT -> Command.PREVIOUS_FRAME;
             case RIGHT -> Command.NEXT_FRAME;
@@ -244,69 +244,70 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
 
     /** With Ctrl frames come nearer, with Shift they go along; else the lines scroll. */
     private void scroll(ScrollEvent event) {
-        double way = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
+        double delta = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
         if (event.isShortcutDown()) {
-            timeline.zoom(way > 0 ? ZOOM : 1 / ZOOM, event.getX() - TrackCell.NAME);
+            timeline.zoom(delta > 0 ? ZOOM_STEP : 1 / ZOOM_STEP, event.getX() - TrackCell.NAME_WIDTH);
             event.consume();
         } else if (event.isShiftDown()) {
-            timeline.move(-way);
+            timeline.pan(-delta);
             event.consume();
         }
     }
 
-    private void show(Situation now) {
-        Shot before = timeline.shotProperty().get();
-        timeline.show(now);
+    private void show(EditorState state) {
+        Shot oldShot = timeline.shotProperty().get();
+        timeline.show(state);
         Shot shot = timeline.shotProperty().get();
-        keys.setVisible(shot != null);
-        empty.setVisible(shot == null);
-        boolean held = shot == null || editor.isAnimating();
+        keysPane.setVisible(shot != null);
+        emptyPane.setVisible(shot == null);
+        boolean disabled = shot == null || editor.isAnimating();
         for (NumberField field : List.of(frame, first, last, rate)) {
-            field.setDisable(held);
+            field.setDisable(disabled);
         }
         if (shot == null) {
             rows.getItems().clear();
             List.of(frame, first, last, rate).forEach(NumberField::showNothing);
             return;
         }
-        if (shot != before) {
-            List<Row> wanted = Row.of(shot);
-            if (wanted.size() == rows.getItems().size()) {
-                forEachOther(wanted, i -> rows.getItems().set(i, wanted.get(i)));
+        if (shot != oldShot) {
+            List<TimelineRow> newRows = TimelineRow.of(shot);
+            if (newRows.size() == rows.getItems().size()) {
+                forEachChanged(newRows, i -> rows.getItems().set(i, newRows.get(i)));
             } else {
-                List<String> were = rows.getItems().stream().map(TimelinePane::name).toList();
-                rows.getItems().setAll(wanted);
+                List<String> oldIds = rows.getItems().stream().map(TimelinePane::rowId).toList();
+                rows.getItems().setAll(newRows);
                 // What came is seen.
-                wanted.stream().filter(r -> before != null && !were.contains(name(r))).reduce((_, row) -> row)
-                        .ifPresent(row -> rows.scrollTo(Math.max(0, wanted.indexOf(row) - 1)));
+                newRows.stream().filter(r -> oldShot != null && !oldIds.contains(rowId(r))).reduce((_, row) -> row)
+                        .ifPresent(row -> rows.scrollTo(Math.max(0, newRows.indexOf(row) - 1)));
             }
             first.show(shot.first());
             last.show(shot.last());
             rate.show(shot.rate());
         }
-        frame.show(now.moment().map(Moment::frame).orElseThrow());
-        placeHead();
+        frame.show(state.shotFrame().map(ShotFrame::frame).orElseThrow());
+        placePlayhead();
     }
 
-    private static String name(Row row) {
+    private static String rowId(TimelineRow row) {
         return switch (row) {
-            case Row.OfThing t -> t.target().toString();
-            case Row.OfTrack t -> t.target() + "." + t.track().attribute();
+            case TimelineRow.ObjectRow t -> t.target().toString();
+            case TimelineRow.TrackRow t -> t.target() + "." + t.track().attribute();
         };
     }
 
-    private void forEachOther(List<Row> wanted, Consumer<Integer> then) {
-        for (int i = 0; i < wanted.size(); i++) {
-            if (!wanted.get(i).equals(rows.getItems().get(i))) {
-                then.accept(i);
+    private void forEachChanged(List<TimelineRow> newRows, Consumer<Integer> action) {
+        for (int i = 0; i < newRows.size(); i++) {
+            if (!newRows.get(i).equals(rows.getItems().get(i))) {
+                action.accept(i);
             }
         }
     }
 
-    private void placeHead() {
+    private void placePlayhead() {
         FrameScale scale = timeline.scaleProperty().get();
-        Optional<Moment> now = editor.document().moment();
-        head.setVisible(now.filter(m -> scale.shows(m.frame())).isPresent());
-        now.ifPresent(m -> head.resizeRelocate(TrackCell.NAME + scale.x(m.frame()) - 1, 0, 2, keys == null ? 0 : keys.getHeight()));
+        Optional<ShotFrame> now = editor.document().shotFrame();
+        playhead.setVisible(now.filter(m -> scale.isVisible(m.frame())).isPresent());
+        now.ifPresent(m -> playhead.resizeRelocate(TrackCell.NAME_WIDTH + scale.x(m.frame()) - 1, 0, 2,
+                keysPane == null ? 0 : keysPane.getHeight()));
     }
 }

@@ -3,22 +3,22 @@ package lightning.editor.window.timeline;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.layout.HBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /** A line of the timeline: a name, and keys beside it. */
-final class TrackCell extends ListCell<Row> {
+final class TrackCell extends ListCell<TimelineRow> {
     /** Of names, pixels. */
-    static final double NAME = 150;
+    static final double NAME_WIDTH = 150;
     static final double HEIGHT = 20;
 
-    private final Timeline timeline;
+    private final TimelineModel timeline;
     private final Label name = new Label();
-    private final Lane lane = new Lane();
+    private final KeyframeLane lane = new KeyframeLane();
 
-    TrackCell(Timeline timeline) {
+    TrackCell(TimelineModel timeline) {
         this.timeline = timeline;
-        name.setMinWidth(NAME);
-        name.setMaxWidth(NAME);
+        name.setMinWidth(NAME_WIDTH);
+        name.setMaxWidth(NAME_WIDTH);
         name.setPrefHeight(HEIGHT);
         name.getStyleClass().add("track-name");
         var row = new HBox(name, lane);
@@ -32,17 +32,17 @@ final class TrackCell extends ListCell<Row> {
     }
 
     @Override
-    protected void updateItem(Row row, boolean empty) {
+    protected void updateItem(TimelineRow row, boolean empty) {
         super.updateItem(row, empty);
         getGraphic().setVisible(!empty);
         getStyleClass().removeAll("thing");
         if (!empty) {
             name.setText(switch (row) {
-                case Row.OfThing t -> Names.of(t.target());
-                case Row.OfTrack t -> Names.attribute(t.track());
+                case TimelineRow.ObjectRow t -> TrackNames.name(t.target());
+                case TimelineRow.TrackRow t -> TrackNames.attribute(t.track());
             });
-            name.setAccessibleText(Texts.of("keys of {0}", name.getText()));
-            if (row instanceof Row.OfThing) {
+            name.setAccessibleText(Messages.tr("keys of {0}", name.getText()));
+            if (row instanceof TimelineRow.ObjectRow) {
                 getStyleClass().add("thing");
             }
             draw();

@@ -1,16 +1,16 @@
 package lightning.editor.window.traced;
 
 import javafx.beans.value.ObservableValue;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 
 /** Which mark says what, while pixels that are cut off are marked. */
 final class ClippingLegend extends Legend {
     ClippingLegend(ObservableValue<ViewTransform> view) {
-        super("clipping-legend", Texts.of("Marks of pixels that are cut off"),
-                view.map(now -> now.marked() && now.curve() != DisplayCurve.FALSE));
-        add(Texts.of("brighter than white"), ViewTransform.OVER_WHITE, false);
-        add(Texts.of("black"), ViewTransform.BLACK, true);
+        super("clipping-legend", Messages.tr("Marks of pixels that are cut off"),
+                view.map(now -> now.marksClipping() && now.curve() != DisplayCurve.FALSE));
+        add(Messages.tr("brighter than white"), ViewTransform.CLIPPED_MARK, false);
+        add(Messages.tr("black"), ViewTransform.BLACK_MARK, true);
     }
 }

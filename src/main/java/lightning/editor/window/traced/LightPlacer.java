@@ -4,19 +4,19 @@ import java.util.Optional;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import lightning.base.math.Vec3;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.document.LightPlacing;
-import lightning.editor.document.LightPlacing.Act;
+import lightning.editor.document.LightPlacement;
+import lightning.editor.document.LightPlacement.Goal;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.ScenePicker;
-import lightning.editor.document.Snap;
+import lightning.editor.document.Snapping;
 import lightning.editor.document.Viewport;
 import lightning.editor.loop.Frame;
-import lightning.editor.window.model.Commands;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.ErrorMessage;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
 
@@ -26,9 +26,9 @@ import lightning.scene.Light;
  */
 final class LightPlacer {
     /** The ring's radius, pixels. */
-    static final double RING = 40;
+    static final double RING_RADIUS = 40;
 
-    private static final String NOTHING = Texts.key("There is nothing there; click a shape");
+    private static final String NO_SURFACE = Messages.key("There is nothing there; click a shape");
 
     private final SceneEditor editor;
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
@@ -36,27 +36,27 @@ final class LightPlacer {
     private Drag drag;
     /** Of the drag: what makes it one step, and the light before it. */
     private Object gesture;
-    private Light before;
+    private Light startLight;
     private Ring ring;
 
     /** What the next press is for. */
     private sealed interface Tool {
         /** It does that, wherever it is. */
-        record Acting(Act act) implements Tool {}
+        record PlacementTool(Goal act) implements Tool {}
 
         /** It takes what throws a shadow, or a shadow. */
-        record Taking() implements Tool {}
+        record ShadowTool() implements Tool {}
     }
 
     /** What is under the mouse while the button is down. */
     private sealed interface Drag {
         /** @param picker finds surfaces of the picture that is shown */
-        record Placing(LightPlacing placing, ScenePicker picker) implements Drag {}
+        record PlacementDrag(LightPlacement placing, ScenePicker picker) implements Drag {}
 
-        /** @param from where the shadow, or what throws it, was taken */
-        record Shadow(Light begin, ScenePicker.Found from, ScenePicker picker) implements Drag {}
+        /** @param startHit where the shadow, or what throws it, was taken */
+        record ShadowDrag(Light startLight, ScenePicker.SurfaceHit startHit, ScenePicker picker) implements Drag {}
 
-        record Farther(Ring ring, Viewport.Pixel from) implements Drag {}
+        record DistanceDrag(Ring ring, Viewport.Pixel start) implements Drag {}
     }
 
     /**
@@ -64,11 +64,11 @@ final class LightPlacer {
      *
      * @param light as it is now
      */
-    private record Ring(LightPlacing placing, ScenePicker.Found at, Light light) {}
+    private record Ring(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light) {}
 
     private LightPlacer(SceneEditor editor) {
         this.editor = editor;
-        editor.situationProperty().subscribe(_ -> {
+        editor.editorStateProperty().subscribe(_ -> {
             if (drag == null && ring != null && !ring.light().equals(editor.selection().light())) {
                 ring = null;
             }
@@ -76,27 +76,27 @@ final class LightPlacer {
     }
 
     /** Does the commands that place a light. */
-    static LightPlacer of(SceneEditor editor, Commands commands) {
+    static LightPlacer register(SceneEditor editor, CommandRegistry commands) {
         var placer = new LightPlacer(editor);
         commands.setAction(Command.AIM,
-                () -> placer.take(Texts.of("Click where the light should shine to, or drag its pool"), new Act.Pool()));
+                () -> placer.selectTool(Messages.tr("Click where the light should shine to, or drag its pool"), new Goal.Pool()));
         commands.setAction(Command.PLACE_HIGHLIGHT,
-                () -> placer.take(Texts.of("Click where the highlight should be, or drag it there"), new Act.Highlight()));
+                () -> placer.selectTool(Messages.tr("Click where the highlight should be, or drag it there"), new Goal.Highlight()));
         commands.setAction(Command.PLACE_DIFFUSE,
-                () -> placer.take(Texts.of("Click what the light should shine straight onto, or drag"), new Act.Diffuse()));
+                () -> placer.selectTool(Messages.tr("Click what the light should shine straight onto, or drag"), new Goal.Diffuse()));
         commands.setAction(Command.PLACE_RIM,
-                () -> placer.take(Texts.of("Click where the rim of light should begin, or drag"), new Act.Rim()));
+                () -> placer.selectTool(Messages.tr("Click where the rim of light should begin, or drag"), new Goal.Rim()));
         commands.setAction(Command.PLACE_SHADOW,
-                () -> placer.take(new Tool.Taking(), Texts.of("Drag a shadow or what throws it, or click what throws it")));
+                () -> placer.selectTool(new Tool.ShadowTool(), Messages.tr("Drag a shadow or what throws it, or click what throws it")));
         return placer;
     }
 
-    private void take(String hint, Act act) {
-        take(new Tool.Acting(act), hint);
+    private void selectTool(String hint, Goal act) {
+        selectTool(new Tool.PlacementTool(act), hint);
     }
 
-    private void take(Tool taken, String hint) {
-        tool = taken;
+    private void selectTool(Tool newTool, String hint) {
+        tool = newTool;
         ring = null;
         prompt.set(hint);
     }
@@ -106,11 +106,11 @@ final class LightPlacer {
      *
      * @param pixel  of the picture; empty beside it
      * @param canvas the size of the whole picture as it is shown
-     * @param at     on that
+     * @param position     on that
      */
-    record Pointer(Optional<PictureView.Pixel> pixel, Viewport canvas, Viewport.Pixel at) {
-        Optional<ScenePicker.Found> on(ScenePicker picker) {
-            return pixel.flatMap(p -> picker.atPixel(p.x(), p.y()));
+    record Pointer(Optional<PictureView.Pixel> pixel, Viewport canvas, Viewport.Pixel position) {
+        Optional<ScenePicker.SurfaceHit> pick(ScenePicker picker) {
+            return pixel.flatMap(p -> picker.pickPixel(p.x(), p.y()));
         }
     }
 
@@ -120,16 +120,16 @@ final class LightPlacer {
     }
 
     /** Puts the tool away. */
-    void end() {
+    void clearTool() {
         tool = null;
         prompt.set("");
     }
 
     /** Takes the ring away; returns whether there was one. */
-    boolean endRing() {
-        boolean there = ring != null;
+    boolean clearRing() {
+        boolean hadRing = ring != null;
         ring = null;
-        return there;
+        return hadRing;
     }
 
     /** Whether a press took something. */
@@ -138,102 +138,104 @@ final class LightPlacer {
     }
 
     /** Where the ring is drawn on a canvas that shows the whole picture, and how far the light is from there; empty where there is none. */
-    Optional<Mark> mark(Viewport canvas) {
+    Optional<RingMark> ringMark(Viewport canvas) {
         return Optional.ofNullable(ring).filter(r -> r.light().type().hasPosition())
-                .map(r -> new Mark(middle(r, canvas), r.light().position().minus(r.at().point()).length()));
+                .map(r -> new RingMark(ringCenter(r, canvas), r.light().position().minus(r.hit().point()).length()));
     }
 
     /** @param distance from the place to the light, as it is now */
-    record Mark(Viewport.Pixel middle, double distance) {}
+    record RingMark(Viewport.Pixel center, double distance) {}
 
-    private Viewport.Pixel middle(Ring r, Viewport canvas) {
-        return canvas.pixel(PreviewCamera.of(editor.scene()), r.at().point());
+    private Viewport.Pixel ringCenter(Ring r, Viewport canvas) {
+        return canvas.project(PreviewCamera.of(editor.scene()), r.hit().point());
     }
 
     /** Takes what is there with the tool, or the ring; returns whether there is something to drag. */
-    boolean press(Pointer to, double tolerance) {
-        Frame frame = editor.situationProperty().get().frame().orElse(null);
+    boolean press(Pointer pointer, double tolerance) {
+        Frame frame = editor.editorStateProperty().get().frame().orElse(null);
         gesture = new Object();
-        before = editor.selection().light();
+        startLight = editor.selection().light();
         if (tool == null) {
-            boolean taken = mark(to.canvas()).filter(m -> Math.abs(m.middle().distance(to.at()) - RING) <= tolerance).isPresent();
-            drag = taken ? new Drag.Farther(ring, to.at()) : null;
-        } else if (before == null) {
-            editor.message().show(Texts.of("No light is selected"));
+            boolean hitsRing = ringMark(pointer.canvas())
+                    .filter(m -> Math.abs(m.center().distance(pointer.position()) - RING_RADIUS) <= tolerance).isPresent();
+            drag = hitsRing ? new Drag.DistanceDrag(ring, pointer.position()) : null;
+        } else if (startLight == null) {
+            editor.message().show(Messages.tr("No light is selected"));
         } else if (frame != null) {
             ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
-            to.on(picker).ifPresentOrElse(found -> {
+            pointer.pick(picker).ifPresentOrElse(found -> {
                 switch (tool) {
-                    case Tool.Acting(Act act) -> {
-                        var placing = LightPlacing.from(before, act, found.point());
-                        drag = new Drag.Placing(placing, picker);
+                    case Tool.PlacementTool(Goal act) -> {
+                        var placing = LightPlacement.start(startLight, act, found.point());
+                        drag = new Drag.PlacementDrag(placing, picker);
                         place(placing, found, false);
                     }
-                    case Tool.Taking() -> drag = new Drag.Shadow(before, found, picker);
+                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, found, picker);
                 }
-            }, () -> editor.message().show(Texts.of(NOTHING)));
+            }, () -> editor.message().show(Messages.tr(NO_SURFACE)));
         }
         return drag != null;
     }
 
-    /** @param snapped whether distances are rounded, and aims */
-    void drag(Pointer to, boolean snapped) {
+    /** @param isSnapping whether distances are rounded, and aims */
+    void drag(Pointer pointer, boolean isSnapping) {
         switch (drag) {
-            case Drag.Placing(LightPlacing placing, ScenePicker picker) -> to.on(picker).ifPresent(found -> place(placing, found, snapped));
-            case Drag.Shadow(Light begin, ScenePicker.Found from, ScenePicker picker) -> {
+            case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
+                    pointer.pick(picker).ifPresent(found -> place(placing, found, isSnapping));
+            case Drag.ShadowDrag(Light begin, ScenePicker.SurfaceHit from, ScenePicker picker) -> {
                 // Of a shadow, what throws it is what stands between; of anything else it is that itself.
-                Act act = new Act.Shadow(picker.between(from, begin).orElse(from).point());
-                drag = new Drag.Placing(LightPlacing.from(begin, act, from.point()), picker);
-                drag(to, snapped);
+                Goal act = new Goal.Shadow(picker.findOccluder(from, begin).orElse(from).point());
+                drag = new Drag.PlacementDrag(LightPlacement.start(begin, act, from.point()), picker);
+                drag(pointer, isSnapping);
             }
-            case Drag.Farther(Ring begin, Viewport.Pixel from) -> {
-                Viewport.Pixel middle = middle(begin, to.canvas());
-                Vec3 point = begin.at().point();
-                double factor = to.at().distance(middle) / Math.max(1, from.distance(middle));
-                double wanted = begin.light().position().minus(point).length() * factor;
-                show(begin.placing(), begin.at(),
-                        begin.placing().atDistance(begin.light(), point, snapped ? Snap.distance(wanted) : wanted),
+            case Drag.DistanceDrag(Ring begin, Viewport.Pixel from) -> {
+                Viewport.Pixel center = ringCenter(begin, pointer.canvas());
+                Vec3 point = begin.hit().point();
+                double factor = pointer.position().distance(center) / Math.max(1, from.distance(center));
+                double distance = begin.light().position().minus(point).length() * factor;
+                show(begin.placing(), begin.hit(),
+                        begin.placing().moveToDistance(begin.light(), point, isSnapping ? Snapping.snapDistance(distance) : distance),
                         Optional.empty());
             }
         }
     }
 
-    private void place(LightPlacing placing, ScenePicker.Found found, boolean snapped) {
-        boolean pool = placing.act() instanceof Act.Pool;
-        LightPlacing rounded = snapped && !pool ? placing.withDistance(Snap.distance(placing.distance())) : placing;
+    private void place(LightPlacement placing, ScenePicker.SurfaceHit found, boolean isSnapping) {
+        boolean isPool = placing.goal() instanceof Goal.Pool;
+        LightPlacement rounded = isSnapping && !isPool ? placing.withDistance(Snapping.snapDistance(placing.distance())) : placing;
         try {
-            Light light = rounded.at(found);
-            Optional<Snap> snap = snapped && pool ? Optional.of(Snap.ofDirection(light)) : Optional.empty();
-            show(rounded, found, snap.map(Snap::light).orElse(light), snap.map(Snap::told));
+            Light light = rounded.place(found);
+            Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(light)) : Optional.empty();
+            show(rounded, found, snap.map(Snapping::light).orElse(light), snap.map(Snapping::message));
         } catch (IllegalArgumentException e) {
-            editor.message().show(Sentence.of(e));
+            editor.message().show(ErrorMessage.of(e));
         }
     }
 
-    private void show(LightPlacing placing, ScenePicker.Found at, Light light, Optional<String> snapped) {
-        if (editor.editOrReport(scene -> LightEdits.with(scene, light.name(), _ -> light), gesture).isEmpty()) {
-            ring = new Ring(placing, at, light);
-            double distance = light.position().minus(at.point()).length();
-            editor.message().show(snapped.map(s -> Texts.of("Snapped: {0}", s))
-                    .orElse(light.type().hasPosition() ? Texts.of("Distance {0}", Snap.number(distance)) : ""));
+    private void show(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light, Optional<String> snapText) {
+        if (editor.editOrReport(scene -> LightEdits.edit(scene, light.name(), _ -> light), gesture).isEmpty()) {
+            ring = new Ring(placing, hit, light);
+            double distance = light.position().minus(hit.point()).length();
+            editor.message().show(snapText.map(s -> Messages.tr("Snapped: {0}", s))
+                    .orElse(light.type().hasPosition() ? Messages.tr("Distance {0}", Snapping.numberText(distance)) : ""));
         }
     }
 
-    /** @param still whether the mouse has not moved since the press */
-    void release(boolean still) {
-        if (drag instanceof Drag.Shadow(Light _, ScenePicker.Found from, ScenePicker _) && still) {
-            take(Texts.of("Click where the shadow should fall, or drag it there"), new Act.Shadow(from.point()));
+    /** @param isClick whether the mouse has not moved since the press */
+    void release(boolean isClick) {
+        if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit from, ScenePicker _) && isClick) {
+            selectTool(Messages.tr("Click where the shadow should fall, or drag it there"), new Goal.Shadow(from.point()));
         } else {
-            end();
+            clearTool();
         }
         drag = null;
     }
 
     /** Takes back what the drag did, and puts the tool away. */
-    void giveUp() {
-        editor.edit(scene -> LightEdits.with(scene, before.name(), _ -> before), gesture);
+    void cancelDrag() {
+        editor.edit(scene -> LightEdits.edit(scene, startLight.name(), _ -> startLight), gesture);
         drag = null;
         ring = null;
-        end();
+        clearTool();
     }
 }

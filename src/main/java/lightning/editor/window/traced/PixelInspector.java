@@ -4,49 +4,49 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.editor.loop.Frame;
 import lightning.render.shading.PixelExplainer;
 
 /** Tells what a pixel shows, on a thread of its own; of many questions the newest is answered. */
 final class PixelInspector implements AutoCloseable {
-    /** @param heard on the window's thread */
-    private record Question(Frame about, int x, int y, Consumer<PixelReport> heard) {}
+    /** @param listener on the window's thread */
+    private record Request(Frame frame, int x, int y, Consumer<PixelReport> listener) {}
 
-    private final ExecutorService thread = OwnThread.inTurn("lightning-inspect");
-    private final AtomicReference<Question> newest = new AtomicReference<>();
-    private final Executor window;
-    private Frame about;
+    private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-inspect");
+    private final AtomicReference<Request> pending = new AtomicReference<>();
+    private final Executor windowExecutor;
+    private Frame lastFrame;
     private PixelExplainer explainer;
 
-    PixelInspector(Executor window) {
-        this.window = window;
+    PixelInspector(Executor windowExecutor) {
+        this.windowExecutor = windowExecutor;
     }
 
     /**
      * Asks about a pixel of a picture.
      *
-     * @param heard hears on the window's thread, unless a newer question comes before
+     * @param listener hears on the window's thread, unless a newer question comes before
      */
-    void ask(Frame about, int x, int y, Consumer<PixelReport> heard) {
-        if (newest.getAndSet(new Question(about, x, y, heard)) == null) {
-            thread.execute(this::answer);
+    void request(Frame frame, int x, int y, Consumer<PixelReport> listener) {
+        if (pending.getAndSet(new Request(frame, x, y, listener)) == null) {
+            thread.execute(this::processRequest);
         }
     }
 
-    private void answer() {
-        Question question = newest.getAndSet(null);
-        if (question == null) {
+    private void processRequest() {
+        Request request = pending.getAndSet(null);
+        if (request == null) {
             return;
         }
-        if (question.about() != about) {
-            about = question.about();
-            explainer = explainer == null ? new PixelExplainer(about.scene(), about.geometry())
-                    : explainer.forScene(about.scene(), about.geometry());
+        if (request.frame() != lastFrame) {
+            lastFrame = request.frame();
+            explainer = explainer == null ? new PixelExplainer(lastFrame.scene(), lastFrame.geometry())
+                    : explainer.forScene(lastFrame.scene(), lastFrame.geometry());
         }
-        PixelReport report = PixelReport.of(explainer.geometry(), explainer.pixel(question.x(), question.y()),
-                about.scene().lights().size(), question.x(), question.y());
-        window.execute(() -> question.heard().accept(report));
+        PixelReport report = PixelReport.of(explainer.geometry(), explainer.explainPixel(request.x(), request.y()),
+                lastFrame.scene().lights().size(), request.x(), request.y());
+        windowExecutor.execute(() -> request.listener().accept(report));
     }
 
     @Override

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import lightning.base.math.Vec3;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
@@ -16,38 +16,39 @@ import lightning.render.trace.Geometry;
  * @param shape  the shape's name; empty for the background
  * @param point  where it is in the scene; null for the background
  * @param normal of the surface there; null for the background
- * @param surface the normal of the surface itself, where another one shades it; null where none does
+ * @param geometricNormal the normal of the surface itself, where another one shades it; null where none does
  * @param lights what each light does there, in the scene's order
- * @param sky    what each lamp of the environment does there
+ * @param environmentLights    what each lamp of the environment does there
  */
-record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 surface, List<LightReport> lights, List<LightReport> sky) {
-    /** @param own how many lights the scene has without those of its environment */
-    static PixelReport of(Geometry geometry, PointReport report, int own, int x, int y) {
+record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geometricNormal, List<LightReport> lights,
+        List<LightReport> environmentLights) {
+    /** @param lightCount how many lights the scene has without those of its environment */
+    static PixelReport of(Geometry geometry, PointReport report, int lightCount, int x, int y) {
         if (report.isBackground()) {
             return new PixelReport(x, y, "", null, null, null, List.of(), List.of());
         }
-        var at = report.at();
-        return new PixelReport(x, y, geometry.shape(at.primitive()).name(),
-                geometry.toScene(new Vec3(at.px(), at.py(), at.pz())), new Vec3(at.nx(), at.ny(), at.nz()),
-                report.normals() == null ? null : report.normals().surface(), report.lights().subList(0, own),
-                report.lights().subList(own, report.lights().size()));
+        var hit = report.hit();
+        return new PixelReport(x, y, geometry.shape(hit.primitive()).name(),
+                geometry.toScene(new Vec3(hit.px(), hit.py(), hit.pz())), new Vec3(hit.nx(), hit.ny(), hit.nz()),
+                report.normals() == null ? null : report.normals().geometric(), report.lights().subList(0, lightCount),
+                report.lights().subList(lightCount, report.lights().size()));
     }
 
     /** The light that brings the most to this pixel; empty where none brings anything. */
     Optional<String> strongest() {
         LightReport best = null;
-        float most = 0;
+        float maxBrightness = 0;
         for (LightReport light : lights) {
-            float share = share(light);
-            if (share > most) {
-                most = share;
+            float brightness = brightness(light);
+            if (brightness > maxBrightness) {
+                maxBrightness = brightness;
                 best = light;
             }
         }
         return Optional.ofNullable(best).map(b -> b.light().name());
     }
 
-    private static float share(LightReport light) {
+    private static float brightness(LightReport light) {
         float sum = 0;
         for (int c = 0; c < 3; c++) {
             sum += light.diffuse()[c] + light.highlight()[c] + light.sheen()[c];
@@ -62,41 +63,44 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 sur
      * @param values as {@link PixelValues} has them
      */
     String headline(String values) {
-        String place = x + ", " + y + "  " + (shape.isEmpty() ? Texts.of("background") : shape);
-        return place + (normal == null ? "" : "  " + text(Texts.key("normal %.2f %.2f %.2f"), normal)
-                + (surface == null ? "" : text(Texts.key(", the surface's own %.2f %.2f %.2f"), surface)))
+        String position = x + ", " + y + "  " + (shape.isEmpty() ? Messages.tr("background") : shape);
+        return position + (normal == null ? "" : "  " + text(Messages.key("normal %.2f %.2f %.2f"), normal)
+                + (geometricNormal == null ? "" : text(Messages.key(", the surface's own %.2f %.2f %.2f"), geometricNormal)))
                 + "\n" + (values.isEmpty() ? " " : values);
     }
 
     private static String text(String pattern, Vec3 v) {
-        return String.format(Texts.locale(), Texts.of(pattern), v.x(), v.y(), v.z());
+        return String.format(Messages.locale(), Messages.tr(pattern), v.x(), v.y(), v.z());
     }
 
     /** What each light does, as in {@code key 64 %}. */
     List<String> lightLines() {
         float total = 0;
         for (LightReport light : lights) {
-            total += share(light);
+            total += brightness(light);
         }
-        float around = 0;
-        for (LightReport lamp : sky) {
-            around += share(lamp);
+        float environmentTotal = 0;
+        for (LightReport environmentLight : environmentLights) {
+            environmentTotal += brightness(environmentLight);
         }
-        total += around;
+        total += environmentTotal;
         List<String> lines = new ArrayList<>();
         for (LightReport light : lights) {
             lines.add(light.light().name() + "  " + switch (light.state()) {
-                case DARK -> Texts.of("dark");
-                case AWAY -> Texts.of("facing away");
-                case OUTSIDE -> Texts.of("outside the cone");
-                case UNLINKED -> Texts.of("not linked");
-                case SHADOWED -> light.below() == light.samples() ? Texts.of("below the surface") : Texts.of("shadowed");
-                case LIT -> percent(share(light), total) + samples(light);
+                case DARK -> Messages.tr("dark");
+                case AWAY -> Messages.tr("facing away");
+                case OUTSIDE -> Messages.tr("outside the cone");
+                case UNLINKED -> Messages.tr("not linked");
+                case SHADOWED ->
+                        light.samplesBelowSurface() == light.samples() ? Messages.tr("below the surface") : Messages.tr("shadowed");
+                case LIT -> percent(brightness(light), total) + samplesText(light);
             });
         }
-        if (!sky.isEmpty()) {
-            long reaching = sky.stream().filter(lamp -> lamp.state() == LightReport.State.LIT).count();
-            lines.add(Texts.of("environment  {0}, {1} of {2} lamps", percent(around, total), reaching, sky.size()));
+        if (!environmentLights.isEmpty()) {
+            long litCount =
+                    environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
+            lines.add(Messages.tr("environment  {0}, {1} of {2} lamps", percent(environmentTotal, total), litCount,
+                    environmentLights.size()));
         }
         return lines;
     }
@@ -106,7 +110,8 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 sur
     }
 
     /** Of how many of its samples a light reaches the pixel, where that is not all of it. */
-    private static String samples(LightReport light) {
-        return light.seen() == light.samples() ? "" : Texts.of(", {0} of {1} samples", light.seen(), light.samples());
+    private static String samplesText(LightReport light) {
+        return light.visibleSamples() == light.samples() ? ""
+                : Messages.tr(", {0} of {1} samples", light.visibleSamples(), light.samples());
     }
 }

@@ -1,6 +1,6 @@
 package lightning.editor.window.traced;
 
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.render.image.FalseColor;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
@@ -16,13 +16,14 @@ final class PixelValues {
         float red = film.red(x, y);
         float green = film.green(x, y);
         float blue = film.blue(x, y);
-        int shown = view.ofPicture().pack(red, green, blue);
+        int packed = view.forOutput().pack(red, green, blue);
         double luminance = (0.2126 * red + 0.7152 * green + 0.0722 * blue) * view.gain();
         String stops =
                 luminance > 0
-                        ? String.format(Texts.locale(), Texts.of("%+.1f stops"), Math.log(luminance / FalseColor.MIDDLE) / Math.log(2))
+                        ? String.format(Messages.locale(), Messages.tr("%+.1f stops"),
+                                Math.log(luminance / FalseColor.MIDDLE_GRAY) / Math.log(2))
                         : "black";
-        return String.format(Texts.locale(), "%.3f %.3f %.3f → %d %d %d  %s", red, green, blue, shown >> 16 & 0xFF, shown >> 8 & 0xFF,
-                shown & 0xFF, stops);
+        return String.format(Messages.locale(), "%.3f %.3f %.3f → %d %d %d  %s", red, green, blue, packed >> 16 & 0xFF, packed >> 8 & 0xFF,
+                packed & 0xFF, stops);
     }
 }

@@ -6,32 +6,32 @@ import javafx.scene.control.ProgressBar;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.util.Duration;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.Command;
-import lightning.editor.document.Situation;
+import lightning.editor.document.EditorState;
 import lightning.editor.loop.RenderState;
 import lightning.editor.window.command.CommandButton;
-import lightning.editor.window.model.Commands;
-import lightning.editor.window.model.FileWork;
-import lightning.editor.window.model.Remaining;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.FileActivity;
+import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.TracedPicture;
-import lightning.editor.window.widget.Lasting;
+import lightning.editor.window.widget.DelayedMessage;
 
 /** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
 final class ProgressOverlay extends HBox {
-    private static final Duration PATIENCE = Duration.millis(250);
-    private final Commands commands;
+    private static final Duration SHOW_DELAY = Duration.millis(250);
+    private final CommandRegistry commands;
     private final TracedPicture picture;
-    private final FileWork files;
-    private final Label what = new Label();
-    private final Remaining remaining = new Remaining();
+    private final FileActivity files;
+    private final Label title = new Label();
+    private final RemainingTime remaining = new RemainingTime();
     private final ProgressBar bar = new ProgressBar(0);
-    private final Lasting work = new Lasting(Lasting.Later.WINDOW, PATIENCE, text -> {
-        what.setText(text);
+    private final DelayedMessage message = new DelayedMessage(DelayedMessage.Scheduler.FX_THREAD, SHOW_DELAY, text -> {
+        title.setText(text);
         setVisible(!text.isEmpty());
     });
 
-    ProgressOverlay(Commands commands, TracedPicture picture, FileWork files) {
+    ProgressOverlay(CommandRegistry commands, TracedPicture picture, FileActivity files) {
         this.commands = commands;
         this.picture = picture;
         this.files = files;
@@ -40,24 +40,24 @@ final class ProgressOverlay extends HBox {
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
-        bar.setAccessibleText(Texts.of("Progress of the picture"));
-        var cancel = CommandButton.icon(commands, Command.CANCEL);
+        bar.setAccessibleText(Messages.tr("Progress of the picture"));
+        var cancel = CommandButton.iconButton(commands, Command.CANCEL);
         cancel.button().setId("cancel-progress");
-        getChildren().addAll(what, bar, cancel);
-        commands.situation().subscribe(_ -> update());
-        picture.renderingProperty().subscribe(_ -> update());
+        getChildren().addAll(title, bar, cancel);
+        commands.editorState().subscribe(_ -> update());
+        picture.renderStateProperty().subscribe(_ -> update());
     }
 
     private void update() {
-        RenderState state = picture.renderingProperty().get();
-        Situation now = commands.situation().get();
-        boolean rendering = now.inWork().isPresent();
-        String what =
-                now.reading() ? files.title() + " " + files.file().getFileName() : rendering ? Texts.of("Tracing")
-                        : now.verifying() ? Texts.of("Verifying") : "";
-        double share = now.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
-                : (double) state.checked() / state.toCheck();
-        work.tell(remaining.tell(what, share, System.nanoTime()));
+        RenderState state = picture.renderStateProperty().get();
+        EditorState editorState = commands.editorState().get();
+        boolean rendering = editorState.sceneInProgress().isPresent();
+        String work =
+                editorState.reading() ? files.title() + " " + files.file().getFileName() : rendering ? Messages.tr("Tracing")
+                        : editorState.verifying() ? Messages.tr("Verifying") : "";
+        double share = editorState.reading() ? ProgressBar.INDETERMINATE_PROGRESS : rendering ? state.progress()
+                : (double) state.verifiedTiles() / state.tilesToVerify();
+        message.set(remaining.describe(work, share, System.nanoTime()));
         bar.setProgress(share);
     }
 }

@@ -4,9 +4,9 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutorService;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import lightning.base.work.OwnThread;
+import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.editor.window.model.TracedRaster;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.Film;
@@ -15,43 +15,43 @@ import lightning.scene.Scene;
 
 /** Traces a part of the picture alone, beside all other work; a newer region replaces an older one. */
 final class RegionTracer implements AutoCloseable {
-    private final ExecutorService thread = OwnThread.inTurn("lightning-region");
-    private volatile Object newest;
+    private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-region");
+    private volatile Object latest;
 
     /**
      * @param geometry finds what the rays of a scene can meet
-     * @param heard    hears of the film on the tracing thread; only the tiles that the region meets are in it
+     * @param onFilm    hears of the film on the tracing thread; only the tiles that the region meets are in it
      */
-    void trace(Scene scene, Function<Scene, Geometry> geometry, TracedRaster.Dirty region, Consumer<Film> heard,
-            Consumer<Throwable> failed) {
-        Object own = new Object();
-        newest = own;
+    void trace(Scene scene, Function<Scene, Geometry> geometry, TracedRaster.DirtyRect region, Consumer<Film> onFilm,
+            Consumer<Throwable> onFailure) {
+        Object token = new Object();
+        latest = token;
         thread.execute(() -> {
-            try (var workers = new Workers(Workers.available())) {
+            try (var workers = new WorkerPool(WorkerPool.processorCount())) {
                 var tracer = new TraditionalTracer(scene, geometry.apply(scene));
-                heard.accept(tracer.trace(workers, tiles(scene, region), Progress.until(() -> newest != own)).film());
+                onFilm.accept(tracer.trace(workers, tiles(scene, region), Progress.cancellation(() -> latest != token)).film());
             } catch (CancellationException e) {
                 // A newer region is being traced.
             } catch (RuntimeException | OutOfMemoryError e) {
-                failed.accept(e);
+                onFailure.accept(e);
             }
         });
     }
 
     void cancel() {
-        newest = null;
+        latest = null;
     }
 
     /** The numbers of the tiles that a region meets. */
-    static int[] tiles(Scene scene, TracedRaster.Dirty region) {
-        int across = Film.tilesAlong(scene.picture().width());
-        int left = region.left() / Film.TILE;
-        int top = region.top() / Film.TILE;
-        int columns = (region.right() - 1) / Film.TILE - left + 1;
-        int rows = (region.bottom() - 1) / Film.TILE - top + 1;
+    static int[] tiles(Scene scene, TracedRaster.DirtyRect region) {
+        int tilesPerRow = Film.tilesAlong(scene.picture().width());
+        int left = region.left() / Film.TILE_SIZE;
+        int top = region.top() / Film.TILE_SIZE;
+        int columns = (region.right() - 1) / Film.TILE_SIZE - left + 1;
+        int rows = (region.bottom() - 1) / Film.TILE_SIZE - top + 1;
         int[] tiles = new int[columns * rows];
         for (int i = 0; i < tiles.length; i++) {
-            tiles[i] = (top + i / columns) * across + left + i % columns;
+            tiles[i] = (top + i / columns) * tilesPerRow + left + i % columns;
         }
         return tiles;
     }

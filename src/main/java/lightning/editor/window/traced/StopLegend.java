@@ -1,22 +1,22 @@
 package lightning.editor.window.traced;
 
 import javafx.beans.value.ObservableValue;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.FalseColor;
 import lightning.render.image.ViewTransform;
 
 /** Which color stands for which stop, while the picture is shown in such colors. */
 final class StopLegend extends Legend {
-    private static final int DARK = 3 * 0x60;
+    private static final int DARK_LIMIT = 3 * 0x60;
 
     StopLegend(ObservableValue<ViewTransform> view) {
-        super("stop-legend", Texts.of("Stops from middle grey, by colour"),
+        super("stop-legend", Messages.tr("Stops from middle grey, by colour"),
                 view.map(now -> now.curve() == DisplayCurve.FALSE));
         for (FalseColor.Band band : FalseColor.bands()) {
             int rgb = band.rgb();
             add(band.stop() > 0 ? "+" + band.stop() : String.valueOf(band.stop()), rgb,
-                    (rgb >> 16 & 0xFF) + (rgb >> 8 & 0xFF) + (rgb & 0xFF) < DARK);
+                    (rgb >> 16 & 0xFF) + (rgb >> 8 & 0xFF) + (rgb & 0xFF) < DARK_LIMIT);
         }
     }
 }

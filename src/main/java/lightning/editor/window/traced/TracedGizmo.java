@@ -10,18 +10,18 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.shape.Rectangle;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.document.LightDrag;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightGizmo;
 import lightning.editor.document.NodeEdits;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
-import lightning.editor.document.Snap;
+import lightning.editor.document.Snapping;
 import lightning.editor.document.Viewport;
-import lightning.editor.window.model.GizmoPaint;
-import lightning.editor.window.model.Grip;
-import lightning.editor.window.model.PreviewLook;
+import lightning.editor.window.model.GizmoMouseBinding;
+import lightning.editor.window.model.GizmoPainter;
+import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
@@ -35,26 +35,26 @@ final class TracedGizmo extends Pane {
     static final double TOLERANCE = 8;
 
     private final SceneEditor editor;
-    private final PreviewLook look;
+    private final PreviewSettings settings;
     private final PictureView picture;
     private final LightPlacer placer;
     private final Canvas canvas = new Canvas();
     private Drag drag;
 
     /** What a press took. */
-    private sealed interface Taken {}
+    private sealed interface DragTarget {}
 
-    private record OfLight(Light begin, LightDrag by) implements Taken {}
+    private record LightTarget(Light startLight, LightDrag lightDrag) implements DragTarget {}
 
-    private record OfHandle(NodeGizmo gizmo, NodeGizmo.Handle handle) implements Taken {}
+    private record HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle handle) implements DragTarget {}
 
-    /** @param from the place of the press, of the whole picture as it is shown */
-    private record Drag(Taken taken, Viewport.Pixel from) {}
+    /** @param start the place of the press, of the whole picture as it is shown */
+    private record Drag(DragTarget target, Viewport.Pixel start) {}
 
-    /** @param look how large lights are drawn, and whether at all */
-    TracedGizmo(SceneEditor editor, PreviewLook look, PictureView picture, LightPlacer placer) {
+    /** @param settings how large lights are drawn, and whether at all */
+    TracedGizmo(SceneEditor editor, PreviewSettings settings, PictureView picture, LightPlacer placer) {
         this.editor = editor;
-        this.look = look;
+        this.settings = settings;
         this.placer = placer;
         this.picture = picture;
         setId("traced-gizmo");
@@ -65,80 +65,81 @@ final class TracedGizmo extends Pane {
         setClip(clip);
         getChildren().add(canvas);
         editor.sceneProperty().subscribe(_ -> draw());
-        editor.situationProperty().subscribe(_ -> draw());
-        look.gizmosHiddenProperty().subscribe(_ -> draw());
-        look.sizeProperty().subscribe(_ -> draw());
-        picture.placeProperty().subscribe(_ -> draw());
+        editor.editorStateProperty().subscribe(_ -> draw());
+        settings.gizmosHiddenProperty().subscribe(_ -> draw());
+        settings.gizmoSizeProperty().subscribe(_ -> draw());
+        picture.pictureBoundsProperty().subscribe(_ -> draw());
         picture.hoverProperty().subscribe(_ -> draw());
     }
 
     /** The whole picture as it is shown. */
     Viewport viewport() {
-        Bounds place = picture.placeProperty().getValue();
-        return new Viewport(Math.max(1, place.getWidth()), Math.max(1, place.getHeight()));
+        Bounds bounds = picture.pictureBoundsProperty().getValue();
+        return new Viewport(Math.max(1, bounds.getWidth()), Math.max(1, bounds.getHeight()));
     }
 
     private PreviewCamera view() {
         return PreviewCamera.of(editor.scene());
     }
 
-    private boolean isThere() {
-        return !picture.isEmpty() && !look.gizmosHiddenProperty().get();
+    private boolean isEnabled() {
+        return !picture.isEmpty() && !settings.gizmosHiddenProperty().get();
     }
 
     private Optional<LightGizmo> light() {
-        return isThere() ? Optional.ofNullable(editor.selection().light())
-                .map(l -> LightGizmo.of(l, view(), viewport(), look.sizeProperty().get().factor())) : Optional.empty();
+        return isEnabled() ? Optional.ofNullable(editor.selection().light())
+                .map(l -> LightGizmo.of(l, view(), viewport(), settings.gizmoSizeProperty().get().factor())) : Optional.empty();
     }
 
     private Optional<NodeGizmo> handles() {
-        return isThere() ? editor.selection().node().flatMap(n -> NodeGizmo.of(editor.scene(), n, view(), viewport())) : Optional.empty();
+        return isEnabled() ? editor.selection().node().flatMap(n -> NodeGizmo.of(editor.scene(), n, view(), viewport())) : Optional.empty();
     }
 
     /** Where the mouse is in it. */
-    Viewport.Pixel place(MouseEvent e) {
-        Bounds place = picture.placeProperty().getValue();
-        return new Viewport.Pixel(e.getX() - place.getMinX(), e.getY() - place.getMinY());
+    Viewport.Pixel toCanvas(MouseEvent e) {
+        Bounds bounds = picture.pictureBoundsProperty().getValue();
+        return new Viewport.Pixel(e.getX() - bounds.getMinX(), e.getY() - bounds.getMinY());
     }
 
     /** Takes what is under the mouse; returns whether there is something. */
     boolean press(MouseEvent e) {
-        Viewport.Pixel at = place(e);
+        Viewport.Pixel point = toCanvas(e);
         Optional<NodeGizmo> gizmo = e.getButton() == MouseButton.PRIMARY ? handles() : Optional.empty();
-        Optional<Taken> taken = gizmo.flatMap(g -> g.pick(view(), viewport(), at, TOLERANCE).map(h -> new OfHandle(g, h)));
-        if (taken.isEmpty()) {
-            taken = light().filter(g -> g.distance(view(), viewport(), at) <= TOLERANCE)
-                    .map(_ -> new OfLight(editor.selection().light(), Grip.of(e)));
+        Optional<DragTarget> target = gizmo.flatMap(g -> g.pick(view(), viewport(), point, TOLERANCE).map(h -> new HandleTarget(g, h)));
+        if (target.isEmpty()) {
+            target = light().filter(g -> g.distance(view(), viewport(), point) <= TOLERANCE)
+                    .map(_ -> new LightTarget(editor.selection().light(), GizmoMouseBinding.lightDrag(e)));
         }
-        drag = taken.map(t -> new Drag(t, at)).orElse(null);
+        drag = target.map(t -> new Drag(t, point)).orElse(null);
         return drag != null;
     }
 
     /** Drags what was taken. */
     void drag(MouseEvent e) {
-        Viewport.Pixel to = place(e);
-        switch (drag.taken()) {
-            case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle handle) -> {
+        Viewport.Pixel point = toCanvas(e);
+        switch (drag.target()) {
+            case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle handle) -> {
                 PreviewCamera view = view();
-                Viewport shown = viewport();
-                Viewport.Pixel from = drag.from();
-                editor.editOrReport(scene -> NodeEdits.placement(scene, gizmo.node().name(),
-                        _ -> gizmo.dragged(handle, view, shown, from, to, e.isShiftDown())), drag);
+                Viewport viewport = viewport();
+                Viewport.Pixel from = drag.start();
+                editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(),
+                        _ -> gizmo.drag(handle, view, viewport, from, point, e.isShiftDown())), drag);
             }
-            case OfLight(Light begin, LightDrag by) -> {
-                Light moved = by.applied(begin, view(), viewport(), to.x() - drag.from().x(), drag.from().y() - to.y());
-                Optional<Snap> snap = e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snap.of(begin, moved, view(), viewport()))
-                        : Optional.empty();
-                Light snapped = snap.map(Snap::light).orElse(moved);
-                if (editor.editOrReport(scene -> LightEdits.with(scene, begin.name(), _ -> snapped), drag).isEmpty()) {
-                    snap.ifPresent(s -> editor.message().show(Texts.of("Snapped: {0}", s.told())));
+            case LightTarget(Light begin, LightDrag by) -> {
+                Light moved = by.apply(begin, view(), viewport(), point.x() - drag.start().x(), drag.start().y() - point.y());
+                Optional<Snapping> snap =
+                        e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snapping.of(begin, moved, view(), viewport()))
+                                : Optional.empty();
+                Light snapped = snap.map(Snapping::light).orElse(moved);
+                if (editor.editOrReport(scene -> LightEdits.edit(scene, begin.name(), _ -> snapped), drag).isEmpty()) {
+                    snap.ifPresent(s -> editor.message().show(Messages.tr("Snapped: {0}", s.message())));
                 }
             }
         }
     }
 
     /** Whether something is dragged. */
-    boolean isTaken() {
+    boolean isDragging() {
         return drag != null;
     }
 
@@ -148,11 +149,11 @@ final class TracedGizmo extends Pane {
     }
 
     /** Takes back what the drag did. */
-    void giveUp() {
-        switch (drag.taken()) {
-            case OfHandle(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
-                    .edit(scene -> NodeEdits.placement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
-            case OfLight(Light begin, LightDrag _) -> editor.edit(scene -> LightEdits.with(scene, begin.name(), _ -> begin), drag);
+    void cancelDrag() {
+        switch (drag.target()) {
+            case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
+                    .edit(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
+            case LightTarget(Light begin, LightDrag _) -> editor.edit(scene -> LightEdits.edit(scene, begin.name(), _ -> begin), drag);
         }
         release();
     }
@@ -167,35 +168,36 @@ final class TracedGizmo extends Pane {
         canvas.setHeight(picture.getHeight());
         GraphicsContext g = canvas.getGraphicsContext2D();
         g.clearRect(0, 0, canvas.getWidth(), canvas.getHeight());
-        Bounds place = picture.placeProperty().getValue();
+        Bounds bounds = picture.pictureBoundsProperty().getValue();
         g.save();
-        g.translate(place.getMinX(), place.getMinY());
+        g.translate(bounds.getMinX(), bounds.getMinY());
         if (!picture.isEmpty()) {
-            placer.mark(viewport()).ifPresent(mark -> ring(g, mark));
+            placer.ringMark(viewport()).ifPresent(mark -> drawRing(g, mark));
         }
-        light().ifPresent(gizmo -> GizmoPaint.wires(g, gizmo.strokes(view(), viewport()), GizmoPaint.SELECTED));
-        handles().ifPresent(gizmo -> GizmoPaint.handles(g, gizmo, view(), viewport(), GizmoPaint.EDGE_LINE));
+        light().ifPresent(gizmo -> GizmoPainter.drawWireframe(g, gizmo.strokes(view(), viewport()), GizmoPainter.SELECTED));
+        handles().ifPresent(gizmo -> GizmoPainter.drawHandles(g, gizmo, view(), viewport(), GizmoPainter.OUTLINE_WIDTH));
         g.restore();
     }
 
     /** The ring about where a light was placed, and how far the light is from there. */
-    private static void ring(GraphicsContext g, LightPlacer.Mark mark) {
+    private static void drawRing(GraphicsContext g, LightPlacer.RingMark mark) {
         List<LightGizmo.Stroke> strokes = new ArrayList<>();
         for (int i = 0; i < RING_SIDES; i++) {
-            strokes.add(new LightGizmo.Stroke(onRing(mark.middle(), i), onRing(mark.middle(), i + 1)));
+            strokes.add(new LightGizmo.Stroke(ringPoint(mark.center(), i), ringPoint(mark.center(), i + 1)));
         }
-        GizmoPaint.mark(g, strokes);
-        double x = mark.middle().x() + LightPlacer.RING + 6;
-        double y = mark.middle().y() + 4;
-        g.setLineWidth(GizmoPaint.EDGE_LINE);
-        g.setStroke(GizmoPaint.EDGE);
-        g.strokeText(Snap.number(mark.distance()), x, y);
-        g.setFill(GizmoPaint.SELECTED);
-        g.fillText(Snap.number(mark.distance()), x, y);
+        GizmoPainter.drawMark(g, strokes);
+        double x = mark.center().x() + LightPlacer.RING_RADIUS + 6;
+        double y = mark.center().y() + 4;
+        g.setLineWidth(GizmoPainter.OUTLINE_WIDTH);
+        g.setStroke(GizmoPainter.OUTLINE);
+        g.strokeText(Snapping.numberText(mark.distance()), x, y);
+        g.setFill(GizmoPainter.SELECTED);
+        g.fillText(Snapping.numberText(mark.distance()), x, y);
     }
 
-    private static Viewport.Pixel onRing(Viewport.Pixel middle, int i) {
+    private static Viewport.Pixel ringPoint(Viewport.Pixel middle, int i) {
         double angle = 2 * Math.PI * i / RING_SIDES;
-        return new Viewport.Pixel(middle.x() + LightPlacer.RING * Math.cos(angle), middle.y() + LightPlacer.RING * Math.sin(angle));
+        return new Viewport.Pixel(middle.x() + LightPlacer.RING_RADIUS * Math.cos(angle),
+                middle.y() + LightPlacer.RING_RADIUS * Math.sin(angle));
     }
 }

@@ -17,19 +17,19 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Pane;
 import javafx.scene.layout.StackPane;
 import javafx.scene.shape.Rectangle;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.editor.loop.Frame;
 import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.model.PicturePart;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.PicturePointer;
 import lightning.editor.window.model.SceneEditor;
-import lightning.editor.window.model.Sentence;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.model.TracedRaster;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.relight.Contributions;
+import lightning.render.relight.LightContributions;
 import lightning.render.trace.Geometry;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
@@ -38,119 +38,119 @@ import lightning.scene.Scene;
  */
 final class TracedMouse implements AutoCloseable {
     private final SceneEditor editor;
-    private final TracedPicture shown;
-    private final PicturePart part;
-    private final Executor window;
+    private final TracedPicture tracedPicture;
+    private final PicturePointer picturePart;
+    private final Executor windowExecutor;
     private final PictureView picture;
-    private final Consumer<PixelReport> hovered;
+    private final Consumer<PixelReport> onHover;
     private final PixelInspector inspector;
-    private final RegionTracer regions = new RegionTracer();
-    private final BooleanProperty region = new SimpleBooleanProperty();
+    private final RegionTracer regionTracer = new RegionTracer();
+    private final BooleanProperty regionMode = new SimpleBooleanProperty();
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
-    private final Rectangle frame = new Rectangle();
+    private final Rectangle regionFrame = new Rectangle();
     private final ShapeMenu menu;
     private final LightPlacer placer;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
     /** Hears of the next click; null where a click selects. */
-    private Consumer<PixelReport> pick;
-    private String wish = "";
-    private boolean hand;
+    private Consumer<PixelReport> onPick;
+    private String pickHint = "";
+    private boolean isPanning;
     /** Whether the artist gave the drag up before the button was released. */
-    private boolean givenUp;
+    private boolean isCanceled;
     /** What the region shows that was traced last; null before the first. */
-    private volatile Scene patched;
+    private volatile Scene patchedScene;
     private double pressX;
     private double pressY;
     private double lastX;
     private double lastY;
 
-    /** @param hovered hears what the pixel under the mouse shows; null where there is none */
-    TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> hovered) {
+    /** @param onHover hears what the pixel under the mouse shows; null where there is none */
+    TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> onHover) {
         editor = model.editor();
-        shown = model.picture();
-        part = model.part();
-        window = model.files().window();
+        tracedPicture = model.picture();
+        picturePart = model.picturePointer();
+        windowExecutor = model.files().windowExecutor();
         this.picture = picture;
-        this.hovered = hovered;
+        this.onHover = onHover;
         menu = new ShapeMenu(editor, model.materials(), model.commands());
-        inspector = new PixelInspector(window);
-        placer = LightPlacer.of(editor, model.commands());
-        gizmo = new TracedGizmo(editor, model.previewLook(), picture, placer);
-        overlay = new StackPane(gizmo, new Pane(frame));
+        inspector = new PixelInspector(windowExecutor);
+        placer = LightPlacer.register(editor, model.commands());
+        gizmo = new TracedGizmo(editor, model.previewSettings(), picture, placer);
+        overlay = new StackPane(gizmo, new Pane(regionFrame));
         overlay.setMouseTransparent(true);
-        frame.getStyleClass().add("region-frame");
-        frame.setVisible(false);
-        frame.setManaged(false);
+        regionFrame.getStyleClass().add("region-frame");
+        regionFrame.setVisible(false);
+        regionFrame.setManaged(false);
         picture.setOnMouseMoved(this::hover);
-        picture.setOnMouseExited(_ -> leave());
-        picture.setOnMousePressed(this::pressed);
-        picture.setOnMouseDragged(this::dragged);
-        picture.setOnMouseReleased(this::released);
-        region.subscribe(_ -> ask());
+        picture.setOnMouseExited(_ -> clearHover());
+        picture.setOnMousePressed(this::handlePress);
+        picture.setOnMouseDragged(this::handleDrag);
+        picture.setOnMouseReleased(this::handleRelease);
+        regionMode.subscribe(_ -> updatePrompt());
         placer.promptProperty().subscribe(hint -> {
-            pick = hint.isEmpty() ? pick : null;
-            ask();
+            onPick = hint.isEmpty() ? onPick : null;
+            updatePrompt();
         });
-        part.askProperty().subscribe(_ -> ask());
+        picturePart.regionRequestProperty().subscribe(_ -> updatePrompt());
         picture.sceneProperty().subscribe(scene -> {
             if (scene != null) {
-                scene.addEventFilter(KeyEvent.KEY_PRESSED, this::key);
-                scene.addEventFilter(KeyEvent.ANY, this::space);
+                scene.addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
+                scene.addEventFilter(KeyEvent.ANY, this::handleSpace);
             }
         });
     }
 
     /** While the space bar is held over the picture, the left button moves it. */
-    private void space(KeyEvent e) {
+    private void handleSpace(KeyEvent e) {
         if (e.getCode() != KeyCode.SPACE) {
             return;
         }
-        boolean held = e.getEventType() == KeyEvent.KEY_PRESSED && picture.isHover()
+        boolean isPressed = e.getEventType() == KeyEvent.KEY_PRESSED && picture.isHover()
                 && !(picture.getScene().getFocusOwner() instanceof Control);
-        if (held != hand) {
-            hand = held;
-            ask();
+        if (isPressed != isPanning) {
+            isPanning = isPressed;
+            updatePrompt();
         }
-        if (held) {
+        if (isPressed) {
             e.consume();
         }
     }
 
-    private void key(KeyEvent e) {
+    private void handleKey(KeyEvent e) {
         if (e.getCode() != KeyCode.ESCAPE) {
             return;
         }
-        if (gizmo.isTaken() || placer.isDragging()) {
-            givenUp = true;
-            giveUp();
+        if (gizmo.isDragging() || placer.isDragging()) {
+            isCanceled = true;
+            cancelDrag();
             e.consume();
-        } else if (placer.endRing()) {
+        } else if (placer.clearRing()) {
             gizmo.draw();
             e.consume();
         } else if (!prompt.get().isEmpty()) {
-            region.set(false);
-            part.askProperty().set(null);
+            regionMode.set(false);
+            picturePart.regionRequestProperty().set(null);
             endPick();
             e.consume();
         }
     }
 
-    private void giveUp() {
-        if (gizmo.isTaken()) {
-            gizmo.giveUp();
+    private void cancelDrag() {
+        if (gizmo.isDragging()) {
+            gizmo.cancelDrag();
         } else {
-            placer.giveUp();
+            placer.cancelDrag();
             gizmo.draw();
         }
     }
 
     /** The next click tells what is there instead of selecting a light; a right click ends it. */
-    void pickNext(String hint, Consumer<PixelReport> picked) {
-        placer.end();
-        pick = picked;
-        wish = hint;
-        ask();
+    void pickNext(String hint, Consumer<PixelReport> listener) {
+        placer.clearTool();
+        onPick = listener;
+        pickHint = hint;
+        updatePrompt();
     }
 
     /** What the artist shall do in the picture, over which it stands; empty where nothing is asked. */
@@ -164,73 +164,73 @@ final class TracedMouse implements AutoCloseable {
     }
 
     /** What the region shows that was traced last; null before the first. */
-    Scene patched() {
-        return patched;
+    Scene patchedScene() {
+        return patchedScene;
     }
 
     /** Whether a drag frames a region. */
     BooleanProperty regionProperty() {
-        return region;
+        return regionMode;
     }
 
-    private void ask() {
-        PicturePart.Ask asked = part.askProperty().get();
-        String place = placer.promptProperty().get();
-        prompt.set(pick != null ? wish : !place.isEmpty() ? Texts.of("{0}, Shift snaps", place)
-                : region.get() ? Texts.of("Drag a frame around what to trace")
-                : asked != null ? asked.hint() : "");
-        picture.setCursor(hand ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
+    private void updatePrompt() {
+        PicturePointer.RegionRequest request = picturePart.regionRequestProperty().get();
+        String placerPrompt = placer.promptProperty().get();
+        prompt.set(onPick != null ? pickHint : !placerPrompt.isEmpty() ? Messages.tr("{0}, Shift snaps", placerPrompt)
+                : regionMode.get() ? Messages.tr("Drag a frame around what to trace")
+                : request != null ? request.hint() : "");
+        picture.setCursor(isPanning ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
 
     private void hover(MouseEvent e) {
-        Frame last = shown.frame();
-        if (last == null) {
+        Frame frame = tracedPicture.frame();
+        if (frame == null) {
             return;
         }
-        Picture size = last.scene().picture();
+        PictureSettings size = frame.scene().picture();
         picture.pixel(e.getX(), e.getY()).filter(p -> p.x() < size.width() && p.y() < size.height())
-                .ifPresentOrElse(p -> point(last, p), this::leave);
+                .ifPresentOrElse(p -> hoverPixel(frame, p), this::clearHover);
     }
 
-    private void point(Frame last, PictureView.Pixel p) {
-        part.pointedProperty().set(new PicturePart.Pixel(p.x(), p.y()));
-        inspector.ask(last, p.x(), p.y(), report -> {
+    private void hoverPixel(Frame frame, PictureView.Pixel p) {
+        picturePart.pixelProperty().set(new PicturePointer.Pixel(p.x(), p.y()));
+        inspector.request(frame, p.x(), p.y(), report -> {
             if (picture.isHover()) {
-                hovered.accept(report);
+                onHover.accept(report);
             }
         });
     }
 
-    private void leave() {
-        part.pointedProperty().set(null);
-        hovered.accept(null);
+    private void clearHover() {
+        picturePart.pixelProperty().set(null);
+        onHover.accept(null);
     }
 
-    private void pressed(MouseEvent e) {
+    private void handlePress(MouseEvent e) {
         menu.hide();
-        givenUp = false;
+        isCanceled = false;
         pressX = e.getX();
         pressY = e.getY();
         lastX = pressX;
         lastY = pressY;
-        boolean primary = e.getButton() == MouseButton.PRIMARY && !e.isAltDown() && !hand;
-        boolean placing = pick == null && !placer.promptProperty().get().isEmpty();
-        boolean free = prompt.get().isEmpty() && !hand && !picture.wipe().isVisible();
-        boolean placed = primary && (placing || free) && placer.press(pointer(e), TracedGizmo.TOLERANCE);
-        if (free && !placed) {
+        boolean primary = e.getButton() == MouseButton.PRIMARY && !e.isAltDown() && !isPanning;
+        boolean isPlacing = onPick == null && !placer.promptProperty().get().isEmpty();
+        boolean isFree = prompt.get().isEmpty() && !isPanning && !picture.wipe().isVisible();
+        boolean placerTook = primary && (isPlacing || isFree) && placer.press(pointer(e), TracedGizmo.TOLERANCE);
+        if (isFree && !placerTook) {
             gizmo.press(e);
         }
     }
 
     private LightPlacer.Pointer pointer(MouseEvent e) {
-        return new LightPlacer.Pointer(picture.pixel(e.getX(), e.getY()), gizmo.viewport(), gizmo.place(e));
+        return new LightPlacer.Pointer(picture.pixel(e.getX(), e.getY()), gizmo.viewport(), gizmo.toCanvas(e));
     }
 
-    private void dragged(MouseEvent e) {
-        if (givenUp) {
+    private void handleDrag(MouseEvent e) {
+        if (isCanceled) {
             return;
         }
-        if (gizmo.isTaken()) {
+        if (gizmo.isDragging()) {
             gizmo.drag(e);
             return;
         }
@@ -239,14 +239,14 @@ final class TracedMouse implements AutoCloseable {
             gizmo.draw();
             return;
         }
-        if (e.getButton() == MouseButton.MIDDLE || e.isAltDown() || hand) {
+        if (e.getButton() == MouseButton.MIDDLE || e.isAltDown() || isPanning) {
             picture.pan(e.getX() - lastX, e.getY() - lastY);
-        } else if ((region.get() || part.askProperty().get() != null) && !picture.isEmpty()) {
-            frame.setX(Math.min(pressX, e.getX()));
-            frame.setY(Math.min(pressY, e.getY()));
-            frame.setWidth(Math.abs(e.getX() - pressX));
-            frame.setHeight(Math.abs(e.getY() - pressY));
-            frame.setVisible(true);
+        } else if ((regionMode.get() || picturePart.regionRequestProperty().get() != null) && !picture.isEmpty()) {
+            regionFrame.setX(Math.min(pressX, e.getX()));
+            regionFrame.setY(Math.min(pressY, e.getY()));
+            regionFrame.setWidth(Math.abs(e.getX() - pressX));
+            regionFrame.setHeight(Math.abs(e.getY() - pressY));
+            regionFrame.setVisible(true);
         } else if (picture.wipe().isVisible()) {
             picture.wipeTo(e.getX());
         }
@@ -254,92 +254,92 @@ final class TracedMouse implements AutoCloseable {
         lastY = e.getY();
     }
 
-    private void released(MouseEvent e) {
-        boolean dragged = gizmo.isTaken() && !e.isStillSincePress();
+    private void handleRelease(MouseEvent e) {
+        boolean wasDragged = gizmo.isDragging() && !e.isStillSincePress();
         gizmo.release();
         if (placer.isDragging()) {
             placer.release(e.isStillSincePress());
             gizmo.draw();
             return;
         }
-        if (dragged || givenUp) {
+        if (wasDragged || isCanceled) {
             return;
         }
-        if (hand && e.getButton() == MouseButton.PRIMARY) {
+        if (isPanning && e.getButton() == MouseButton.PRIMARY) {
             return;
         }
-        if (frame.isVisible()) {
-            frame.setVisible(false);
-            framed(picture.nearest(pressX, pressY), picture.nearest(e.getX(), e.getY()));
-        } else if (e.getButton() == MouseButton.SECONDARY && (pick != null || !placer.promptProperty().get().isEmpty())) {
+        if (regionFrame.isVisible()) {
+            regionFrame.setVisible(false);
+            finishRegion(picture.nearestPixel(pressX, pressY), picture.nearestPixel(e.getX(), e.getY()));
+        } else if (e.getButton() == MouseButton.SECONDARY && (onPick != null || !placer.promptProperty().get().isEmpty())) {
             endPick();
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.PRIMARY && placer.promptProperty().get().isEmpty()) {
             click(e);
         } else if (e.isStillSincePress() && e.getButton() == MouseButton.SECONDARY) {
-            offer(e);
+            showMenu(e);
         }
     }
 
-    private void offer(MouseEvent e) {
-        if (shown.frame() != null) {
-            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(shown.frame(), p.x(), p.y(),
+    private void showMenu(MouseEvent e) {
+        if (tracedPicture.frame() != null) {
+            picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.request(tracedPicture.frame(), p.x(), p.y(),
                     report -> menu.show(picture, report.shape(), e.getScreenX(), e.getScreenY())));
         }
     }
 
-    private void framed(PictureView.Pixel from, PictureView.Pixel to) {
-        PicturePart.Ask asked = part.askProperty().get();
-        if (region.get()) {
+    private void finishRegion(PictureView.Pixel from, PictureView.Pixel to) {
+        PicturePointer.RegionRequest request = picturePart.regionRequestProperty().get();
+        if (regionMode.get()) {
             traceRegion(from, to);
-            region.set(false);
-        } else if (asked != null) {
-            part.askProperty().set(null);
-            asked.picked().accept(new Contributions.Region(Math.min(from.x(), to.x()), Math.min(from.y(), to.y()),
+            regionMode.set(false);
+        } else if (request != null) {
+            picturePart.regionRequestProperty().set(null);
+            request.onPicked().accept(new LightContributions.Region(Math.min(from.x(), to.x()), Math.min(from.y(), to.y()),
                     Math.max(from.x(), to.x()) + 1, Math.max(from.y(), to.y()) + 1));
         }
     }
 
     private void traceRegion(PictureView.Pixel from, PictureView.Pixel to) {
-        var traced = TracedRaster.Dirty.NONE.plus(from.x(), from.y(), from.x() + 1, from.y() + 1)
+        var region = TracedRaster.DirtyRect.NONE.plus(from.x(), from.y(), from.x() + 1, from.y() + 1)
                 .plus(to.x(), to.y(), to.x() + 1, to.y() + 1);
-        TracedRaster.Pixels pixels = shown.raster().pixels();
+        TracedRaster.Pixels pixels = tracedPicture.raster().pixels();
         Scene scene = editor.scene().withPicture(editor.scene().picture().withSize(pixels.width(), pixels.height()));
-        Frame known = shown.frame();
+        Frame lastFrame = tracedPicture.frame();
         Function<Scene, Geometry> geometry =
-                known == null ? Geometry::new : s -> known.geometry().forScene(s, known.geometry().mirrors());
-        regions.trace(scene, geometry, traced, film -> {
-            shown.raster().patch(film, traced);
-            patched = scene;
-            window.execute(shown::repaint);
-        }, problem -> window.execute(() -> editor.message().show(Sentence.of(problem))));
+                lastFrame == null ? Geometry::new : s -> lastFrame.geometry().forScene(s, lastFrame.geometry().castsReflections());
+        regionTracer.trace(scene, geometry, region, film -> {
+            tracedPicture.raster().patch(film, region);
+            patchedScene = scene;
+            windowExecutor.execute(tracedPicture::repaint);
+        }, problem -> windowExecutor.execute(() -> editor.message().show(ErrorMessage.of(problem))));
     }
 
     private void click(MouseEvent e) {
-        if (shown.frame() == null) {
+        if (tracedPicture.frame() == null) {
             return;
         }
-        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.ask(shown.frame(), p.x(), p.y(), report -> {
-            if (pick == null) {
+        picture.pixel(e.getX(), e.getY()).ifPresent(p -> inspector.request(tracedPicture.frame(), p.x(), p.y(), report -> {
+            if (onPick == null) {
                 report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {
-                editor.message().show(Texts.of("There is nothing there; click a shape"));
+                editor.message().show(Messages.tr("There is nothing there; click a shape"));
             } else {
-                Consumer<PixelReport> picked = pick;
+                Consumer<PixelReport> listener = onPick;
                 endPick();
-                picked.accept(report);
+                listener.accept(report);
             }
         }));
     }
 
     private void endPick() {
-        pick = null;
-        placer.end();
-        ask();
+        onPick = null;
+        placer.clearTool();
+        updatePrompt();
     }
 
     @Override
     public void close() {
         inspector.close();
-        regions.close();
+        regionTracer.close();
     }
 }

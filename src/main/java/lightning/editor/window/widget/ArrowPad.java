@@ -5,19 +5,19 @@ import javafx.scene.Cursor;
 import javafx.scene.control.Tooltip;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /** The arrow of an {@link ArrowWidget}: drag it up or down, or click its upper or its lower half. */
 final class ArrowPad extends VBox {
-    ArrowPad(Gauge gauge, NumberField field) {
+    ArrowPad(NumberSetting gauge, NumberField field) {
         super(arrow("up"), arrow("down"));
         getStyleClass().add("arrow-pad");
         setAccessibleRole(AccessibleRole.SPINNER);
         setAccessibleText(field.getAccessibleText());
         setCursor(Cursor.V_RESIZE);
-        Tooltip.install(this, new Tooltip(Texts.of("Drag up or down, or click a half; Shift finer, Ctrl coarser")));
-        Scrub.by(this, gauge, field, Scrub.Way.UP, event -> field
-                .step((event.getY() < getHeight() / 2 ? 1 : -1) * Scrub.factor(event.isShiftDown(), event.isShortcutDown())));
+        Tooltip.install(this, new Tooltip(Messages.tr("Drag up or down, or click a half; Shift finer, Ctrl coarser")));
+        NumberScrubber.install(this, gauge, field, NumberScrubber.Direction.UP, event -> field
+                .step((event.getY() < getHeight() / 2 ? 1 : -1) * NumberScrubber.factor(event.isShiftDown(), event.isShortcutDown())));
     }
 
     private static Region arrow(String name) {

@@ -13,13 +13,13 @@ import javafx.scene.layout.VBox;
  */
 public final class ArrowWidget extends VBox {
     private final NumberField field;
-    private final Obstacle obstacle;
+    private final DisabledReason disabledReason;
 
     /**
      * @param label what stands before the number, without its unit
      * @param title the name in full, for screen readers
      */
-    public ArrowWidget(String label, String title, Gauge gauge) {
+    public ArrowWidget(String label, String title, NumberSetting gauge) {
         field = new NumberField(title, gauge);
         Label name = new FieldLabel(label, gauge, field);
         name.setMaxWidth(Double.MAX_VALUE);
@@ -27,8 +27,8 @@ public final class ArrowWidget extends VBox {
         HBox row = new HBox(name, field, new ArrowPad(gauge, field));
         row.getStyleClass().add("number-row");
         getStyleClass().add("arrow-widget");
-        getChildren().addAll(row, new Refusal(List.of(field)));
-        obstacle = new Obstacle(this, row);
+        getChildren().addAll(row, new RefusalLabel(List.of(field)));
+        disabledReason = new DisabledReason(this, row);
     }
 
     /** Shows a value. */
@@ -47,10 +47,10 @@ public final class ArrowWidget extends VBox {
     }
 
     /** Disables the widget and says why, a clause; or enables it. */
-    public void setObstacle(Optional<String> reason) {
+    public void setDisabledReason(Optional<String> reason) {
         if (reason.isPresent()) {
             field.revert();
         }
-        obstacle.set(reason);
+        disabledReason.set(reason);
     }
 }

@@ -1,8 +1,8 @@
 package lightning.editor.window.widget;
 
 import java.util.List;
-import lightning.base.text.Texts;
-import lightning.scene.Picture;
+import lightning.base.text.Messages;
+import lightning.scene.PictureSettings;
 
 /**
  * The size of a canvas.
@@ -12,9 +12,9 @@ import lightning.scene.Picture;
  */
 public record CanvasSize(String title, int width, int height) {
     /** As large as there is room, in the shape of the traced picture. */
-    public static final CanvasSize LIKE_PICTURE = new CanvasSize(Texts.key("Picture's shape"), 0, 0);
+    public static final CanvasSize PICTURE_ASPECT = new CanvasSize(Messages.key("Picture's shape"), 0, 0);
     /** All the room there is. */
-    public static final CanvasSize FREE = new CanvasSize(Texts.key("Free"), 0, 0);
+    public static final CanvasSize FREE = new CanvasSize(Messages.key("Free"), 0, 0);
 
     /** The paper's default first. */
     public static final List<CanvasSize> FIXED = List.of(of(200, 200), of(300, 300), of(400, 400), of(600, 600), of(320, 240),
@@ -30,29 +30,29 @@ public record CanvasSize(String title, int width, int height) {
      * @param width       pixels that are drawn; likewise {@code height}
      * @param shownWidth  pixels of the window; likewise {@code shownHeight}
      */
-    public record Frame(int width, int height, double shownWidth, double shownHeight) {}
+    public record Layout(int width, int height, double shownWidth, double shownHeight) {}
 
     /**
      * How the canvas lies in the room there is; what is too large is shown smaller.
      *
-     * @param roomWidth pixels of the window, ≥ 1; likewise {@code roomHeight}
-     * @param screen    pixels of the screen for one of the window
+     * @param availableWidth pixels of the window, ≥ 1; likewise {@code availableHeight}
+     * @param pixelScale    pixels of the screen for one of the window
      */
-    public Frame within(double roomWidth, double roomHeight, Picture picture, double screen) {
+    public Layout fit(double availableWidth, double availableHeight, PictureSettings picture, double pixelScale) {
         if (this == FREE) {
-            return frame(roomWidth, roomHeight, screen);
+            return layout(availableWidth, availableHeight, pixelScale);
         }
         double w = width == 0 ? picture.width() : width;
         double h = height == 0 ? picture.height() : height;
-        double room = Math.min(roomWidth / w, roomHeight / h);
+        double fitScale = Math.min(availableWidth / w, availableHeight / h);
         if (width == 0) {
-            return frame(Math.max(1, Math.rint(w * room)), Math.max(1, Math.rint(h * room)), screen);
+            return layout(Math.max(1, Math.rint(w * fitScale)), Math.max(1, Math.rint(h * fitScale)), pixelScale);
         }
-        double shrink = Math.min(1, room);
-        return new Frame(width, height, Math.max(1, w * shrink), Math.max(1, h * shrink));
+        double shrink = Math.min(1, fitScale);
+        return new Layout(width, height, Math.max(1, w * shrink), Math.max(1, h * shrink));
     }
 
-    private static Frame frame(double width, double height, double screen) {
-        return new Frame((int) Math.max(1, width * screen), (int) Math.max(1, height * screen), width, height);
+    private static Layout layout(double width, double height, double pixelScale) {
+        return new Layout((int) Math.max(1, width * pixelScale), (int) Math.max(1, height * pixelScale), width, height);
     }
 }

@@ -12,75 +12,75 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /** A slider whose track shows the colours that it would give, with a field for values in full. */
 final class ColorSlider extends VBox {
-    private static final int GRAINS_PER_STEP = 100;
-    private static final int KEYS_PER_TRACK = 20;
+    private static final int SUBSTEPS_PER_STEP = 100;
+    private static final int KEY_STEPS = 20;
 
-    private final Gauge gauge;
+    private final NumberSetting gauge;
     private final Scale scale;
     private final NumberField field;
     private final Slider slider;
     private Object gesture;
-    private double from;
-    private boolean showing;
+    private double startValue;
+    private boolean isUpdating;
 
     /**
      * Where the values lie along the track.
      *
      * @param min   the value at the left end
      * @param max   the value at the right end
-     * @param place from a value to its place, in any unit
-     * @param value from a place to its value
+     * @param toPosition from a value to its place, in any unit
+     * @param toValue from a place to its value
      */
-    record Scale(double min, double max, DoubleUnaryOperator place, DoubleUnaryOperator value) {
-        static Scale even(double min, double max) {
+    record Scale(double min, double max, DoubleUnaryOperator toPosition, DoubleUnaryOperator toValue) {
+        static Scale linear(double min, double max) {
             return new Scale(min, max, DoubleUnaryOperator.identity(), DoubleUnaryOperator.identity());
         }
 
         /** The value at a share, 0…1, of the way along the track. */
-        double at(double share) {
-            double left = place.applyAsDouble(min);
-            return value.applyAsDouble(left + share * (place.applyAsDouble(max) - left));
+        double valueAt(double fraction) {
+            double left = toPosition.applyAsDouble(min);
+            return toValue.applyAsDouble(left + fraction * (toPosition.applyAsDouble(max) - left));
         }
     }
 
-    ColorSlider(String label, String title, Scale scale, Gauge gauge) {
+    ColorSlider(String label, String title, Scale scale, NumberSetting gauge) {
         this.gauge = gauge;
         this.scale = scale;
         field = new NumberField(title, gauge);
-        slider = new Slider(scale.place().applyAsDouble(scale.min()), scale.place().applyAsDouble(scale.max()), 0);
-        slider.setAccessibleText(Texts.of("{0} slider", title));
-        slider.setBlockIncrement((slider.getMax() - slider.getMin()) / KEYS_PER_TRACK);
+        slider = new Slider(scale.toPosition().applyAsDouble(scale.min()), scale.toPosition().applyAsDouble(scale.max()), 0);
+        slider.setAccessibleText(Messages.tr("{0} slider", title));
+        slider.setBlockIncrement((slider.getMax() - slider.getMin()) / KEY_STEPS);
         slider.getStyleClass().add("color-slider");
         HBox.setHgrow(slider, Priority.ALWAYS);
-        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> begin());
+        slider.addEventFilter(MouseEvent.MOUSE_PRESSED, _ -> startDrag());
         slider.addEventFilter(MouseEvent.MOUSE_RELEASED, _ -> gesture = null);
-        slider.addEventFilter(KeyEvent.KEY_PRESSED, this::key);
+        slider.addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
         slider.valueProperty().addListener((_, _, now) -> slide(now.doubleValue()));
         Label name = new Label(label);
         name.setLabelFor(slider);
         name.getStyleClass().add("slider-name");
         HBox row = new HBox(name, slider, field);
         row.getStyleClass().add("number-row");
-        getChildren().addAll(row, new Refusal(List.of(field)));
+        getChildren().addAll(row, new RefusalLabel(List.of(field)));
     }
 
     /** Shows a value, and along the track the colour that each value would give. */
     void show(double value, DoubleFunction<Rgb> color) {
         field.show(value);
-        place();
-        slider.setStyle("-track-paint: " + Paints.gradient(share -> color.apply(scale.at(share))) + ";");
+        updateThumb();
+        slider.setStyle("-track-paint: " + DisplayColors.gradient(share -> color.apply(scale.valueAt(share))) + ";");
     }
 
     /** Shows that there is no colour: the thumb rests at the left of a track without colours. */
     void showNothing() {
         field.showNothing();
-        showing = true;
+        isUpdating = true;
         slider.setValue(slider.getMin());
-        showing = false;
+        isUpdating = false;
         slider.setStyle("");
     }
 
@@ -88,31 +88,31 @@ final class ColorSlider extends VBox {
         field.revert();
     }
 
-    private void place() {
-        showing = true;
-        slider.setValue(scale.place().applyAsDouble(Math.clamp(field.value(), scale.min(), scale.max())));
-        showing = false;
+    private void updateThumb() {
+        isUpdating = true;
+        slider.setValue(scale.toPosition().applyAsDouble(Math.clamp(field.value(), scale.min(), scale.max())));
+        isUpdating = false;
     }
 
-    private void begin() {
+    private void startDrag() {
         gesture = new Object();
-        from = field.value();
+        startValue = field.value();
     }
 
-    private void slide(double place) {
-        if (showing) {
+    private void slide(double position) {
+        if (isUpdating) {
             return;
         }
-        double grain = gauge.steps().step() / GRAINS_PER_STEP;
-        double value = gauge.steps().from(0, Math.rint(scale.value().applyAsDouble(place) / grain) / GRAINS_PER_STEP);
+        double substep = gauge.steps().step() / SUBSTEPS_PER_STEP;
+        double value = gauge.steps().addSteps(0, Math.rint(scale.toValue().applyAsDouble(position) / substep) / SUBSTEPS_PER_STEP);
         gauge.set(Math.clamp(value, scale.min(), scale.max()), gesture).ifPresentOrElse(field::refuse, field::revert);
-        place();
+        updateThumb();
     }
 
-    private void key(KeyEvent event) {
+    private void handleKey(KeyEvent event) {
         if (event.getCode() == KeyCode.ESCAPE && gesture != null) {
-            gauge.set(from, gesture);
-            place();
+            gauge.set(startValue, gesture);
+            updateThumb();
             gesture = null;
             event.consume();
         }

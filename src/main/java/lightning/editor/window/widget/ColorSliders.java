@@ -14,20 +14,21 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
-import lightning.base.text.Measure;
-import lightning.base.text.Texts;
-import lightning.editor.document.Hsv;
-import lightning.editor.document.Kelvin;
-import lightning.editor.document.Steps;
-import lightning.scene.Limits;
+import lightning.base.text.Messages;
+import lightning.base.text.NumberUnit;
+import lightning.editor.document.ColorTemperature;
+import lightning.editor.document.HsvColor;
+import lightning.editor.document.StepRange;
+import lightning.scene.SceneLimits;
 
 /**
  * A colour as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
  * shows it.
  */
 public final class ColorSliders extends VBox {
-    private static final List<Preset> PRESETS = List.of(new Preset(Texts.key("Candle"), 1900), new Preset(Texts.key("Tungsten"), 3200),
-            new Preset(Texts.key("Daylight"), 5600), new Preset(Texts.key("Shade"), 8000));
+    private static final List<Preset> PRESETS =
+            List.of(new Preset(Messages.key("Candle"), 1900), new Preset(Messages.key("Tungsten"), 3200),
+                    new Preset(Messages.key("Daylight"), 5600), new Preset(Messages.key("Shade"), 8000));
 
     private final Target target;
     private final String prefix;
@@ -39,27 +40,27 @@ public final class ColorSliders extends VBox {
     private List<ColorSlider> hsv = List.of();
     private ColorSquare square;
     private ColorSlider kelvin;
-    private final Obstacle obstacle;
-    private Rgb shown = Rgb.WHITE;
-    private Hsv shownHsv = Hsv.of(Rgb.WHITE);
+    private final DisabledReason disabledReason;
+    private Rgb shownColor = Rgb.WHITE;
+    private HsvColor shownHsv = HsvColor.of(Rgb.WHITE);
     /** What the parts show; null for no colour. */
-    private Drawn drawn;
+    private DisplayedColor displayed;
 
-    private record Drawn(Rgb color, Hsv hsv) {}
+    private record DisplayedColor(Rgb color, HsvColor hsv) {}
 
-    /** Where the edits go. Each returns why it was refused; {@code gesture} as in {@link Gauge#set}. */
+    /** Where the edits go. Each returns why it was refused; {@code gesture} as in {@link NumberSetting#set}. */
     public interface Target {
-        Gauge red();
+        NumberSetting red();
 
-        Gauge green();
+        NumberSetting green();
 
-        Gauge blue();
+        NumberSetting blue();
 
-        Optional<String> hsv(Hsv color, Object gesture);
+        Optional<String> hsv(HsvColor color, Object gesture);
 
         /** A surface has none. */
         default Optional<String> temperature(double kelvin, Object gesture) {
-            return Optional.of(Texts.of("only a light has a colour temperature"));
+            return Optional.of(Messages.tr("only a light has a colour temperature"));
         }
     }
 
@@ -67,7 +68,7 @@ public final class ColorSliders extends VBox {
 
     /** The colour of a light. */
     public ColorSliders(Target target) {
-        this("", Texts.of("The light's colour"), Limits.MAX_LIGHT_COLOR, true, target);
+        this("", Messages.tr("The light's colour"), SceneLimits.MAX_LIGHT_COLOR, true, target);
     }
 
     /**
@@ -77,32 +78,32 @@ public final class ColorSliders extends VBox {
      * @param help  what it does, a sentence without a full stop
      * @param max   the largest channel allowed
      */
-    public static ColorSliders ofSurface(String title, String help, double max, Target target) {
+    public static ColorSliders forSurface(String title, String help, double max, Target target) {
         return new ColorSliders(title + " ", help, max, false, target);
     }
 
-    private ColorSliders(String prefix, String help, double max, boolean ofLight, Target target) {
+    private ColorSliders(String prefix, String help, double max, boolean isLight, Target target) {
         this.target = target;
         this.prefix = prefix;
-        rgb = List.of(channel("R", prefix + Texts.of("red"), target.red()), channel("G", prefix + Texts.of("green"), target.green()),
-                channel("B", prefix + Texts.of("blue"), target.blue()));
+        rgb = List.of(channel("R", prefix + Messages.tr("red"), target.red()), channel("G", prefix + Messages.tr("green"), target.green()),
+                channel("B", prefix + Messages.tr("blue"), target.blue()));
         well.getStyleClass().add("color-well");
-        well.setTooltip(new Tooltip(Texts.of("{0}.\nClick to pick another", help)));
+        well.setTooltip(new Tooltip(Messages.tr("{0}.\nClick to pick another", help)));
         content.getStyleClass().add("color-content");
-        HBox head = new HBox(well, tab("RGB", Texts.of("red, green, blue"), () -> rgb),
-                tab("HSV", Texts.of("hue, saturation, value"), () -> hsvTab(max)));
-        if (ofLight) {
-            head.getChildren().add(tab("Kelvin", Texts.of("colour temperature"), this::kelvinTab));
+        HBox head = new HBox(well, tab("RGB", Messages.tr("red, green, blue"), () -> rgb),
+                tab("HSV", Messages.tr("hue, saturation, value"), () -> hsvTab(max)));
+        if (isLight) {
+            head.getChildren().add(tab("Kelvin", Messages.tr("colour temperature"), this::kelvinTab));
         }
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
             tabs.selectToggle(tabs.getToggles().get(1));
             square.requestFocus();
         });
-        VBox all = new VBox(head, content);
-        all.getStyleClass().add("color-sliders");
-        getChildren().add(all);
-        obstacle = new Obstacle(this, all);
+        VBox box = new VBox(head, content);
+        box.getStyleClass().add("color-sliders");
+        getChildren().add(box);
+        disabledReason = new DisabledReason(this, box);
         tabs.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {
                 tabs.selectToggle(before);
@@ -114,24 +115,25 @@ public final class ColorSliders extends VBox {
 
     /** Shows a colour, linear, ≥ 0. */
     public void show(Rgb color) {
-        shown = color;
+        shownColor = color;
         if (!shownHsv.rgb().equals(color)) {
-            Hsv now = Hsv.of(color);
+            HsvColor newColor = HsvColor.of(color);
             // A grey has no hue: the last one stays, so that saturation can come back.
-            shownHsv = now.saturation() == 0 ? new Hsv(shownHsv.hue(), now.value() == 0 ? shownHsv.saturation() : 0, now.value())
-                    : now;
+            shownHsv = newColor.saturation() == 0
+                    ? new HsvColor(shownHsv.hue(), newColor.value() == 0 ? shownHsv.saturation() : 0, newColor.value())
+                    : newColor;
         }
-        var now = new Drawn(color, shownHsv);
-        if (!now.equals(drawn)) {
-            drawn = now;
+        var newColor = new DisplayedColor(color, shownHsv);
+        if (!newColor.equals(displayed)) {
+            displayed = newColor;
             draw(color);
         }
     }
 
     private void draw(Rgb color) {
-        well.setStyle("-well-color: " + Paints.css(color) + ";");
+        well.setStyle("-well-color: " + DisplayColors.css(color) + ";");
         well.setAccessibleText(
-                prefix + String.format(Texts.locale(), Texts.of("colour: red %.3f, green %.3f, blue %.3f"), color.r(), color.g(),
+                prefix + String.format(Messages.locale(), Messages.tr("colour: red %.3f, green %.3f, blue %.3f"), color.r(), color.g(),
                         color.b()));
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
@@ -144,31 +146,31 @@ public final class ColorSliders extends VBox {
         if (square == null) {
             return;
         }
-        if (drawn == null) {
+        if (displayed == null) {
             hsv.forEach(ColorSlider::showNothing);
-            square.show(new Hsv(0, 0, 0));
+            square.show(new HsvColor(0, 0, 0));
             return;
         }
-        Hsv h = drawn.hsv();
+        HsvColor h = displayed.hsv();
         square.show(h);
-        hsv.get(0).show(h.hue(), v -> new Hsv(v, 1, 1).rgb());
-        hsv.get(1).show(h.saturation(), v -> new Hsv(h.hue(), v, Math.clamp(h.value(), 0, 1)).rgb());
-        hsv.get(2).show(h.value(), v -> new Hsv(h.hue(), h.saturation(), v).rgb());
+        hsv.get(0).show(h.hue(), v -> new HsvColor(v, 1, 1).rgb());
+        hsv.get(1).show(h.saturation(), v -> new HsvColor(h.hue(), v, Math.clamp(h.value(), 0, 1)).rgb());
+        hsv.get(2).show(h.value(), v -> new HsvColor(h.hue(), h.saturation(), v).rgb());
     }
 
     private void drawKelvin() {
-        if (kelvin != null && drawn == null) {
+        if (kelvin != null && displayed == null) {
             kelvin.showNothing();
         } else if (kelvin != null) {
-            kelvin.show(Math.rint(Kelvin.of(drawn.color())), Kelvin::rgb);
+            kelvin.show(Math.rint(ColorTemperature.of(displayed.color())), ColorTemperature::rgb);
         }
     }
 
     /** Shows that there is no colour. */
     public void showNothing() {
-        drawn = null;
+        displayed = null;
         well.setStyle("-well-color: transparent;");
-        well.setAccessibleText(prefix + Texts.of("colour: none"));
+        well.setAccessibleText(prefix + Messages.tr("colour: none"));
         rgb.forEach(ColorSlider::showNothing);
         drawHsv();
         drawKelvin();
@@ -184,17 +186,17 @@ public final class ColorSliders extends VBox {
     }
 
     /** Disables the widget and says why, a clause; or enables it. */
-    public void setObstacle(Optional<String> reason) {
-        obstacle.set(reason);
+    public void setDisabledReason(Optional<String> reason) {
+        disabledReason.set(reason);
     }
 
-    private static ColorSlider channel(String label, String title, Gauge gauge) {
-        return new ColorSlider(label, title, ColorSlider.Scale.even(0, 1), gauge);
+    private static ColorSlider channel(String label, String title, NumberSetting gauge) {
+        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1), gauge);
     }
 
-    private ColorSlider hsv(String label, String title, Steps steps, double max, BiFunction<Hsv, Double, Hsv> edit) {
-        return new ColorSlider(label, title, ColorSlider.Scale.even(0, max), Gauge.of(title, steps, (v, gesture) -> {
-            Hsv edited;
+    private ColorSlider hsv(String label, String title, StepRange steps, double max, BiFunction<HsvColor, Double, HsvColor> edit) {
+        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, max), NumberSetting.of(title, steps, (v, gesture) -> {
+            HsvColor edited;
             try {
                 edited = edit.apply(shownHsv, v);
             } catch (IllegalArgumentException e) {
@@ -205,14 +207,14 @@ public final class ColorSliders extends VBox {
     }
 
     /** Keeps the hue of a colour that has none, as black. */
-    private Optional<String> setHsv(Hsv color, Object gesture) {
-        Hsv before = shownHsv;
+    private Optional<String> setHsv(HsvColor color, Object gesture) {
+        HsvColor oldHsv = shownHsv;
         shownHsv = color;
         Optional<String> refusal = target.hsv(color, gesture);
         if (refusal.isPresent()) {
-            shownHsv = before;
+            shownHsv = oldHsv;
         }
-        show(shown);
+        show(shownColor);
         return refusal;
     }
 
@@ -221,10 +223,12 @@ public final class ColorSliders extends VBox {
             square = new ColorSquare(this::setHsv);
             square.setAccessibleText(prefix + square.getAccessibleText());
             hsv = List.of(
-                    hsv("H", prefix + Texts.of("hue"), new Steps(1, 0, 360), 360, (h, v) -> new Hsv(v, h.saturation(), h.value())),
-                    hsv("S", prefix + Texts.of("saturation"), new Steps(0.1, 0, 1), 1, (h, v) -> new Hsv(h.hue(), v, h.value())),
-                    hsv("V", prefix + Texts.of("value"), new Steps(0.1, 0, max), 1,
-                            (h, v) -> new Hsv(h.hue(), h.saturation(), v)));
+                    hsv("H", prefix + Messages.tr("hue"), new StepRange(1, 0, 360), 360,
+                            (h, v) -> new HsvColor(v, h.saturation(), h.value())),
+                    hsv("S", prefix + Messages.tr("saturation"), new StepRange(0.1, 0, 1), 1,
+                            (h, v) -> new HsvColor(h.hue(), v, h.value())),
+                    hsv("V", prefix + Messages.tr("value"), new StepRange(0.1, 0, max), 1,
+                            (h, v) -> new HsvColor(h.hue(), h.saturation(), v)));
             drawHsv();
         }
         return List.of(square, hsv.get(0), hsv.get(1), hsv.get(2));
@@ -233,8 +237,9 @@ public final class ColorSliders extends VBox {
     private List<Node> kelvinTab() {
         if (kelvin == null) {
             kelvin = new ColorSlider("K", "temperature",
-                    new ColorSlider.Scale(Kelvin.MIN, Kelvin.MAX, Math::log, Math::exp),
-                    Gauge.of("temperature", new Steps(100, Kelvin.MIN, Kelvin.MAX), Measure.KELVIN, target::temperature));
+                    new ColorSlider.Scale(ColorTemperature.MIN, ColorTemperature.MAX, Math::log, Math::exp),
+                    NumberSetting.of("temperature", new StepRange(100, ColorTemperature.MIN, ColorTemperature.MAX), NumberUnit.KELVIN,
+                            target::temperature));
             drawKelvin();
         }
         return List.of(kelvin, presets());
@@ -244,9 +249,9 @@ public final class ColorSliders extends VBox {
         FlowPane presets = new FlowPane();
         presets.getStyleClass().add("presets");
         for (Preset preset : PRESETS) {
-            Button button = new Button(Texts.of(preset.name()));
+            Button button = new Button(Messages.tr(preset.name()));
             button.getStyleClass().add("small");
-            button.setTooltip(new Tooltip(Limits.text(preset.kelvin()) + " K"));
+            button.setTooltip(new Tooltip(SceneLimits.format(preset.kelvin()) + " K"));
             button.setOnAction(_ -> target.temperature(preset.kelvin(), null));
             presets.getChildren().add(button);
         }
@@ -256,7 +261,7 @@ public final class ColorSliders extends VBox {
     /** @param nodes asked for whenever the tab comes in front */
     private ToggleButton tab(String name, String title, Supplier<List<? extends Node>> nodes) {
         ToggleButton tab = new ToggleButton(name);
-        tab.setTooltip(new Tooltip(Texts.of("Colour as {0}", title)));
+        tab.setTooltip(new Tooltip(Messages.tr("Colour as {0}", title)));
         tab.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(tab, Priority.ALWAYS);
         tab.setToggleGroup(tabs);

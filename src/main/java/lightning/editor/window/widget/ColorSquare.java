@@ -11,8 +11,8 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Circle;
 import lightning.base.math.Rgb;
-import lightning.base.text.Texts;
-import lightning.editor.document.Hsv;
+import lightning.base.text.Messages;
+import lightning.editor.document.HsvColor;
 import lightning.render.image.ViewTransform;
 
 /** All colours of one hue: saturation to the right, value upwards as the display brightens it. Drag, or use the arrow keys. */
@@ -28,20 +28,20 @@ final class ColorSquare extends Region {
     private final ImageView view = new ImageView(image);
     private final Circle marker = new Circle(5);
     private final Setter setter;
-    private Hsv shown = new Hsv(0, 0, 1);
+    private HsvColor shown = new HsvColor(0, 0, 1);
     private double drawnHue = -1;
     private Object gesture;
 
     /** Sets a colour; returns why it was refused. */
     interface Setter {
-        Optional<String> set(Hsv color, Object gesture);
+        Optional<String> set(HsvColor color, Object gesture);
     }
 
     ColorSquare(Setter setter) {
         this.setter = setter;
         getStyleClass().add("color-square");
         setAccessibleRole(AccessibleRole.SLIDER);
-        setAccessibleText(Texts.of("saturation and value"));
+        setAccessibleText(Messages.tr("saturation and value"));
         setFocusTraversable(true);
         setCursor(Cursor.CROSSHAIR);
         marker.getStyleClass().add("marker");
@@ -53,16 +53,16 @@ final class ColorSquare extends Region {
         setOnMousePressed(this::press);
         setOnMouseDragged(this::drag);
         setOnMouseReleased(_ -> gesture = null);
-        setOnKeyPressed(this::key);
+        setOnKeyPressed(this::handleKey);
     }
 
-    void show(Hsv color) {
+    void show(HsvColor color) {
         shown = color;
         if (color.hue() != drawnHue) {
             drawnHue = color.hue();
             draw();
         }
-        setAccessibleHelp(String.format(Texts.locale(), Texts.of("saturation %.2f, value %.2f"), color.saturation(), color.value()));
+        setAccessibleHelp(String.format(Messages.locale(), Messages.tr("saturation %.2f, value %.2f"), color.saturation(), color.value()));
         requestLayout();
     }
 
@@ -72,7 +72,7 @@ final class ColorSquare extends Region {
         view.setFitHeight(getHeight());
         marker.setCenterX(shown.saturation() * getWidth());
         marker.setCenterY((1 - code(shown.value()) / (double) WHITE) * getHeight());
-        marker.setFill(Paints.of(shown.rgb()));
+        marker.setFill(DisplayColors.color(shown.rgb()));
     }
 
     private void draw() {
@@ -80,7 +80,7 @@ final class ColorSquare extends Region {
         for (int y = 0; y < ROWS; y++) {
             double value = ViewTransform.linear(WHITE - y * WHITE / (ROWS - 1));
             for (int x = 0; x < COLUMNS; x++) {
-                Rgb c = new Hsv(drawnHue, x / (COLUMNS - 1.0), value).rgb();
+                Rgb c = new HsvColor(drawnHue, x / (COLUMNS - 1.0), value).rgb();
                 pixels[y * COLUMNS + x] = 0xFF000000 | code(c.r()) << 16 | code(c.g()) << 8 | code(c.b());
             }
         }
@@ -97,12 +97,12 @@ final class ColorSquare extends Region {
         if (gesture != null) {
             double saturation = Math.clamp(event.getX() / getWidth(), 0, 1);
             int code = (int) Math.rint(Math.clamp(1 - event.getY() / getHeight(), 0, 1) * WHITE);
-            setter.set(new Hsv(shown.hue(), saturation, ViewTransform.linear(code)), gesture);
+            setter.set(new HsvColor(shown.hue(), saturation, ViewTransform.linear(code)), gesture);
             event.consume();
         }
     }
 
-    private void key(KeyEvent event) {
+    private void handleKey(KeyEvent event) {
         int right = switch (event.getCode()) {
             case RIGHT -> 1;
             case LEFT -> -1;
@@ -117,7 +117,7 @@ final class ColorSquare extends Region {
             double saturation = Math.clamp(shown.saturation() + right * KEY_SATURATION, 0, 1);
             double value = up == 0 ? shown.value()
                     : ViewTransform.linear(Math.clamp(code(shown.value()) + up * KEY_CODES, 0, WHITE));
-            setter.set(new Hsv(shown.hue(), saturation, value), null);
+            setter.set(new HsvColor(shown.hue(), saturation, value), null);
             event.consume();
         }
     }

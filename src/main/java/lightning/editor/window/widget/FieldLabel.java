@@ -3,18 +3,18 @@ package lightning.editor.window.widget;
 import javafx.scene.Cursor;
 import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 
 /** The name of a number beside its field, with the unit: dragged sideways it changes the number, a click goes into the field. */
 final class FieldLabel extends Label {
-    FieldLabel(String text, Gauge gauge, NumberField field) {
+    FieldLabel(String text, NumberSetting gauge, NumberField field) {
         super(gauge.measure().sign().isEmpty() ? text : text + " " + gauge.measure().sign());
         setLabelFor(field);
         setCursor(Cursor.H_RESIZE);
         getStyleClass().add("field-label");
         Tooltip.install(this,
-                new Tooltip(Texts.of("Drag sideways; Shift finer, Ctrl coarser.\nThe field takes sums too: 0.3*2, +10%, 1/3")));
-        Scrub.by(this, gauge, field, Scrub.Way.RIGHT, _ -> {
+                new Tooltip(Messages.tr("Drag sideways; Shift finer, Ctrl coarser.\nThe field takes sums too: 0.3*2, +10%, 1/3")));
+        NumberScrubber.install(this, gauge, field, NumberScrubber.Direction.RIGHT, _ -> {
             field.requestFocus();
             field.selectAll();
         });

@@ -2,7 +2,7 @@ package lightning.editor.window.widget;
 
 import java.util.Locale;
 import javafx.util.StringConverter;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
@@ -28,22 +28,22 @@ public final class LightTypes {
 
     public static String title(LightType type) {
         return switch (type) {
-            case POINT -> Texts.of("Point");
-            case SPOT -> Texts.of("Spot");
-            case DIRECTIONAL -> Texts.of("Directional");
-            case RECT -> Texts.of("Rectangle");
-            case DISC -> Texts.of("Disc");
+            case POINT -> Messages.tr("Point");
+            case SPOT -> Messages.tr("Spot");
+            case DIRECTIONAL -> Messages.tr("Directional");
+            case RECT -> Messages.tr("Rectangle");
+            case DISC -> Messages.tr("Disc");
         };
     }
 
     /** Within a sentence: {@code spot light}. */
-    public static String light(LightType type) {
+    public static String phrase(LightType type) {
         return switch (type) {
-            case POINT -> Texts.of("point light");
-            case SPOT -> Texts.of("spot light");
-            case DIRECTIONAL -> Texts.of("directional light");
-            case RECT -> Texts.of("rectangle light");
-            case DISC -> Texts.of("disc light");
+            case POINT -> Messages.tr("point light");
+            case SPOT -> Messages.tr("spot light");
+            case DIRECTIONAL -> Messages.tr("directional light");
+            case RECT -> Messages.tr("rectangle light");
+            case DISC -> Messages.tr("disc light");
         };
     }
 
@@ -58,7 +58,7 @@ public final class LightTypes {
     }
 
     /** Whether a light shines. */
-    public static Ikon bulb(boolean on) {
+    public static Ikon onIcon(boolean on) {
         return on ? MaterialDesignL.LIGHTBULB_ON : MaterialDesignL.LIGHTBULB_OFF_OUTLINE;
     }
 }

@@ -11,38 +11,38 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.input.ScrollEvent;
-import lightning.base.text.Expression;
 import lightning.base.text.Language;
-import lightning.base.text.Texts;
-import lightning.scene.Limits;
+import lightning.base.text.Messages;
+import lightning.base.text.NumberExpression;
+import lightning.scene.SceneLimits;
 
 /**
- * A number as text, or a sum that makes one ({@link Expression}). Enter or leaving the field sets it, Escape brings back what was
+ * A number as text, or a sum that makes one ({@link NumberExpression}). Enter or leaving the field sets it, Escape brings back what was
  * there, the up and down keys step it, and the wheel while the keyboard is here: a tenth of a step with Shift, ten with Ctrl, or Page
  * Up and Page Down. A text that is refused stays, marked.
  */
 public final class NumberField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
-    private static final MathContext SHORT = new MathContext(5);
+    private static final MathContext DISPLAY_PRECISION = new MathContext(5);
     private static final int COLUMNS = 5;
     /** Turns of the wheel that follow sooner are one step to undo, nanoseconds. */
-    private static final long ONE_TURN = 1_000_000_000;
+    private static final long WHEEL_GESTURE_NS = 1_000_000_000;
 
     private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
-    private final Gauge gauge;
+    private final NumberSetting gauge;
     private double value;
     /** What stands for the turns of the wheel that are one step to undo. */
-    private Object turn = new Object();
-    private long turned = Long.MIN_VALUE;
+    private Object wheelGesture = new Object();
+    private long lastWheelNs = Long.MIN_VALUE;
 
     /** @param title for people, and for screen readers */
-    public NumberField(String title, Gauge gauge) {
+    public NumberField(String title, NumberSetting gauge) {
         this.gauge = gauge;
-        setAccessibleText(Texts.of(title));
+        setAccessibleText(Messages.tr(title));
         setPrefColumnCount(COLUMNS);
         setAlignment(Pos.CENTER_RIGHT);
         getStyleClass().add("number-field");
-        setText(shown());
+        setText(displayText());
         setOnAction(_ -> {
             commit();
             // Of a long number its begin is seen, where the caret is.
@@ -55,8 +55,8 @@ public final class NumberField extends TextField {
                 revert();
             }
         });
-        addEventFilter(KeyEvent.KEY_PRESSED, this::press);
-        addEventFilter(ScrollEvent.SCROLL, this::turn);
+        addEventFilter(KeyEvent.KEY_PRESSED, this::handleKey);
+        addEventFilter(ScrollEvent.SCROLL, this::handleWheel);
         refusal.addListener((_, _, now) -> {
             pseudoClassStateChanged(REFUSED, !now.isEmpty());
             setAccessibleHelp(now);
@@ -90,7 +90,7 @@ public final class NumberField extends TextField {
     /** Forgets what was typed. */
     public void revert() {
         refusal.set("");
-        String text = shown();
+        String text = displayText();
         // Setting a text, even the one that is there, takes long and empties its own undo, which comes before the document's.
         if (!getText().equals(text) || isUndoable() || isRedoable()) {
             setText(text);
@@ -105,75 +105,75 @@ public final class NumberField extends TextField {
     /** Steps the value, after what was typed is set. */
     void step(double steps) {
         commit();
-        gauge.set(gauge.steps().from(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
+        gauge.set(gauge.steps().addSteps(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
     }
 
     private void commit() {
-        if (getText().strip().equals(shown()) || isExact()) {
+        if (getText().strip().equals(displayText()) || isExact()) {
             revert();
         } else {
-            typed().ifPresentOrElse(this::refuse, this::revert);
+            commitText().ifPresentOrElse(this::refuse, this::revert);
         }
     }
 
     /** Sets what the text says; returns why that was refused. */
-    private Optional<String> typed() {
-        return switch (Expression.read(withPoint(getText()), value, gauge.measure())) {
-            case Expression.Value(double v) -> gauge.set(v, null);
-            case Expression.Wrong(String reason) -> Optional.of(Texts.of(gauge.title()) + " " + reason);
+    private Optional<String> commitText() {
+        return switch (NumberExpression.evaluate(normalizeDecimal(getText()), value, gauge.measure())) {
+            case NumberExpression.Value(double v) -> gauge.set(v, null);
+            case NumberExpression.Invalid(String reason) -> Optional.of(Messages.tr(gauge.title()) + " " + reason);
         };
     }
 
     /** A comma is the German point; English has none in a number. */
-    private static String withPoint(String text) {
-        return Texts.language() == Language.GERMAN ? text.replace(',', '.') : text;
+    private static String normalizeDecimal(String text) {
+        return Messages.language() == Language.GERMAN ? text.replace(',', '.') : text;
     }
 
     private boolean isExact() {
-        return getText().strip().equals(Limits.text(value));
+        return getText().strip().equals(SceneLimits.format(value));
     }
 
     /** All digits where they can be edited, and few enough to read where not. */
-    private String shown() {
+    private String displayText() {
         if (Double.isNaN(value)) {
             return "";
         }
-        return isFocused() ? Limits.text(value)
-                : Limits.text(BigDecimal.valueOf(value).round(SHORT).doubleValue());
+        return isFocused() ? SceneLimits.format(value)
+                : SceneLimits.format(BigDecimal.valueOf(value).round(DISPLAY_PRECISION).doubleValue());
     }
 
     /** Elsewhere the wheel scrolls what the field stands in. */
-    private void turn(ScrollEvent event) {
+    private void handleWheel(ScrollEvent event) {
         // With Shift the wheel of a mouse goes sideways.
-        double way = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
-        if (!isFocused() || way == 0 || event.isInertia()) {
+        double delta = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
+        if (!isFocused() || delta == 0 || event.isInertia()) {
             return;
         }
         event.consume();
-        if (!getText().strip().equals(shown())) {
+        if (!getText().strip().equals(displayText())) {
             commit();
         }
         long now = System.nanoTime();
-        if (turned == Long.MIN_VALUE || now - turned > ONE_TURN) {
-            turn = new Object();
+        if (lastWheelNs == Long.MIN_VALUE || now - lastWheelNs > WHEEL_GESTURE_NS) {
+            wheelGesture = new Object();
         }
-        turned = now;
-        double steps = Math.signum(way) * Scrub.factor(event.isShiftDown(), event.isShortcutDown());
-        gauge.set(gauge.steps().from(value, steps), turn).ifPresentOrElse(this::refuse, this::revert);
+        lastWheelNs = now;
+        double steps = Math.signum(delta) * NumberScrubber.factor(event.isShiftDown(), event.isShortcutDown());
+        gauge.set(gauge.steps().addSteps(value, steps), wheelGesture).ifPresentOrElse(this::refuse, this::revert);
     }
 
-    private void press(KeyEvent event) {
+    private void handleKey(KeyEvent event) {
         double steps = switch (event.getCode()) {
-            case UP -> event.isShiftDown() ? Scrub.FINE : 1;
-            case DOWN -> event.isShiftDown() ? -Scrub.FINE : -1;
-            case PAGE_UP -> Scrub.COARSE;
-            case PAGE_DOWN -> -Scrub.COARSE;
+            case UP -> event.isShiftDown() ? NumberScrubber.FINE : 1;
+            case DOWN -> event.isShiftDown() ? -NumberScrubber.FINE : -1;
+            case PAGE_UP -> NumberScrubber.COARSE;
+            case PAGE_DOWN -> -NumberScrubber.COARSE;
             default -> 0;
         };
         if (steps != 0) {
             step(steps);
             event.consume();
-        } else if (event.getCode() == KeyCode.ESCAPE && !getText().equals(shown())) {
+        } else if (event.getCode() == KeyCode.ESCAPE && !getText().equals(displayText())) {
             revert();
             event.consume();
         }

@@ -14,9 +14,9 @@ public final class PaneHeader extends FlowPane {
     public PaneHeader(String title, Node... controls) {
         var name = new Label(title);
         name.getStyleClass().add("pane-title");
-        List<Node> all = new ArrayList<>(List.of(name));
-        all.addAll(List.of(controls));
-        for (Node part : all) {
+        List<Node> nodes = new ArrayList<>(List.of(name));
+        nodes.addAll(List.of(controls));
+        for (Node part : nodes) {
             if (part instanceof Region region) {
                 // Text that is cut tells nothing.
                 region.setMinWidth(Region.USE_PREF_SIZE);
@@ -24,6 +24,6 @@ public final class PaneHeader extends FlowPane {
         }
         setRowValignment(VPos.CENTER);
         getStyleClass().add("pane-header");
-        getChildren().setAll(all);
+        getChildren().setAll(nodes);
     }
 }

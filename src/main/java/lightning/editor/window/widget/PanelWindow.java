@@ -26,7 +26,7 @@ public class PanelWindow extends Stage {
         scroll.setFitToWidth(true);
         scroll.setFitToHeight(true);
         Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-        Scene content = Looks.scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
+        Scene content = ColorTheme.scene(new StackPane(scroll), Math.min(width, screen.getWidth()), Math.min(height, screen.getHeight()));
         content.addEventHandler(KeyEvent.KEY_PRESSED, event -> {
             if (event.getCode() == KeyCode.ESCAPE) {
                 close();
@@ -35,12 +35,12 @@ public class PanelWindow extends Stage {
         });
         setScene(content);
         // The theme may have changed while it was closed.
-        setOnShowing(_ -> Looks.dress(content));
+        setOnShowing(_ -> ColorTheme.style(content));
         setOnShown(_ -> {
             // Over the properties, so that the traced picture can be seen.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
-            OnScreen.fit(this);
+            WindowPlacement.fit(this);
         });
     }
 }

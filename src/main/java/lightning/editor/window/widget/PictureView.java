@@ -16,8 +16,8 @@ import javafx.scene.shape.Rectangle;
 
 /** A picture of pixels that change in place, fitted into what room there is, or magnified and moved. */
 public final class PictureView extends Region {
-    private static final double LEAST_ZOOM = 1 / 32.0;
-    private static final double MOST_ZOOM = 64;
+    private static final double MIN_ZOOM = 1 / 32.0;
+    private static final double MAX_ZOOM = 64;
     /** From the edges of the view to what is said on it, as of all remarks on a picture; pixels. */
     public static final double MARGIN = 12;
 
@@ -27,10 +27,10 @@ public final class PictureView extends Region {
     private final ImageView image = new ImageView();
     private final Wipe wipe = new Wipe();
     /** What is said on the picture; null for nothing. */
-    private PlainNote note;
+    private UnstyledNote note;
     private final ReadOnlyBooleanWrapper empty = new ReadOnlyBooleanWrapper(true);
     private PixelBuffer<IntBuffer> buffer;
-    private boolean fit = true;
+    private boolean fitsView = true;
     private double zoom = 1;
     /** The picture's middle from the view's middle, pixels of the window. */
     private double shiftX;
@@ -58,14 +58,14 @@ public final class PictureView extends Region {
     }
 
     /** The pixels of a part have changed. */
-    public void changed(int left, int top, int right, int bottom) {
+    public void updateRegion(int left, int top, int right, int bottom) {
         buffer.updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
     }
 
     /** Says something on the picture that needs no style sheet; empty for nothing. */
-    public void say(String words) {
+    public void showNote(String text) {
         getChildren().remove(note);
-        note = words.isEmpty() ? null : new PlainNote(words);
+        note = text.isEmpty() ? null : new UnstyledNote(text);
         if (note != null) {
             getChildren().add(note);
         }
@@ -97,15 +97,15 @@ public final class PictureView extends Region {
 
     /** The whole picture, as large as there is room, but at most so that it stays sharp. */
     public void fit() {
-        fit = true;
+        fitsView = true;
         shiftX = 0;
         shiftY = 0;
         requestLayout();
     }
 
     /** One pixel of the picture is one of the screen's. */
-    public void oneToOne() {
-        fit = false;
+    public void showActualSize() {
+        fitsView = false;
         zoom = 1 / screenScale();
         shiftX = 0;
         shiftY = 0;
@@ -117,12 +117,12 @@ public final class PictureView extends Region {
         if (isEmpty()) {
             return;
         }
-        double before = scale();
-        zoom = Math.clamp(before * factor, LEAST_ZOOM, MOST_ZOOM);
-        double grown = zoom / before;
-        shiftX = (shiftX + getWidth() / 2 - x) * grown + x - getWidth() / 2;
-        shiftY = (shiftY + getHeight() / 2 - y) * grown + y - getHeight() / 2;
-        fit = false;
+        double oldScale = scale();
+        zoom = Math.clamp(oldScale * factor, MIN_ZOOM, MAX_ZOOM);
+        double ratio = zoom / oldScale;
+        shiftX = (shiftX + getWidth() / 2 - x) * ratio + x - getWidth() / 2;
+        shiftY = (shiftY + getHeight() / 2 - y) * ratio + y - getHeight() / 2;
+        fitsView = false;
         requestLayout();
     }
 
@@ -135,7 +135,7 @@ public final class PictureView extends Region {
     public void pan(double x, double y) {
         shiftX += x;
         shiftY += y;
-        fit = false;
+        fitsView = false;
         requestLayout();
     }
 
@@ -156,14 +156,14 @@ public final class PictureView extends Region {
     }
 
     /** The nearest pixel of the picture to a place of the view. */
-    public Pixel nearest(double x, double y) {
+    public Pixel nearestPixel(double x, double y) {
         double px = Math.floor((x - image.getLayoutX()) / scale());
         double py = Math.floor((y - image.getLayoutY()) / scale());
         return new Pixel((int) Math.clamp(px, 0, buffer.getWidth() - 1), (int) Math.clamp(py, 0, buffer.getHeight() - 1));
     }
 
     /** Where the whole picture is in this view, pixels of the window; it may be larger than the view. */
-    public ObservableValue<Bounds> placeProperty() {
+    public ObservableValue<Bounds> pictureBoundsProperty() {
         return image.boundsInParentProperty();
     }
 
@@ -183,11 +183,11 @@ public final class PictureView extends Region {
     }
 
     private double scale() {
-        if (!fit || isEmpty()) {
+        if (!fitsView || isEmpty()) {
             return zoom;
         }
-        double room = Math.min(getWidth() / buffer.getWidth(), getHeight() / buffer.getHeight());
-        return Math.max(room, 1e-3);
+        double fitScale = Math.min(getWidth() / buffer.getWidth(), getHeight() / buffer.getHeight());
+        return Math.max(fitScale, 1e-3);
     }
 
     @Override
@@ -204,10 +204,10 @@ public final class PictureView extends Region {
         image.setFitWidth(width);
         image.setFitHeight(height);
         // Magnified on purpose, pixels stay squares, so that single ones can be judged.
-        image.setSmooth(fit || scale * screenScale() < 2);
+        image.setSmooth(fitsView || scale * screenScale() < 2);
         image.relocate(Math.rint((getWidth() - width) / 2 + shiftX), Math.rint((getHeight() - height) / 2 + shiftY));
         if (wipe.isStored()) {
-            wipe.place(image.getLayoutX(), image.getLayoutY(), width, height, image.isSmooth());
+            wipe.layout(image.getLayoutX(), image.getLayoutY(), width, height, image.isSmooth());
         }
     }
 }

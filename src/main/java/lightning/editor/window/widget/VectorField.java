@@ -9,39 +9,39 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import lightning.base.math.Vec3;
-import lightning.base.text.Texts;
-import lightning.editor.document.Steps;
-import lightning.scene.Limits;
+import lightning.base.text.Messages;
+import lightning.editor.document.StepRange;
+import lightning.scene.SceneLimits;
 
 /** A place or a direction as three numbers. */
 public final class VectorField extends VBox {
-    private static final Steps STEPS = new Steps(0.1, -Limits.MAX_COORDINATE, Limits.MAX_COORDINATE);
+    private static final StepRange STEPS = new StepRange(0.1, -SceneLimits.MAX_COORDINATE, SceneLimits.MAX_COORDINATE);
 
     private final List<NumberField> fields = new ArrayList<>();
     private final HBox row = new HBox();
-    private final Obstacle obstacle;
+    private final DisabledReason disabledReason;
     private Vec3 value = Vec3.ZERO;
 
     /** Sets a vector; returns why it was refused. */
     public interface Setter {
-        /** @param gesture as in {@link Gauge#set} */
+        /** @param gesture as in {@link NumberSetting#set} */
         Optional<String> set(Vec3 value, Object gesture);
     }
 
     /** @param title for people, as "position" */
     public VectorField(String title, Setter setter) {
         row.getStyleClass().add("vector-row");
-        axis("x", title, (x, g) -> setter.set(new Vec3(x, value.y(), value.z()), g));
-        axis("y", title, (y, g) -> setter.set(new Vec3(value.x(), y, value.z()), g));
-        axis("z", title, (z, g) -> setter.set(new Vec3(value.x(), value.y(), z), g));
+        addAxis("x", title, (x, g) -> setter.set(new Vec3(x, value.y(), value.z()), g));
+        addAxis("y", title, (y, g) -> setter.set(new Vec3(value.x(), y, value.z()), g));
+        addAxis("z", title, (z, g) -> setter.set(new Vec3(value.x(), value.y(), z), g));
         getStyleClass().add("vector-field");
-        getChildren().addAll(row, new Refusal(fields));
-        obstacle = new Obstacle(this, row);
+        getChildren().addAll(row, new RefusalLabel(fields));
+        disabledReason = new DisabledReason(this, row);
     }
 
-    private void axis(String axis, String title, Gauge.Setter setter) {
-        String name = Texts.of(title) + " " + axis;
-        Gauge gauge = Gauge.of(name, STEPS, setter);
+    private void addAxis(String axis, String title, NumberSetting.Setter setter) {
+        String name = Messages.tr(title) + " " + axis;
+        NumberSetting gauge = NumberSetting.of(name, STEPS, setter);
         NumberField field = new NumberField(name, gauge);
         HBox.setHgrow(field, Priority.ALWAYS);
         Label label = new FieldLabel(axis.toUpperCase(Locale.ROOT), gauge, field);
@@ -69,10 +69,10 @@ public final class VectorField extends VBox {
     }
 
     /** Disables the field and says why, a clause; or enables it. */
-    public void setObstacle(Optional<String> reason) {
+    public void setDisabledReason(Optional<String> reason) {
         if (reason.isPresent()) {
             revert();
         }
-        obstacle.set(reason);
+        disabledReason.set(reason);
     }
 }

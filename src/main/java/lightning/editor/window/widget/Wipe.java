@@ -42,16 +42,16 @@ public final class Wipe extends Group {
     }
 
     /** Lies over a picture: its place and its size, pixels of the window. */
-    void place(double left, double top, double shownWidth, double shownHeight, boolean smooth) {
-        double seen = Math.max(1, Math.rint(share * width));
-        image.setViewport(new Rectangle2D(0, 0, seen, height));
-        image.setFitWidth(seen / width * shownWidth);
-        image.setFitHeight(shownHeight);
+    void layout(double left, double top, double displayWidth, double displayHeight, boolean smooth) {
+        double visibleWidth = Math.max(1, Math.rint(share * width));
+        image.setViewport(new Rectangle2D(0, 0, visibleWidth, height));
+        image.setFitWidth(visibleWidth / width * displayWidth);
+        image.setFitHeight(displayHeight);
         image.setSmooth(smooth);
         image.relocate(left, top);
         border.setStartX(left + image.getFitWidth());
         border.setEndX(left + image.getFitWidth());
         border.setStartY(top);
-        border.setEndY(top + shownHeight);
+        border.setEndY(top + displayHeight);
     }
 }

@@ -3,11 +3,11 @@
  * edits go, and no document.
  *
  * <pre>{@code
- * var angle = new ArrowWidget("Angle", "angle", Gauge.of("angle", new Steps(1, 0, 180), (v, gesture) -> Optional.empty()));
+ * var angle = new ArrowWidget("Angle", "angle", NumberSetting.of("angle", new StepRange(1, 0, 180), (v, gesture) -> Optional.empty()));
  * angle.show(30);
  * }</pre>
  *
- * <p>A widget shows what it was given last; an edit goes to its {@link lightning.editor.window.widget.Gauge}, which shows the new
+ * <p>A widget shows what it was given last; an edit goes to its {@link lightning.editor.window.widget.NumberSetting}, which shows the new
  * value in turn. An edit that is refused is marked with the reason and changes nothing. All edits of one drag carry the
  * same gesture, an object told by identity; Escape during the drag brings back where it began.
  */

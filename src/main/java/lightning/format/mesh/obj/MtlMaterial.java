@@ -19,13 +19,13 @@ import lightning.base.math.Rgb;
  * @param texture      the picture of the diffuse colour, as written
  * @param cutout       the picture of what is there, as written
  */
-public record MtlMaterial(String name, Illumination illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
+public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,
         double opacity, Rgb filter, double ior, Optional<String> texture, Optional<String> cutout) {
     /** A lobe of a smaller exponent is wider than the diffuse light; exporters write 0 for a surface without a highlight. */
-    private static final double LEAST_SHININESS = 1;
+    private static final double MIN_SHININESS = 1;
 
     /** Whether lights leave a highlight: the model has one, and its exponent makes one. */
-    public boolean highlights() {
-        return illumination.highlights() && !(shininess.isPresent() && shininess.getAsDouble() < LEAST_SHININESS);
+    public boolean hasHighlights() {
+        return illumination.hasHighlights() && !(shininess.isPresent() && shininess.getAsDouble() < MIN_SHININESS);
     }
 }

@@ -8,21 +8,21 @@ import java.util.OptionalDouble;
 import lightning.base.math.Rgb;
 import lightning.base.text.Quote;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
-import lightning.format.mesh.Notes;
-import lightning.format.mesh.TextSource;
+import lightning.format.mesh.TextTokenizer;
 
 /** Reads MTL files: colours, shininess and the picture of the diffuse colour. What else they hold is told. */
 public final class MtlReader {
-    private final TextSource text;
-    private final Notes notes;
+    private final TextTokenizer text;
+    private final ConversionNotes notes;
     private final Map<String, MtlMaterial> materials = new LinkedHashMap<>();
-    private Draft now;
+    private MaterialBuilder current;
 
-    private MtlReader(ByteSource source, Notes notes) {
+    private MtlReader(ByteSource source, ConversionNotes notes) {
         this.notes = notes;
-        text = new TextSource(source);
+        text = new TextTokenizer(source);
     }
 
     /**
@@ -31,83 +31,83 @@ public final class MtlReader {
      * @throws MeshException if it is damaged
      * @throws IOException   if it cannot be read
      */
-    public static Map<String, MtlMaterial> read(ByteSource source, Notes notes) throws IOException, MeshException {
+    public static Map<String, MtlMaterial> read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new MtlReader(source, notes).read();
     }
 
     private Map<String, MtlMaterial> read() throws IOException, MeshException {
         do {
-            if (text.word() && text.at(0) != '#') {
-                statement();
+            if (text.readToken() && text.byteAt(0) != '#') {
+                readStatement();
             }
         } while (text.nextLine());
-        keep();
+        finishMaterial();
         return materials;
     }
 
-    private void keep() {
-        if (now != null) {
-            materials.putIfAbsent(now.name, now.made());
+    private void finishMaterial() {
+        if (current != null) {
+            materials.putIfAbsent(current.name, current.build());
         }
     }
 
-    private void statement() throws IOException, MeshException {
+    private void readStatement() throws IOException, MeshException {
         String keyword = text.length() <= 32 ? text.text() : Quote.of(text.text());
         if (keyword.equals("newmtl")) {
-            keep();
+            finishMaterial();
             if (materials.size() == MeshLimits.PARTS) {
                 throw text.problem("a file must have at most " + MeshLimits.PARTS + " materials");
             }
-            now = new Draft(text.rest());
+            current = new MaterialBuilder(text.restOfLine());
             return;
         }
-        if (now == null) {
+        if (current == null) {
             throw text.problem("newmtl must stand before " + keyword);
         }
         switch (keyword) {
-            case "Kd" -> now.diffuse = color(now.diffuse);
-            case "Ks" -> now.specular = color(now.specular);
-            case "Ke" -> now.emission = color(now.emission);
-            case "Ns" -> now.shininess = OptionalDouble.of(number());
-            case "illum" -> now.illumination = illumination();
-            case "d" -> now.opacity = opacity();
-            case "Tr" -> now.transparency = number();
-            case "Tf" -> now.filter = color(now.filter);
-            case "Ni" -> now.ior = number();
-            case "map_Kd" -> now.texture = picture();
+            case "Kd" -> current.diffuse = readColor(current.diffuse);
+            case "Ks" -> current.specular = readColor(current.specular);
+            case "Ke" -> current.emission = readColor(current.emission);
+            case "Ns" -> current.shininess = OptionalDouble.of(readNumber());
+            case "illum" -> current.illumination = readIllumination();
+            case "d" -> current.opacity = readOpacity();
+            case "Tr" -> current.transparency = readNumber();
+            case "Tf" -> current.filter = readColor(current.filter);
+            case "Ni" -> current.ior = readNumber();
+            case "map_Kd" -> current.texture = readTexturePath();
             // Most writers put 1 there whatever the surface is, which would make it shine.
             case "Ka" -> notes.add("ambient colours (Ka) of materials");
-            case "map_d" -> now.cutout = picture();
+            case "map_d" -> current.cutout = readTexturePath();
             default -> notes.add(keyword + " of materials");
         }
     }
 
     /** The highlight model where the number names none. */
-    private Illumination illumination() throws IOException, MeshException {
-        Optional<Illumination> model = Illumination.of(number());
-        if (model.isEmpty() || model.get() == Illumination.SHADOW_CATCHER) {
+    private IlluminationModel readIllumination() throws IOException, MeshException {
+        Optional<IlluminationModel> model = IlluminationModel.of(readNumber());
+        if (model.isEmpty() || model.get() == IlluminationModel.SHADOW_CATCHER) {
             notes.add("illumination models (illum) of materials that are not 0 to 9");
         }
-        return model.orElse(Illumination.HIGHLIGHT);
+        return model.orElse(IlluminationModel.HIGHLIGHT);
     }
 
     /** Of {@code -halo}, by which the middle is clearer than the rim, the number alone. */
-    private double opacity() throws IOException, MeshException {
-        if (text.word() && text.is("-halo")) {
+    private double readOpacity() throws IOException, MeshException {
+        if (text.readToken() && text.isToken("-halo")) {
             notes.add("materials that are clearer in their middle");
-            return number();
+            return readNumber();
         }
-        return value();
+        return parseNumber();
     }
 
     /** A material of which not all lines are read. */
-    private static final class Draft {
+    private static final class MaterialBuilder {
         final String name;
-        Rgb diffuse = Rgb.grey(0.8);
+        Rgb diffuse = Rgb.gray(0.8);
         Rgb specular = Rgb.BLACK;
         Rgb emission = Rgb.BLACK;
         OptionalDouble shininess = OptionalDouble.empty();
-        Illumination illumination = Illumination.HIGHLIGHT;
+        IlluminationModel illumination = IlluminationModel.HIGHLIGHT;
         double opacity = Double.NaN;
         double transparency = Double.NaN;
         Rgb filter;
@@ -115,12 +115,13 @@ public final class MtlReader {
         Optional<String> texture = Optional.empty();
         Optional<String> cutout = Optional.empty();
 
-        Draft(String name) {
+        MaterialBuilder(String name) {
             this.name = name;
         }
 
-        MtlMaterial made() {
-            return new MtlMaterial(name, illumination, diffuse, specular, emission, shininess, there(), filter == null ? Rgb.WHITE : filter,
+        MtlMaterial build() {
+            return new MtlMaterial(name, illumination, diffuse, specular, emission, shininess, effectiveOpacity(),
+                    filter == null ? Rgb.WHITE : filter,
                     ior, texture, cutout);
         }
 
@@ -128,25 +129,25 @@ public final class MtlReader {
          * By d, or by Tr where there is no d. Some writers put 1 into Tr for what is there: alone, and by a model that lets nothing through, it
          * is taken so. By models that refract a filter alone says how much passes.
          */
-        private double there() {
+        private double effectiveOpacity() {
             if (!Double.isNaN(opacity) && opacity != 1) {
                 return opacity;
             }
-            if (illumination.refracts() && filter != null) {
+            if (illumination.isRefractive() && filter != null) {
                 return 0;
             }
-            boolean alone = Double.isNaN(opacity) && !Double.isNaN(transparency);
-            return alone && (transparency != 1 || illumination.transmits()) ? 1 - transparency : 1;
+            boolean hasOnlyTransparency = Double.isNaN(opacity) && !Double.isNaN(transparency);
+            return hasOnlyTransparency && (transparency != 1 || illumination.isTransmissive()) ? 1 - transparency : 1;
         }
     }
 
-    private double number() throws IOException, MeshException {
-        text.word();
-        return value();
+    private double readNumber() throws IOException, MeshException {
+        text.readToken();
+        return parseNumber();
     }
 
     /** The number that the word is which was found last. */
-    private double value() throws MeshException {
+    private double parseNumber() throws MeshException {
         if (text.length() == 0) {
             throw text.problem("expected a number, found the end of the line");
         }
@@ -154,21 +155,21 @@ public final class MtlReader {
     }
 
     /** One number stands for all three. */
-    private Rgb color(Rgb otherwise) throws IOException, MeshException {
-        if (text.word() && (text.is("spectral") || text.is("xyz"))) {
+    private Rgb readColor(Rgb fallback) throws IOException, MeshException {
+        if (text.readToken() && (text.isToken("spectral") || text.isToken("xyz"))) {
             notes.add("colours of materials that are no red, green and blue");
-            return otherwise;
+            return fallback;
         }
         double red = text.number("red");
-        if (!text.word()) {
-            return Rgb.grey(red);
+        if (!text.readToken()) {
+            return Rgb.gray(red);
         }
-        return new Rgb(red, text.number("green"), number());
+        return new Rgb(red, text.number("green"), readNumber());
     }
 
     /** The name behind the options, each of which is a word with a hyphen and what belongs to it. */
-    private Optional<String> picture() throws IOException, MeshException {
-        String rest = text.rest();
+    private Optional<String> readTexturePath() throws IOException, MeshException {
+        String rest = text.restOfLine();
         while (rest.startsWith("-")) {
             String[] words = rest.split("\\s+", 3);
             notes.add("options " + words[0] + " of pictures");
@@ -179,12 +180,12 @@ public final class MtlReader {
             };
             rest = words.length < 2 ? "" : rest.substring(rest.indexOf(words[1], words[0].length()));
             for (int i = 0; i < numbers && !rest.isEmpty(); i++) {
-                String[] next = rest.split("\\s+", 2);
+                String[] split = rest.split("\\s+", 2);
                 // Of -o, -s and -t the last numbers may be missing.
-                if (i > 0 && !next[0].matches("[-+0-9.eE]+")) {
+                if (i > 0 && !split[0].matches("[-+0-9.eE]+")) {
                     break;
                 }
-                rest = next.length < 2 ? "" : next[1];
+                rest = split.length < 2 ? "" : split[1];
             }
         }
         return rest.isEmpty() ? Optional.empty() : Optional.of(rest);

@@ -3,7 +3,7 @@
  *
  * <pre>{@code
  * try (ByteSource source = ByteSource.open(Path.of("house.obj"), Progress.NONE)) {
- *     ObjFile file = ObjReader.read(source, new Notes());
+ *     ObjFile file = ObjReader.read(source, new ConversionNotes());
  *     Mesh walls = file.parts().getFirst().mesh();
  * }
  * }</pre>

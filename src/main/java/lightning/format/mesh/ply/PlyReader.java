@@ -3,12 +3,12 @@ package lightning.format.mesh.ply;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.IntList;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
-import lightning.format.mesh.Notes;
-import lightning.format.mesh.Polygon;
-import lightning.format.mesh.TextSource;
+import lightning.format.mesh.PolygonTriangulator;
+import lightning.format.mesh.TextTokenizer;
 import lightning.scene.Mesh;
 
 /**
@@ -21,15 +21,15 @@ public final class PlyReader {
     private static final int RESTART = -1;
 
     private final ByteSource source;
-    private final Notes notes;
+    private final ConversionNotes notes;
     private final IntList triangles = new IntList();
-    private final Polygon polygon = new Polygon();
+    private final PolygonTriangulator polygon = new PolygonTriangulator();
     private final IntList corners = new IntList();
-    private final IntList cut = new IntList();
-    private PlyBody body;
+    private final IntList faceTriangles = new IntList();
+    private PlyBodyReader body;
     private PlyVertices vertices;
 
-    private PlyReader(ByteSource source, Notes notes) {
+    private PlyReader(ByteSource source, ConversionNotes notes) {
         this.source = source;
         this.notes = notes;
     }
@@ -46,22 +46,22 @@ public final class PlyReader {
      * @throws MeshException if it is damaged, says more than it holds, or has no triangle
      * @throws IOException   if it cannot be read
      */
-    public static Mesh read(ByteSource source, Notes notes) throws IOException, MeshException {
+    public static Mesh read(ByteSource source, ConversionNotes notes) throws IOException, MeshException {
         return new PlyReader(source, notes).read();
     }
 
     private Mesh read() throws IOException, MeshException {
-        var text = new TextSource(source);
+        var text = new TextTokenizer(source);
         PlyHeader header = PlyHeader.read(text, source, notes);
-        body = new PlyBody(header.format(), text, source, notes);
+        body = new PlyBodyReader(header.parseFormat(), text, source, notes);
         for (PlyHeader.Element element : header.elements()) {
             switch (element.name()) {
                 case "vertex" -> vertices = PlyVertices.read(element, body, source, notes);
-                case "face" -> faces(element, list(element, "vertex_indices", "vertex_index"), false);
-                case "tristrips" -> faces(element, list(element, "vertex_indices", "vertex_index"), true);
+                case "face" -> readFaces(element, requireIndexList(element, "vertex_indices", "vertex_index"), false);
+                case "tristrips" -> readFaces(element, requireIndexList(element, "vertex_indices", "vertex_index"), true);
                 default -> {
                     notes.add("elements " + element.name(), (int) element.count());
-                    pass(element);
+                    skip(element);
                 }
             }
         }
@@ -71,7 +71,7 @@ public final class PlyReader {
         return vertices.mesh(triangles.toArray());
     }
 
-    private PlyHeader.Property list(PlyHeader.Element element, String... names) throws MeshException {
+    private PlyHeader.Property requireIndexList(PlyHeader.Element element, String... names) throws MeshException {
         for (String name : names) {
             var property = element.property(name);
             if (property.isPresent() && property.get().isList()) {
@@ -81,7 +81,7 @@ public final class PlyReader {
         throw source.problem("element " + element.name(), "must have a list vertex_indices");
     }
 
-    private void faces(PlyHeader.Element element, PlyHeader.Property indices, boolean strips) throws IOException, MeshException {
+    private void readFaces(PlyHeader.Element element, PlyHeader.Property indices, boolean strips) throws IOException, MeshException {
         if (vertices == null) {
             throw source.problem("element " + element.name(), "must stand behind the element vertex");
         }
@@ -91,14 +91,14 @@ public final class PlyReader {
             }
         }
         for (long i = 0; i < element.count(); i++) {
-            body.enter(element.name(), i);
+            body.startElement(element.name(), i);
             for (PlyHeader.Property property : element.properties()) {
                 if (property != indices) {
-                    pass(property);
+                    skip(property);
                 } else if (strips) {
-                    strip(property);
+                    readStrip(property);
                 } else {
-                    face(property);
+                    readFace(property);
                 }
             }
             if (triangles.size() > 3 * MeshLimits.TRIANGLES) {
@@ -107,69 +107,70 @@ public final class PlyReader {
         }
     }
 
-    private void face(PlyHeader.Property list) throws IOException, MeshException {
-        int count = body.length(list);
+    private void readFace(PlyHeader.Property list) throws IOException, MeshException {
+        int count = body.listLength(list);
         corners.clear();
         for (int i = 0; i < count; i++) {
-            corners.add(vertex(list.type(), 0));
+            corners.add(readVertexIndex(list.type(), 0));
         }
         if (count < 3) {
             notes.add("faces of fewer than three corners");
             return;
         }
-        if (count > Polygon.MOST_CORNERS) {
-            notes.add("outlines of faces with more than " + Polygon.MOST_CORNERS + " corners, which are cut as if they were convex");
+        if (count > PolygonTriangulator.MAX_CORNERS) {
+            notes.add("outlines of faces with more than " + PolygonTriangulator.MAX_CORNERS
+                    + " corners, which are cut as if they were convex");
         }
-        cut.clear();
-        polygon.triangulate(corners.array(), count, vertices.positions(), cut);
-        for (int i = 0; i < cut.size(); i++) {
-            triangles.add(corners.get(cut.get(i)));
+        faceTriangles.clear();
+        polygon.triangulate(corners.array(), count, vertices.positions(), faceTriangles);
+        for (int i = 0; i < faceTriangles.size(); i++) {
+            triangles.add(corners.get(faceTriangles.get(i)));
         }
     }
 
-    private void strip(PlyHeader.Property list) throws IOException, MeshException {
-        int count = body.length(list);
-        int before = RESTART;
+    private void readStrip(PlyHeader.Property list) throws IOException, MeshException {
+        int count = body.listLength(list);
+        int secondLast = RESTART;
         int last = RESTART;
-        boolean turned = false;
+        boolean isFlipped = false;
         for (int i = 0; i < count; i++) {
-            int v = vertex(list.type(), RESTART);
+            int v = readVertexIndex(list.type(), RESTART);
             if (v == RESTART) {
-                before = RESTART;
-                turned = false;
-            } else if (before != RESTART) {
-                triangles.add(turned ? last : before);
-                triangles.add(turned ? before : last);
+                secondLast = RESTART;
+                isFlipped = false;
+            } else if (secondLast != RESTART) {
+                triangles.add(isFlipped ? last : secondLast);
+                triangles.add(isFlipped ? secondLast : last);
                 triangles.add(v);
-                before = last;
-                turned = !turned;
+                secondLast = last;
+                isFlipped = !isFlipped;
             } else {
-                before = last;
+                secondLast = last;
             }
             last = v;
         }
     }
 
-    private int vertex(PlyType type, int least) throws IOException, MeshException {
+    private int readVertexIndex(PlyType type, int min) throws IOException, MeshException {
         double v = body.number(type);
-        if (!(v >= least && v < vertices.count() && v == Math.rint(v))) {
-            throw body.problem("a vertex must be a whole number from " + least + " to " + (vertices.count() - 1) + ", was "
+        if (!(v >= min && v < vertices.count() && v == Math.rint(v))) {
+            throw body.problem("a vertex must be a whole number from " + min + " to " + (vertices.count() - 1) + ", was "
                     + (v == Math.rint(v) ? Long.toString((long) v) : Double.toString(v)));
         }
         return (int) v;
     }
 
-    private void pass(PlyHeader.Element element) throws IOException, MeshException {
+    private void skip(PlyHeader.Element element) throws IOException, MeshException {
         for (long i = 0; i < element.count() && !element.properties().isEmpty(); i++) {
-            body.enter(element.name(), i);
+            body.startElement(element.name(), i);
             for (PlyHeader.Property property : element.properties()) {
-                pass(property);
+                skip(property);
             }
         }
     }
 
-    private void pass(PlyHeader.Property property) throws IOException, MeshException {
-        int count = property.isList() ? body.length(property) : 1;
+    private void skip(PlyHeader.Property property) throws IOException, MeshException {
+        int count = property.isList() ? body.listLength(property) : 1;
         for (int i = 0; i < count; i++) {
             body.number(property.type());
         }

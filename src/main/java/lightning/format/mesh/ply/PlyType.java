@@ -19,18 +19,18 @@ enum PlyType {
     /** In binary files. */
     final int bytes;
     /** The largest value of a type without sign; 0 of others. */
-    final long largest;
+    final long maxValue;
 
-    PlyType(int bytes, long largest) {
+    PlyType(int bytes, long maxValue) {
         this.bytes = bytes;
-        this.largest = largest;
+        this.maxValue = maxValue;
     }
 
     static Optional<PlyType> of(String name) {
         return Optional.ofNullable(NAMES.get(name));
     }
 
-    boolean isWhole() {
+    boolean isInteger() {
         return this != FLOAT32 && this != FLOAT64;
     }
 

@@ -5,11 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.SrgbCurve;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
-import lightning.format.mesh.Normals;
-import lightning.format.mesh.Notes;
 import lightning.format.mesh.VertexColors;
+import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
 /**
@@ -19,7 +19,7 @@ import lightning.scene.Mesh;
 final class PlyVertices {
     private static final List<List<String>> POSITION = List.of(List.of("x"), List.of("y"), List.of("z"));
     private static final List<List<String>> NORMAL = List.of(List.of("nx"), List.of("ny"), List.of("nz"));
-    private static final List<List<String>> COORDINATE = List.of(List.of("u", "s", "texture_u"), List.of("v", "t", "texture_v"));
+    private static final List<List<String>> TEXTURE_COORDINATE = List.of(List.of("u", "s", "texture_u"), List.of("v", "t", "texture_v"));
     private static final List<List<String>> COLOR =
             List.of(List.of("red", "r", "diffuse_red"), List.of("green", "g", "diffuse_green"), List.of("blue", "b", "diffuse_blue"));
 
@@ -29,23 +29,23 @@ final class PlyVertices {
     private final Target[] targets;
     private final float[] positions;
     private final float[] normals;
-    private final float[] coordinates;
+    private final float[] textureCoordinates;
     private final float[] colors;
 
     /**
      * @param index  which of the numbers of a vertex
-     * @param linear the linear values of the whole numbers that a colour may be; null where a number is what it is
+     * @param linearTable the linear values of the whole numbers that a colour may be; null where a number is what it is
      */
-    private record Target(float[] to, int each, int index, float[] linear) {}
+    private record Target(float[] values, int components, int index, float[] linearTable) {}
 
     private PlyVertices(PlyHeader.Element element, ByteSource source) {
         this.source = source;
         count = (int) element.count();
         targets = new Target[element.properties().size()];
-        positions = take(element, POSITION);
-        normals = take(element, NORMAL);
-        coordinates = take(element, COORDINATE);
-        colors = take(element, COLOR);
+        positions = bindProperties(element, POSITION);
+        normals = bindProperties(element, NORMAL);
+        textureCoordinates = bindProperties(element, TEXTURE_COORDINATE);
+        colors = bindProperties(element, COLOR);
     }
 
     /**
@@ -53,7 +53,8 @@ final class PlyVertices {
      *
      * @param notes hears of properties that are left out
      */
-    static PlyVertices read(PlyHeader.Element element, PlyBody body, ByteSource source, Notes notes) throws IOException, MeshException {
+    static PlyVertices read(PlyHeader.Element element, PlyBodyReader body, ByteSource source, ConversionNotes notes)
+            throws IOException, MeshException {
         if (element.count() > MeshLimits.VERTICES) {
             throw source.problem("element vertex", "must be at most " + MeshLimits.VERTICES + ", was " + element.count());
         }
@@ -67,11 +68,11 @@ final class PlyVertices {
             }
         }
         for (int i = 0; i < vertices.count; i++) {
-            body.enter("vertex", i);
+            body.startElement("vertex", i);
             vertices.read(i, element.properties(), body);
         }
         if (vertices.colors != null) {
-            VertexColors.cut(vertices.colors, vertices.count, notes);
+            VertexColors.clamp(vertices.colors, vertices.count, notes);
         }
         return vertices;
     }
@@ -86,25 +87,25 @@ final class PlyVertices {
 
     Mesh mesh(int[] triangles) throws MeshException {
         if (normals != null) {
-            Normals.makeUnit(normals, positions, triangles);
+            VertexNormals.normalizeAll(normals, positions, triangles);
         }
         try {
-            return new Mesh(positions, triangles, normals, coordinates, colors);
+            return new Mesh(positions, triangles, normals, textureCoordinates, colors);
         } catch (IllegalArgumentException e) {
             throw source.problem("", e.getMessage());
         }
     }
 
-    private void read(int vertex, List<PlyHeader.Property> properties, PlyBody body) throws IOException, MeshException {
+    private void read(int vertex, List<PlyHeader.Property> properties, PlyBodyReader body) throws IOException, MeshException {
         for (int i = 0; i < targets.length; i++) {
             PlyHeader.Property property = properties.get(i);
             Target target = targets[i];
-            int numbers = property.isList() ? body.length(property) : 1;
+            int numbers = property.isList() ? body.listLength(property) : 1;
             for (int j = 0; j < numbers; j++) {
                 double v = isColor(target) ? body.numberOrNaN(property.type()) : body.number(property.type());
                 if (target != null) {
-                    target.to[target.each * vertex + target.index] =
-                            target.linear == null ? (float) v : target.linear[code(v, target.linear.length, body)];
+                    target.values[target.components * vertex + target.index] =
+                            target.linearTable == null ? (float) v : target.linearTable[colorCode(v, target.linearTable.length, body)];
                 }
             }
         }
@@ -112,23 +113,23 @@ final class PlyVertices {
 
     /** Writers of colors write {@code nan} where a vertex has none. */
     private boolean isColor(Target target) {
-        return target != null && target.to == colors && target.linear == null;
+        return target != null && target.values == colors && target.linearTable == null;
     }
 
-    private static int code(double v, int codes, PlyBody body) throws MeshException {
-        if (!(v >= 0 && v < codes && v == Math.rint(v))) {
-            throw body.problem("a colour must be a whole number from 0 to " + (codes - 1) + ", was " + v);
+    private static int colorCode(double v, int codeCount, PlyBodyReader body) throws MeshException {
+        if (!(v >= 0 && v < codeCount && v == Math.rint(v))) {
+            throw body.problem("a colour must be a whole number from 0 to " + (codeCount - 1) + ", was " + v);
         }
         return (int) v;
     }
 
     /** Room for a property of several numbers, each of which has one of the names; null where any is not there. */
-    private float[] take(PlyHeader.Element element, List<List<String>> names) {
+    private float[] bindProperties(PlyHeader.Element element, List<List<String>> names) {
         List<Integer> found = new ArrayList<>();
-        for (List<String> any : names) {
+        for (List<String> aliases : names) {
             for (int i = 0; i < targets.length; i++) {
                 PlyHeader.Property property = element.properties().get(i);
-                if (any.contains(property.name()) && !property.isList()
+                if (aliases.contains(property.name()) && !property.isList()
                         && (names != COLOR || isColor(property.type()))) {
                     found.add(i);
                     break;
@@ -138,22 +139,23 @@ final class PlyVertices {
         if (found.size() < names.size()) {
             return null;
         }
-        float[] to = new float[names.size() * count];
+        float[] values = new float[names.size() * count];
         for (int i = 0; i < found.size(); i++) {
             PlyType type = element.properties().get(found.get(i)).type();
-            targets[found.get(i)] = new Target(to, names.size(), i, names == COLOR && type.isWhole() ? linear((int) type.largest) : null);
+            targets[found.get(i)] =
+                    new Target(values, names.size(), i, names == COLOR && type.isInteger() ? linearTable((int) type.maxValue) : null);
         }
-        return to;
+        return values;
     }
 
     private static boolean isColor(PlyType type) {
-        return !type.isWhole() || type == PlyType.UINT8 || type == PlyType.UINT16;
+        return !type.isInteger() || type == PlyType.UINT8 || type == PlyType.UINT16;
     }
 
-    private static float[] linear(int largest) {
-        float[] linear = new float[largest + 1];
-        for (int i = 0; i <= largest; i++) {
-            linear[i] = (float) SrgbCurve.linear((double) i / largest);
+    private static float[] linearTable(int maxValue) {
+        float[] linear = new float[maxValue + 1];
+        for (int i = 0; i <= maxValue; i++) {
+            linear[i] = (float) SrgbCurve.toLinear((double) i / maxValue);
         }
         return linear;
     }

@@ -3,7 +3,7 @@
  *
  * <pre>{@code
  * try (ByteSource source = ByteSource.open(Path.of("bunny.ply"), Progress.NONE)) {
- *     Mesh mesh = PlyReader.read(source, new Notes());
+ *     Mesh mesh = PlyReader.read(source, new ConversionNotes());
  * }
  * }</pre>
  */

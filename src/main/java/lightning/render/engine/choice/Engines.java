@@ -16,30 +16,30 @@ public final class Engines {
      */
     public static final EngineChoice FASTEST = _ -> hasLanes() ? LANES : SCALAR;
 
-    private static volatile EngineChoice inUse = _ -> SCALAR;
+    private static volatile EngineChoice current = _ -> SCALAR;
 
     /** What the process uses at the time when a tile is asked for: scalar first. */
-    public static final EngineChoice OF_PROCESS = tile -> inUse.forTile(tile);
+    public static final EngineChoice CURRENT = tile -> current.forTile(tile);
 
     private Engines() {}
 
     /** Whether this machine and this Java have lanes that are worth it: the vector module, and vectors wide enough. */
     public static boolean hasLanes() {
-        return Lanes.THERE;
+        return LaneSupport.AVAILABLE;
     }
 
     /** Whether the process uses what is fastest here: it is warm then, or has nothing to warm up. */
-    public static boolean areFastest() {
-        return inUse == FASTEST;
+    public static boolean isFastestInUse() {
+        return current == FASTEST;
     }
 
     /** Makes tiles from now on be asked of others. What is compiled belongs to a process, and so does this. */
     public static void use(EngineChoice choice) {
-        inUse = choice;
+        current = choice;
     }
 
     /** Found out when it is asked for first: in a short process never. */
-    private static final class Lanes {
-        static final boolean THERE = ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent() && LaneEngine.isWide();
+    private static final class LaneSupport {
+        static final boolean AVAILABLE = ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent() && LaneEngine.hasWideVectors();
     }
 }

@@ -10,152 +10,152 @@ import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayColumns;
-import lightning.render.trace.RowWays;
-import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.SamplePositions;
+import lightning.render.trace.ShadowRays;
 import lightning.render.trace.Tracer;
-import lightning.render.trace.Ways;
-import lightning.render.trace.primitive.Crossings;
 import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.render.trace.solid.Lanes;
-import lightning.render.trace.tree.Candidates;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.solid.DoubleLanes;
+import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.PointBox;
-import lightning.render.trace.tree.WayEnd;
+import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Traces the rays of a tile in packets, one lane for each ray. */
 class LaneTracer implements Tracer {
-    private static final VectorSpecies<Double> DOUBLES = Lanes.SPECIES;
+    private static final VectorSpecies<Double> DOUBLES = DoubleLanes.SPECIES;
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(DOUBLES.vectorBitSize() / 2));
     private static final int W = RayPacket.WIDTH;
 
     private final PrimitiveTable primitives;
-    private final PacketTracer packets;
+    private final PacketTracer packetTracer;
     private final RayPacket packet = new RayPacket();
     private final SurfacePacket surface = new SurfacePacket();
     private final double[] sampleX = new double[W];
     private final double[] sampleY = new double[W];
     /** Made when it is needed first. */
-    private CrossingLanes crossings;
+    private ShadowRayHitLanes hitFinder;
 
     LaneTracer(Geometry geometry) {
         primitives = geometry.primitives();
-        packets = new PacketTracer(geometry);
+        packetTracer = new PacketTracer(geometry);
     }
 
     @Override
-    public Tracer among(Geometry others) {
-        return new LaneTracer(others);
+    public Tracer withGeometry(Geometry geometry) {
+        return new LaneTracer(geometry);
     }
 
     @Override
-    public void eye(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays) {
+    public void directEyeRays(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays) {
         for (int y = 0; y < lines; y++) {
             for (int x = 0; x < columns; x += W) {
-                EyeLanes.through(camera, column + x, row + y, rays.dx, rays.dy, rays.dz, y * columns + x);
+                CameraRayLanes.pixelRays(camera, column + x, row + y, rays.dx, rays.dy, rays.dz, y * columns + x);
             }
         }
     }
 
     @Override
-    public void samples(CameraRays camera, SamplePlaces places, RayColumns rays) {
-        for (int ray = 0; ray < places.count(); ray += W) {
-            int live = Math.min(W, places.count() - ray);
-            places.write(ray, live, sampleX, sampleY);
-            EyeLanes.at(camera, sampleX, sampleY, rays.dx, rays.dy, rays.dz, ray);
+    public void directSampleRays(CameraRays camera, SamplePositions positions, RayColumns rays) {
+        for (int ray = 0; ray < positions.count(); ray += W) {
+            int laneCount = Math.min(W, positions.count() - ray);
+            positions.writePositions(ray, laneCount, sampleX, sampleY);
+            CameraRayLanes.imageRays(camera, sampleX, sampleY, rays.dx, rays.dy, rays.dz, ray);
         }
     }
 
     @Override
-    public void nearest(RayColumns rays, Candidates candidates) {
-        begin(rays, packet);
+    public void findNearest(RayColumns rays, CandidateList candidates) {
+        loadEyeOrigin(rays, packet);
         for (int ray = 0; ray < rays.count; ray += W) {
-            int live = Math.min(W, rays.count - ray);
-            load(rays, ray, live, packet);
-            packets.nearest(packet, live, candidates);
-            System.arraycopy(packet.t, 0, rays.t, ray, live);
-            System.arraycopy(packet.primitive, 0, rays.primitive, ray, live);
-            System.arraycopy(packet.part, 0, rays.part, ray, live);
+            int laneCount = Math.min(W, rays.count - ray);
+            load(rays, ray, laneCount, packet);
+            packetTracer.findNearest(packet, laneCount, candidates);
+            System.arraycopy(packet.t, 0, rays.t, ray, laneCount);
+            System.arraycopy(packet.primitive, 0, rays.primitive, ray, laneCount);
+            System.arraycopy(packet.part, 0, rays.part, ray, laneCount);
         }
     }
 
     @Override
-    public void distances(RayColumns rays) {
-        begin(rays, packet);
+    public void writeDistances(RayColumns rays) {
+        loadEyeOrigin(rays, packet);
         for (int ray = 0; ray < rays.count; ray += W) {
-            int live = Math.min(W, rays.count - ray);
-            load(rays, ray, live, packet);
-            System.arraycopy(rays.primitive, ray, packet.primitive, 0, live);
-            packets.distances(packet, live);
-            System.arraycopy(packet.t, 0, rays.t, ray, live);
-            System.arraycopy(packet.part, 0, rays.part, ray, live);
+            int laneCount = Math.min(W, rays.count - ray);
+            load(rays, ray, laneCount, packet);
+            System.arraycopy(rays.primitive, ray, packet.primitive, 0, laneCount);
+            packetTracer.writeDistances(packet, laneCount);
+            System.arraycopy(packet.t, 0, rays.t, ray, laneCount);
+            System.arraycopy(packet.part, 0, rays.part, ray, laneCount);
         }
     }
 
     /** Puts the origin that all rays of the eye have into a packet. */
-    static void begin(RayColumns rays, RayPacket packet) {
-        if (rays.fromX == null) {
+    static void loadEyeOrigin(RayColumns rays, RayPacket packet) {
+        if (rays.startX == null) {
             Arrays.fill(packet.ox, rays.originX(0));
             Arrays.fill(packet.oy, rays.originY(0));
             Arrays.fill(packet.oz, rays.originZ(0));
         }
     }
 
-    /** Puts rays from {@code ray} on into the first {@code live} lanes of a packet. */
-    static void load(RayColumns rays, int ray, int live, RayPacket packet) {
-        for (int i = 0; rays.fromX != null && i < live; i++) {
+    /** Puts rays from {@code ray} on into the first {@code laneCount} lanes of a packet. */
+    static void load(RayColumns rays, int ray, int laneCount, RayPacket packet) {
+        for (int i = 0; rays.startX != null && i < laneCount; i++) {
             int row = rays.slot[ray + i];
-            packet.ox[i] = rays.fromX[row];
-            packet.oy[i] = rays.fromY[row];
-            packet.oz[i] = rays.fromZ[row];
+            packet.ox[i] = rays.startX[row];
+            packet.oy[i] = rays.startY[row];
+            packet.oz[i] = rays.startZ[row];
         }
-        System.arraycopy(rays.dx, ray, packet.dx, 0, live);
-        System.arraycopy(rays.dy, ray, packet.dy, 0, live);
-        System.arraycopy(rays.dz, ray, packet.dz, 0, live);
+        System.arraycopy(rays.dx, ray, packet.dx, 0, laneCount);
+        System.arraycopy(rays.dy, ray, packet.dy, 0, laneCount);
+        System.arraycopy(rays.dz, ray, packet.dz, 0, laneCount);
     }
 
     @Override
-    public void surfaces(RayColumns rays, HitRows rows, boolean own) {
-        begin(rays, packet);
-        for (int row = 0; row < rays.hits; row += W) {
-            int live = Math.min(W, rays.hits - row);
-            surfaces(rays, row, live);
-            System.arraycopy(surface.px, 0, rows.px, row, live);
-            System.arraycopy(surface.py, 0, rows.py, row, live);
-            System.arraycopy(surface.pz, 0, rows.pz, row, live);
-            System.arraycopy(surface.nx, 0, rows.nx, row, live);
-            System.arraycopy(surface.ny, 0, rows.ny, row, live);
-            System.arraycopy(surface.nz, 0, rows.nz, row, live);
-            if (own) {
-                own(rays, row, live);
+    public void writeSurfaces(RayColumns rays, HitRows rows, boolean withLocalPoints) {
+        loadEyeOrigin(rays, packet);
+        for (int row = 0; row < rays.hitCount; row += W) {
+            int laneCount = Math.min(W, rays.hitCount - row);
+            computeSurfaces(rays, row, laneCount);
+            System.arraycopy(surface.px, 0, rows.px, row, laneCount);
+            System.arraycopy(surface.py, 0, rows.py, row, laneCount);
+            System.arraycopy(surface.pz, 0, rows.pz, row, laneCount);
+            System.arraycopy(surface.nx, 0, rows.nx, row, laneCount);
+            System.arraycopy(surface.ny, 0, rows.ny, row, laneCount);
+            System.arraycopy(surface.nz, 0, rows.nz, row, laneCount);
+            if (withLocalPoints) {
+                copyLocalPoints(rays, row, laneCount);
             }
         }
     }
 
     @Override
-    public void ownPoints(RayColumns rays) {
-        begin(rays, packet);
-        for (int row = 0; row < rays.hits; row += W) {
-            int live = Math.min(W, rays.hits - row);
-            meet(rays, row, live);
-            packets.ownPoints(packet, live, surface);
-            own(rays, row, live);
+    public void writeLocalPoints(RayColumns rays) {
+        loadEyeOrigin(rays, packet);
+        for (int row = 0; row < rays.hitCount; row += W) {
+            int laneCount = Math.min(W, rays.hitCount - row);
+            loadHits(rays, row, laneCount);
+            packetTracer.writeLocalPoints(packet, laneCount, surface);
+            copyLocalPoints(rays, row, laneCount);
         }
     }
 
-    private void surfaces(RayColumns rays, int row, int live) {
-        meet(rays, row, live);
-        packets.surfaces(packet, live, surface);
+    private void computeSurfaces(RayColumns rays, int row, int laneCount) {
+        loadHits(rays, row, laneCount);
+        packetTracer.writeSurfaces(packet, laneCount, surface);
     }
 
     /** Puts hits from {@code row} on into a packet, in which the eye's origin stands already. */
-    private void meet(RayColumns rays, int row, int live) {
-        for (int i = 0; rays.fromX != null && i < live; i++) {
+    private void loadHits(RayColumns rays, int row, int laneCount) {
+        for (int i = 0; rays.startX != null && i < laneCount; i++) {
             int from = rays.slot[rays.order[row + i]];
-            packet.ox[i] = rays.fromX[from];
-            packet.oy[i] = rays.fromY[from];
-            packet.oz[i] = rays.fromZ[from];
+            packet.ox[i] = rays.startX[from];
+            packet.oy[i] = rays.startY[from];
+            packet.oz[i] = rays.startZ[from];
         }
-        for (int i = 0; i < live; i++) {
+        for (int i = 0; i < laneCount; i++) {
             int ray = rays.order[row + i];
             packet.dx[i] = rays.dx[ray];
             packet.dy[i] = rays.dy[ray];
@@ -166,22 +166,22 @@ class LaneTracer implements Tracer {
         }
     }
 
-    private void own(RayColumns rays, int row, int live) {
-        System.arraycopy(surface.ownX, 0, rays.ownX, row, live);
-        System.arraycopy(surface.ownY, 0, rays.ownY, row, live);
-        System.arraycopy(surface.ownZ, 0, rays.ownZ, row, live);
+    private void copyLocalPoints(RayColumns rays, int row, int laneCount) {
+        System.arraycopy(surface.localX, 0, rays.localX, row, laneCount);
+        System.arraycopy(surface.localY, 0, rays.localY, row, laneCount);
+        System.arraycopy(surface.localZ, 0, rays.localZ, row, laneCount);
     }
 
     @Override
-    public void blocked(HitRows rows, int[] chosen, Ways ways, Candidates candidates, int[] blocked) {
-        packet.end = ways.end();
-        for (int b = 0, row = 0; row < rows.count; b++, row += WORD) {
+    public void findBlocked(HitRows rows, int[] selected, ShadowRays shadowRays, CandidateList candidates, int[] blocked) {
+        packet.target = shadowRays.target();
+        for (int b = 0, row = 0; row < rows.count; b++, row += ROWS_PER_WORD) {
             int bits = 0;
-            for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
-                int asked = chosen[b] >>> part & -1 >>> -W;
-                if (asked != 0) {
-                    load(rows, ways, row + part, asked, packet);
-                    bits |= (packets.blocked(packet, W, candidates) & asked) << part;
+            for (int part = 0; selected[b] != 0 && part < ROWS_PER_WORD; part += W) {
+                int laneMask = selected[b] >>> part & -1 >>> -W;
+                if (laneMask != 0) {
+                    load(rows, shadowRays, row + part, laneMask, packet);
+                    bits |= (packetTracer.findBlocked(packet, W, candidates) & laneMask) << part;
                 }
             }
             blocked[b] = bits;
@@ -189,16 +189,16 @@ class LaneTracer implements Tracer {
     }
 
     @Override
-    public void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked) {
-        packet.end = WayEnd.OPEN;
-        for (int b = 0, row = 0; row < rows.count; b++, row += WORD) {
+    public void findBlocked(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, int[] blocked) {
+        packet.target = ShadowRayTarget.OFF_SURFACE;
+        for (int b = 0, row = 0; row < rows.count; b++, row += ROWS_PER_WORD) {
             int bits = 0;
-            for (int part = 0; chosen[b] != 0 && part < WORD; part += W) {
-                int asked = chosen[b] >>> part & -1 >>> -W;
-                if (asked != 0) {
-                    load(rows, ways, row + part, packet);
-                    bits |= (ways.open ? blocked(asked, ways.limit(), candidates)
-                            : blockedByEnds(ways, row + part, asked, candidates)) << part;
+            for (int part = 0; selected[b] != 0 && part < ROWS_PER_WORD; part += W) {
+                int laneMask = selected[b] >>> part & -1 >>> -W;
+                if (laneMask != 0) {
+                    load(rows, shadowRays, row + part, packet);
+                    bits |= (shadowRays.isOffSurface ? blockedLanes(laneMask, shadowRays.limit(), candidates)
+                            : blockedByTargets(shadowRays, row + part, laneMask, candidates)) << part;
                 }
             }
             blocked[b] = bits;
@@ -206,94 +206,94 @@ class LaneTracer implements Tracer {
     }
 
     /** Lanes whose ways end alike go together. */
-    private int blockedByEnds(RowWays ways, int row, int asked, Candidates candidates) {
+    private int blockedByTargets(RowShadowRays shadowRays, int row, int laneMask, CandidateList candidates) {
         int bits = 0;
-        for (int left = asked; left != 0;) {
-            packet.end = ways.end[row + Integer.numberOfTrailingZeros(left)];
-            int alike = 0;
+        for (int left = laneMask; left != 0;) {
+            packet.target = shadowRays.target[row + Integer.numberOfTrailingZeros(left)];
+            int sameTarget = 0;
             for (int lanes = left; lanes != 0; lanes &= lanes - 1) {
                 int i = Integer.numberOfTrailingZeros(lanes);
-                WayEnd end = ways.end[row + i];
-                alike |= (end == packet.end || end.isOpen() && packet.end.isOpen() ? 1 : 0) << i;
+                ShadowRayTarget target = shadowRays.target[row + i];
+                sameTarget |= (target == packet.target || target.isOffSurface() && packet.target.isOffSurface() ? 1 : 0) << i;
             }
-            bits |= blocked(alike, ways.limit(), candidates);
-            left &= ~alike;
+            bits |= blockedLanes(sameTarget, shadowRays.limit(), candidates);
+            left &= ~sameTarget;
         }
         return bits;
     }
 
-    /** Which of the packet's lanes in {@code asked} are blocked. */
-    private int blocked(int asked, double limit, Candidates candidates) {
-        limit(asked, limit, packet);
-        return packets.blocked(packet, W, candidates) & asked;
+    /** Which of the packet's lanes in {@code laneMask} are blocked. */
+    private int blockedLanes(int laneMask, double limit, CandidateList candidates) {
+        setLimits(laneMask, limit, packet);
+        return packetTracer.findBlocked(packet, W, candidates) & laneMask;
     }
 
     /** Rays that are not asked end before they begin. */
-    static void limit(int asked, double limit, RayPacket packet) {
+    static void setLimits(int laneMask, double limit, RayPacket packet) {
         for (int i = 0; i < W; i++) {
-            packet.limit[i] = (asked >>> i & 1) != 0 ? limit : -1;
+            packet.limit[i] = (laneMask >>> i & 1) != 0 ? limit : -1;
         }
     }
 
-    static void load(HitRows rows, RowWays ways, int row, RayPacket packet) {
-        axis(rows.px, row, ways.x, ways.ends, packet.ox, packet.dx);
-        axis(rows.py, row, ways.y, ways.ends, packet.oy, packet.dy);
-        axis(rows.pz, row, ways.z, ways.ends, packet.oz, packet.dz);
+    static void load(HitRows rows, RowShadowRays shadowRays, int row, RayPacket packet) {
+        loadAxis(rows.px, row, shadowRays.x, shadowRays.toPoints, packet.ox, packet.dx);
+        loadAxis(rows.py, row, shadowRays.y, shadowRays.toPoints, packet.oy, packet.dy);
+        loadAxis(rows.pz, row, shadowRays.z, shadowRays.toPoints, packet.oz, packet.dz);
     }
 
-    private static void axis(float[] points, int row, double[] source, boolean ends, double[] origin, double[] direction) {
-        for (int i = 0; i < W; i += Lanes.COUNT) {
+    private static void loadAxis(float[] points, int row, double[] source, boolean toPoints, double[] origin, double[] direction) {
+        for (int i = 0; i < W; i += DoubleLanes.COUNT) {
             DoubleVector o = (DoubleVector) FloatVector.fromArray(HALF, points, row + i).castShape(DOUBLES, 0);
             DoubleVector s = DoubleVector.fromArray(DOUBLES, source, row + i);
             o.intoArray(origin, i);
-            (ends ? s.sub(o) : s).intoArray(direction, i);
+            (toPoints ? s.sub(o) : s).intoArray(direction, i);
         }
     }
 
-    static void load(HitRows rows, Ways ways, int row, int chosen, RayPacket packet) {
-        axis(rows.px, row, ways.source().x(), ways.ends(), packet.ox, packet.dx);
-        axis(rows.py, row, ways.source().y(), ways.ends(), packet.oy, packet.dy);
-        axis(rows.pz, row, ways.source().z(), ways.ends(), packet.oz, packet.dz);
-        limit(chosen, ways.limit(), packet);
+    static void load(HitRows rows, ShadowRays shadowRays, int row, int laneMask, RayPacket packet) {
+        loadAxis(rows.px, row, shadowRays.source().x(), shadowRays.isPoint(), packet.ox, packet.dx);
+        loadAxis(rows.py, row, shadowRays.source().y(), shadowRays.isPoint(), packet.oy, packet.dy);
+        loadAxis(rows.pz, row, shadowRays.source().z(), shadowRays.isPoint(), packet.oz, packet.dz);
+        setLimits(laneMask, shadowRays.limit(), packet);
     }
 
-    private static void axis(float[] points, int row, double source, boolean ends, double[] origin, double[] direction) {
-        for (int i = 0; i < W; i += Lanes.COUNT) {
+    private static void loadAxis(float[] points, int row, double source, boolean toPoints, double[] origin, double[] direction) {
+        for (int i = 0; i < W; i += DoubleLanes.COUNT) {
             DoubleVector o = (DoubleVector) FloatVector.fromArray(HALF, points, row + i).castShape(DOUBLES, 0);
             DoubleVector s = DoubleVector.broadcast(DOUBLES, source);
             o.intoArray(origin, i);
-            (ends ? s.sub(o) : s).intoArray(direction, i);
+            (toPoints ? s.sub(o) : s).intoArray(direction, i);
         }
     }
 
     @Override
-    public void cross(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, Crossings to) {
-        if (crossings == null) {
-            crossings = new CrossingLanes(primitives);
+    public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+        if (hitFinder == null) {
+            hitFinder = new ShadowRayHitLanes(primitives);
         }
-        crossings.cross(rows, chosen, ways, candidates, to);
+        hitFinder.findHits(rows, selected, shadowRays, candidates, hits);
     }
 
     @Override
-    public PointBox box(float[] x, float[] y, float[] z, int from, int to) {
+    public PointBox bounds(float[] x, float[] y, float[] z, int from, int to) {
         PointBox box = new PointBox();
-        range(x, from, to, box, 0);
-        range(y, from, to, box, 1);
-        range(z, from, to, box, 2);
+        setRange(x, from, to, box, 0);
+        setRange(y, from, to, box, 1);
+        setRange(z, from, to, box, 2);
         return box;
     }
 
-    private static void range(float[] v, int from, int to, PointBox box, int axis) {
-        FloatVector least = FloatVector.broadcast(FLOATS, v[from]);
-        FloatVector most = least;
+    private static void setRange(float[] v, int from, int to, PointBox box, int axis) {
+        FloatVector min = FloatVector.broadcast(FLOATS, v[from]);
+        FloatVector max = min;
         int i = from;
         for (; i + FLOATS.length() <= to; i += FLOATS.length()) {
             FloatVector x = FloatVector.fromArray(FLOATS, v, i);
-            least = least.min(x);
-            most = most.max(x);
+            min = min.min(x);
+            max = max.max(x);
         }
-        float low = least.reduceLanes(VectorOperators.MIN);
-        float high = most.reduceLanes(VectorOperators.MAX);
+        float low = min.reduceLanes(VectorOperators.MIN);
+        float high = max.reduceLanes(VectorOperators.MAX);
         for (; i < to; i++) {
             low = Math.min(low, v[i]);
             high = Math.max(high, v[i]);
@@ -303,16 +303,16 @@ class LaneTracer implements Tracer {
 
     @Override
     public void range(double[] values, int count, double[] range) {
-        DoubleVector least = DoubleVector.broadcast(DOUBLES, values[0]);
-        DoubleVector most = least;
+        DoubleVector min = DoubleVector.broadcast(DOUBLES, values[0]);
+        DoubleVector max = min;
         int i = 0;
         for (; i + DOUBLES.length() <= count; i += DOUBLES.length()) {
             DoubleVector x = DoubleVector.fromArray(DOUBLES, values, i);
-            least = least.min(x);
-            most = most.max(x);
+            min = min.min(x);
+            max = max.max(x);
         }
-        range[0] = least.reduceLanes(VectorOperators.MIN);
-        range[1] = most.reduceLanes(VectorOperators.MAX);
+        range[0] = min.reduceLanes(VectorOperators.MIN);
+        range[1] = max.reduceLanes(VectorOperators.MAX);
         for (; i < count; i++) {
             range[0] = Math.min(range[0], values[i]);
             range[1] = Math.max(range[1], values[i]);

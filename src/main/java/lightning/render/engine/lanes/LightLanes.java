@@ -6,13 +6,13 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorShape;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.render.shading.Lamp;
-import lightning.render.shading.LampArea;
+import lightning.render.shading.AreaSamples;
+import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.RowBits;
-import lightning.render.shading.Terms;
+import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.RowWays;
+import lightning.render.trace.RowShadowRays;
 import lightning.scene.Attenuation;
 
 /**
@@ -22,7 +22,7 @@ import lightning.scene.Attenuation;
  * <p>No method of ours takes the vector that a loop ends with: the lanes' own methods are compiled into any loop, ours only up to so
  * many nodes of the compiler's, and a vector that goes to a method becomes an object (docs/performance.md).
  */
-final class LightLanes implements Terms {
+final class LightLanes implements TermKernel {
     private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
     /** As many floats as there are double lanes. */
     private static final VectorSpecies<Float> F =
@@ -31,138 +31,138 @@ final class LightLanes implements Terms {
     private static final VectorSpecies<Float> WIDE = FloatVector.SPECIES_PREFERRED;
 
     /** The unit vector from each row to the light. */
-    private final double[] lx = new double[ROWS];
-    private final double[] ly = new double[ROWS];
-    private final double[] lz = new double[ROWS];
-    private final double[] distance = new double[ROWS];
+    private final double[] lx = new double[MAX_ROWS];
+    private final double[] ly = new double[MAX_ROWS];
+    private final double[] lz = new double[MAX_ROWS];
+    private final double[] distance = new double[MAX_ROWS];
     /** The cosine from the cone's axis, −1…1. */
-    private final double[] axisCosine = new double[ROWS];
-    private final double[] power = new double[ROWS];
-    private final double[] factor = new double[ROWS];
+    private final double[] axisCosine = new double[MAX_ROWS];
+    private final double[] power = new double[MAX_ROWS];
+    private final double[] factor = new double[MAX_ROWS];
     /** For each vector of rows which of them face the light, a bit each. */
-    private final int[] faces = new int[ROWS / LANES];
-    private final float[] specular = new float[ROWS];
-    private final float[] grazed = new float[ROWS];
-    /** What {@link #faint(double)} is of {@link #faintOf}. */
-    private double faint = -1;
-    private double faintOf;
+    private final int[] facingBits = new int[MAX_ROWS / LANES];
+    private final float[] specularTerms = new float[MAX_ROWS];
+    private final float[] grazingTerms = new float[MAX_ROWS];
+    /** What {@link #zeroPowerCosine(double)} is of {@link #zeroPowerShininess}. */
+    private double zeroPowerCosine = -1;
+    private double zeroPowerShininess;
     /** The words whose rows stand in {@link #power}. */
-    private final int[] word = new int[ROWS / RowBits.WIDTH];
+    private final int[] rowWords = new int[MAX_ROWS / RowBits.WIDTH];
 
     @Override
-    public void aim(HitRows rows, Lamp lamp) {
-        double x = lamp.source().x();
-        double y = lamp.source().y();
-        double z = lamp.source().z();
-        if (lamp.type().hasPosition()) {
+    public void aim(HitRows rows, LightSource source) {
+        double x = source.position().x();
+        double y = source.position().y();
+        double z = source.position().z();
+        if (source.type().hasPosition()) {
             aimAtPoint(rows, x, y, z);
         } else {
-            java.util.Arrays.fill(lx, 0, HitRows.padded(rows.count), x);
-            java.util.Arrays.fill(ly, 0, HitRows.padded(rows.count), y);
-            java.util.Arrays.fill(lz, 0, HitRows.padded(rows.count), z);
+            java.util.Arrays.fill(lx, 0, HitRows.paddedLength(rows.count), x);
+            java.util.Arrays.fill(ly, 0, HitRows.paddedLength(rows.count), y);
+            java.util.Arrays.fill(lz, 0, HitRows.paddedLength(rows.count), z);
         }
     }
 
     @Override
-    public void aim(HitRows rows, Lamp lamp, int s, double[] turn, int[] which, float[] cosine, int[] facing) {
+    public void aim(HitRows rows, LightSource source, int s, double[] rotations, int[] rowSet, float[] cosine, int[] facing) {
         int words = RowBits.words(rows.count);
         for (int b = 0; b < words; b++) {
             int first = b;
-            b = RowBits.end(which, b, words);
-            if (lamp.type().hasPosition()) {
-                aimAtPoints(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, lamp.area(), s, turn, cosine);
+            b = RowBits.firstEmptyWord(rowSet, b, words);
+            if (source.type().hasPosition()) {
+                aimAtPoints(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(), s, rotations, cosine);
             } else {
-                aimAlong(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, lamp.area(), s, turn, cosine);
+                aimAtDirections(rows, first * RowBits.WIDTH, b * RowBits.WIDTH, source.samples(), s, rotations, cosine);
             }
         }
         for (int b = 0; b < words; b++) {
             int bits = 0;
             for (int i = 0; i < RowBits.WIDTH; i += LANES) {
-                bits |= faces[(b * RowBits.WIDTH + i) / LANES] << i;
+                bits |= facingBits[(b * RowBits.WIDTH + i) / LANES] << i;
             }
-            facing[b] = bits & which[b];
+            facing[b] = bits & rowSet[b];
         }
     }
 
     /** Aims rows {@code from … to − 1}, each at its own place. A plain loop: the compiler checks the arrays' bounds before it. */
-    private void aimAtPoints(HitRows rows, int from, int to, LampArea area, int s, double[] turn, float[] cosine) {
+    private void aimAtPoints(HitRows rows, int from, int to, AreaSamples area, int s, double[] rotations, float[] cosine) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector vx = place(area.x, s, turn, i).sub(load(rows.px, i));
-            DoubleVector vy = place(area.y, s, turn, i).sub(load(rows.py, i));
-            DoubleVector vz = place(area.z, s, turn, i).sub(load(rows.pz, i));
+            DoubleVector vx = samplePosition(area.x, s, rotations, i).sub(load(rows.px, i));
+            DoubleVector vy = samplePosition(area.y, s, rotations, i).sub(load(rows.py, i));
+            DoubleVector vz = samplePosition(area.z, s, rotations, i).sub(load(rows.pz, i));
             DoubleVector d = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).lanewise(VectorOperators.SQRT);
-            VectorMask<Double> here = d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE);
+            VectorMask<Double> atLight = d.compare(VectorOperators.LT, LightingEquation.MIN_DISTANCE);
             DoubleVector inverse = DoubleVector.broadcast(D, 1).div(d);
             d.intoArray(distance, i);
             DoubleVector nx = load(rows.nx, i);
             DoubleVector ny = load(rows.ny, i);
             DoubleVector nz = load(rows.nz, i);
-            DoubleVector x = vx.mul(inverse).blend(nx, here);
-            DoubleVector y = vy.mul(inverse).blend(ny, here);
-            DoubleVector z = vz.mul(inverse).blend(nz, here);
+            DoubleVector x = vx.mul(inverse).blend(nx, atLight);
+            DoubleVector y = vy.mul(inverse).blend(ny, atLight);
+            DoubleVector z = vz.mul(inverse).blend(nz, atLight);
             x.intoArray(lx, i);
             y.intoArray(ly, i);
             z.intoArray(lz, i);
             FloatVector c = (FloatVector) nx.mul(x).add(ny.mul(y)).add(nz.mul(z)).castShape(F, 0);
             c.intoArray(cosine, i);
-            faces[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
+            facingBits[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
         }
     }
 
-    private void aimAlong(HitRows rows, int from, int to, LampArea area, int s, double[] turn, float[] cosine) {
+    private void aimAtDirections(HitRows rows, int from, int to, AreaSamples area, int s, double[] rotations, float[] cosine) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector x = place(area.x, s, turn, i);
-            DoubleVector y = place(area.y, s, turn, i);
-            DoubleVector z = place(area.z, s, turn, i);
+            DoubleVector x = samplePosition(area.x, s, rotations, i);
+            DoubleVector y = samplePosition(area.y, s, rotations, i);
+            DoubleVector z = samplePosition(area.z, s, rotations, i);
             x.intoArray(lx, i);
             y.intoArray(ly, i);
             z.intoArray(lz, i);
             FloatVector c = (FloatVector) load(rows.nx, i).mul(x).add(load(rows.ny, i).mul(y)).add(load(rows.nz, i).mul(z)).castShape(F, 0);
             c.intoArray(cosine, i);
-            faces[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
+            facingBits[i / LANES] = (int) c.compare(VectorOperators.GT, 0).toLong();
         }
     }
 
     @Override
-    public void lead(HitRows rows, Lamp lamp, int s, int[] which, RowWays ways) {
-        LampArea area = lamp.area();
+    public void aimShadowRays(HitRows rows, LightSource source, int s, int[] rowSet, RowShadowRays shadowRays) {
+        AreaSamples area = source.samples();
         int words = RowBits.words(rows.count);
         for (int b = 0; b < words; b++) {
             int first = b;
-            b = RowBits.end(which, b, words);
+            b = RowBits.firstEmptyWord(rowSet, b, words);
             for (int i = first * RowBits.WIDTH; i < b * RowBits.WIDTH; i += LANES) {
-                place(area.x, s, ways.turn, i).intoArray(ways.x, i);
-                place(area.y, s, ways.turn, i).intoArray(ways.y, i);
-                place(area.z, s, ways.turn, i).intoArray(ways.z, i);
+                samplePosition(area.x, s, shadowRays.rotation, i).intoArray(shadowRays.x, i);
+                samplePosition(area.y, s, shadowRays.rotation, i).intoArray(shadowRays.y, i);
+                samplePosition(area.z, s, shadowRays.rotation, i).intoArray(shadowRays.z, i);
             }
         }
     }
 
     /** One coordinate of a vector of rows' places. Where all places of a sample are just two vectors, lanes choose among these. */
-    private static DoubleVector place(double[] places, int s, double[] turn, int i) {
-        DoubleVector t = DoubleVector.fromArray(D, turn, i);
-        int at = LampArea.TURNS * s;
-        if (2 * LANES == LampArea.TURNS) {
-            return t.selectFrom(DoubleVector.fromArray(D, places, at), DoubleVector.fromArray(D, places, at + LANES));
+    private static DoubleVector samplePosition(double[] positions, int s, double[] rotations, int i) {
+        DoubleVector t = DoubleVector.fromArray(D, rotations, i);
+        int at = AreaSamples.ROTATIONS * s;
+        if (2 * LANES == AreaSamples.ROTATIONS) {
+            return t.selectFrom(DoubleVector.fromArray(D, positions, at), DoubleVector.fromArray(D, positions, at + LANES));
         }
-        return DoubleVector.fromArray(D, places, at, t.toIntArray(), 0);
+        return DoubleVector.fromArray(D, positions, at, t.toIntArray(), 0);
     }
 
     @Override
-    public void mayFace(HitRows rows, Lamp lamp, int[] may) {
-        new AreaLanes(lamp).mayFace(rows, may);
+    public void addPossiblyFacing(HitRows rows, LightSource source, int[] candidates) {
+        new AreaLightLanes(source).findPossiblyFacing(rows, candidates);
     }
 
     @Override
-    public void mayShine(HitRows rows, int from, int to, Lamp lamp, double shininess, int[] may) {
-        new AreaLanes(lamp).mayShine(rows, from, to, faintFor(shininess), may);
+    public void addPossibleHighlights(HitRows rows, int from, int to, LightSource source, double shininess, int[] candidates) {
+        new AreaLightLanes(source).addPossibleHighlights(rows, from, to, cachedZeroPowerCosine(shininess), candidates);
     }
 
     @Override
-    public void measure(HitRows rows, Lamp lamp) {
-        double x = lamp.source().x();
-        double y = lamp.source().y();
-        double z = lamp.source().z();
+    public void computeDistances(HitRows rows, LightSource source) {
+        double x = source.position().x();
+        double y = source.position().y();
+        double z = source.position().z();
         for (int i = 0; i < rows.count; i += LANES) {
             DoubleVector vx = DoubleVector.broadcast(D, x).sub(load(rows.px, i));
             DoubleVector vy = DoubleVector.broadcast(D, y).sub(load(rows.py, i));
@@ -187,7 +187,7 @@ final class LightLanes implements Terms {
         vx.mul(inverse).intoArray(lx, i);
         vy.mul(inverse).intoArray(ly, i);
         vz.mul(inverse).intoArray(lz, i);
-        if (d.compare(VectorOperators.LT, LightingEquation.NO_DISTANCE).anyTrue()) {
+        if (d.compare(VectorOperators.LT, LightingEquation.MIN_DISTANCE).anyTrue()) {
             aimAlongNormals(rows, i);
         }
     }
@@ -195,7 +195,7 @@ final class LightLanes implements Terms {
     /** Rows that the light stands on: so few that no other pays for reading its normal. */
     private void aimAlongNormals(HitRows rows, int from) {
         for (int i = from; i < from + LANES; i++) {
-            if (distance[i] < LightingEquation.NO_DISTANCE) {
+            if (distance[i] < LightingEquation.MIN_DISTANCE) {
                 lx[i] = rows.nx[i];
                 ly[i] = rows.ny[i];
                 lz[i] = rows.nz[i];
@@ -214,10 +214,10 @@ final class LightLanes implements Terms {
     }
 
     @Override
-    public void aimCone(HitRows rows, Lamp lamp) {
-        double ax = lamp.axis().x();
-        double ay = lamp.axis().y();
-        double az = lamp.axis().z();
+    public void computeConeCosines(HitRows rows, LightSource source) {
+        double ax = source.axis().x();
+        double ay = source.axis().y();
+        double az = source.axis().z();
         for (int i = 0; i < rows.count; i += LANES) {
             DoubleVector c = DoubleVector.fromArray(D, lx, i).mul(ax)
                     .add(DoubleVector.fromArray(D, ly, i).mul(ay))
@@ -228,93 +228,93 @@ final class LightLanes implements Terms {
     }
 
     @Override
-    public void facing(float[] cosine, int rows, int[] facing) {
+    public void selectFacing(float[] cosine, int rows, int[] facing) {
         for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
             int bits = 0;
             for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
                 bits |= (int) FloatVector.fromArray(WIDE, cosine, row + i).compare(VectorOperators.GT, 0).toLong() << i;
             }
-            facing[b] = bits & RowBits.valid(b, rows);
+            facing[b] = bits & RowBits.validBits(b, rows);
         }
     }
 
     @Override
-    public void inside(int[] among, int rows, double cosAngle, int[] inside) {
+    public void selectInside(int[] candidates, int rows, double cosAngle, int[] inside) {
         for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
             int bits = 0;
-            for (int i = 0; among[b] != 0 && i < RowBits.WIDTH; i += LANES) {
+            for (int i = 0; candidates[b] != 0 && i < RowBits.WIDTH; i += LANES) {
                 DoubleVector c = DoubleVector.fromArray(D, axisCosine, row + i);
                 bits |= (int) c.compare(VectorOperators.GE, cosAngle).toLong() << i;
             }
-            inside[b] = bits & among[b];
+            inside[b] = bits & candidates[b];
         }
     }
 
     @Override
-    public void select(float[] values, int[] which, int rows, float[] to) {
+    public void select(float[] values, int[] rowSet, int rows, float[] to) {
         for (int b = 0, row = 0; row < rows; b++, row += RowBits.WIDTH) {
             for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
                 FloatVector v = FloatVector.fromArray(WIDE, values, row + i);
-                FloatVector.zero(WIDE).blend(v, VectorMask.fromLong(WIDE, which[b] >>> i)).intoArray(to, row + i);
+                FloatVector.zero(WIDE).blend(v, VectorMask.fromLong(WIDE, rowSet[b] >>> i)).intoArray(to, row + i);
             }
         }
     }
 
     @Override
-    public void falloffs(HitRows rows, Lamp lamp, float[] to) {
-        factors(rows, lamp, factor);
-        round(factor, rows.count, to);
+    public void falloffs(HitRows rows, LightSource source, float[] to) {
+        unroundedFalloffs(rows, source, factor);
+        toFloats(factor, rows.count, to);
     }
 
     @Override
-    public void add(float[] term, float[] falloff, int[] which, int rows, double[] sum) {
+    public void accumulate(float[] term, float[] falloff, int[] rowSet, int rows, double[] sum) {
         int words = RowBits.words(rows);
         for (int b = 0; b < words; b++) {
             int first = b;
-            b = RowBits.end(which, b, words);
+            b = RowBits.firstEmptyWord(rowSet, b, words);
             if (falloff == null) {
-                add(term, which, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
+                accumulate(term, rowSet, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
             } else {
-                add(term, falloff, which, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
+                accumulate(term, falloff, rowSet, first * RowBits.WIDTH, b * RowBits.WIDTH, sum);
             }
         }
     }
 
-    private static void add(float[] term, int[] which, int from, int to, double[] sum) {
+    private static void accumulate(float[] term, int[] rowSet, int from, int to, double[] sum) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector old = DoubleVector.fromArray(D, sum, i);
-            old.blend(old.add(load(term, i)), among(which, i)).intoArray(sum, i);
+            DoubleVector previous = DoubleVector.fromArray(D, sum, i);
+            previous.blend(previous.add(load(term, i)), maskAt(rowSet, i)).intoArray(sum, i);
         }
     }
 
-    private static void add(float[] term, float[] falloff, int[] which, int from, int to, double[] sum) {
+    private static void accumulate(float[] term, float[] falloff, int[] rowSet, int from, int to, double[] sum) {
         for (int i = from; i < to; i += LANES) {
-            DoubleVector old = DoubleVector.fromArray(D, sum, i);
-            old.blend(old.add(load(term, i).mul(load(falloff, i))), among(which, i)).intoArray(sum, i);
+            DoubleVector previous = DoubleVector.fromArray(D, sum, i);
+            previous.blend(previous.add(load(term, i).mul(load(falloff, i))), maskAt(rowSet, i)).intoArray(sum, i);
         }
     }
 
-    private static VectorMask<Double> among(int[] which, int row) {
-        return VectorMask.fromLong(D, which[row / RowBits.WIDTH] >>> row % RowBits.WIDTH);
+    private static VectorMask<Double> maskAt(int[] rowSet, int row) {
+        return VectorMask.fromLong(D, rowSet[row / RowBits.WIDTH] >>> row % RowBits.WIDTH);
     }
 
     /** Loops by themselves: where a vector is one of two, or comes from a method, each becomes an object here. */
     @Override
-    public void factors(HitRows rows, Lamp lamp, double[] to) {
-        attenuations(lamp.light().attenuation(), rows.count, to);
-        if (lamp.hasCone()) {
-            spots(rows, lamp.dropoff());
-            multiply(to, power, rows.count);
+    public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
+        writeAttenuations(source.light().attenuation(), rows.count, to);
+        if (source.hasCone()) {
+            writeSpotFactors(rows, source.dropoff());
+            multiplyBy(to, power, rows.count);
         }
     }
 
-    private static void multiply(double[] factors, double[] by, int rows) {
+    private static void multiplyBy(double[] factors, double[] other, int rows) {
         for (int i = 0; i < rows; i += LANES) {
-            DoubleVector.fromArray(D, factors, i).mul(DoubleVector.fromArray(D, by, i)).intoArray(factors, i);
+            DoubleVector.fromArray(D, factors, i).mul(DoubleVector.fromArray(D, other, i)).intoArray(factors, i);
         }
     }
 
-    private void attenuations(Attenuation a, int rows, double[] to) {
+    private void writeAttenuations(Attenuation a, int rows, double[] to) {
         double constant = a.constant();
         double linear = a.linear();
         double quadratic = a.quadratic();
@@ -326,7 +326,7 @@ final class LightLanes implements Terms {
         }
     }
 
-    private void spots(HitRows rows, double dropoff) {
+    private void writeSpotFactors(HitRows rows, double dropoff) {
         for (int i = 0; i < rows.count; i += LANES) {
             DoubleVector c = DoubleVector.fromArray(D, axisCosine, i);
             DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0)).intoArray(power, i);
@@ -339,79 +339,80 @@ final class LightLanes implements Terms {
      * side in {@link #power}.
      */
     @Override
-    public void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column) {
-        double faint = faintFor(shininess);
+    public void speculars(HitRows rows, int from, int to, int[] rowSet, double shininess, float[] column) {
+        double zeroCosine = cachedZeroPowerCosine(shininess);
         int words = 0;
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
-            int bits = which[b] & RowBits.within(b, from, to);
+            int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
             if (bits == 0) {
                 continue;
             }
-            if (mirrorCosines(rows, b * RowBits.WIDTH, words * RowBits.WIDTH, faint)) {
-                word[words++] = b;
+            if (writeMirrorCosines(rows, b * RowBits.WIDTH, words * RowBits.WIDTH, zeroCosine)) {
+                rowWords[words++] = b;
             } else {
-                clear(b, bits, column);
+                clearRows(b, bits, column);
             }
         }
         PowerLanes.of(power, 0, words * RowBits.WIDTH, shininess);
-        round(power, words * RowBits.WIDTH, specular);
+        toFloats(power, words * RowBits.WIDTH, specularTerms);
         for (int w = 0; w < words; w++) {
-            merge(word[w], which[word[w]] & RowBits.within(word[w], from, to), specular, w * RowBits.WIDTH, column);
+            mergeRows(rowWords[w], rowSet[rowWords[w]] & RowBits.rangeBits(rowWords[w], from, to), specularTerms, w * RowBits.WIDTH,
+                    column);
         }
     }
 
-    private double faintFor(double shininess) {
-        if (shininess != faintOf) {
-            faintOf = shininess;
-            faint = faint(shininess);
+    private double cachedZeroPowerCosine(double shininess) {
+        if (shininess != zeroPowerShininess) {
+            zeroPowerShininess = shininess;
+            zeroPowerCosine = zeroPowerCosine(shininess);
         }
-        return faint;
+        return zeroPowerCosine;
     }
 
     /**
      * A cosine from 0 to 1 up to which its power is 0 as a float; −1 where 0 has another power.
      *
      * <p>The power of c is 2 to p = shininess·log₂c, and a float is 0 up to 2⁻¹⁵⁰. Here p is −152, but for the root of 2, which is off
-     * by less than 2⁻⁵¹ of itself: with a shininess up to {@link lightning.scene.Limits#MAX_SHININESS}, 10⁶, that changes p by less
+     * by less than 2⁻⁵¹ of itself: with a shininess up to {@link lightning.scene.SceneLimits#MAX_SHININESS}, 10⁶, that changes p by less
      * than 2⁻²⁹. {@link PowerLanes} is off by a few roundings of p, a few 2⁻⁵² of 152, and of the result.
      */
-    static double faint(double shininess) {
+    static double zeroPowerCosine(double shininess) {
         return shininess == 0 ? -1 : StrictMath.pow(2, -152 / shininess);
     }
 
-    /** Writes the cosines of a word's rows to {@link #power}; whether any is above {@code faint}. */
-    private boolean mirrorCosines(HitRows rows, int row, int at, double faint) {
-        boolean any = false;
+    /** Writes the cosines of a word's rows to {@link #power}; whether any is above {@code zeroCosine}. */
+    private boolean writeMirrorCosines(HitRows rows, int row, int at, double zeroCosine) {
+        boolean isAbove = false;
         for (int i = 0; i < RowBits.WIDTH; i += LANES) {
-            any |= mirrorCosine(rows, row + i, at + i, faint);
+            isAbove |= writeMirrorCosine(rows, row + i, at + i, zeroCosine);
         }
-        return any;
+        return isAbove;
     }
 
     /** Apart from other loops: in one method with them vectors become objects. */
-    private static void round(double[] from, int rows, float[] to) {
+    private static void toFloats(double[] from, int rows, float[] to) {
         for (int i = 0; i < rows; i += LANES) {
             ((FloatVector) DoubleVector.fromArray(D, from, i).castShape(F, 0)).intoArray(to, i);
         }
     }
 
-    private static void clear(int b, int bits, float[] column) {
+    private static void clearRows(int b, int bits, float[] column) {
         for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
             int row = b * RowBits.WIDTH + i;
             FloatVector.fromArray(WIDE, column, row).blend(0, VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
         }
     }
 
-    private static void merge(int b, int bits, float[] values, int from, float[] column) {
+    private static void mergeRows(int b, int bits, float[] values, int from, float[] column) {
         for (int i = 0; i < RowBits.WIDTH; i += WIDE.length()) {
             int row = b * RowBits.WIDTH + i;
-            FloatVector old = FloatVector.fromArray(WIDE, column, row);
-            old.blend(FloatVector.fromArray(WIDE, values, from + i), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
+            FloatVector previous = FloatVector.fromArray(WIDE, column, row);
+            previous.blend(FloatVector.fromArray(WIDE, values, from + i), VectorMask.fromLong(WIDE, bits >>> i)).intoArray(column, row);
         }
     }
 
-    /** Writes the cosines of a vector's rows to {@link #power}; whether any is above {@code faint}. */
-    private boolean mirrorCosine(HitRows rows, int i, int at, double faint) {
+    /** Writes the cosines of a vector's rows to {@link #power}; whether any is above {@code zeroCosine}. */
+    private boolean writeMirrorCosine(HitRows rows, int i, int at, double zeroCosine) {
         DoubleVector nx = load(rows.nx, i);
         DoubleVector ny = load(rows.ny, i);
         DoubleVector nz = load(rows.nz, i);
@@ -431,53 +432,53 @@ final class LightLanes implements Terms {
         DoubleVector c = dot.div(lengths.lanewise(VectorOperators.SQRT));
         DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
         positive.blend(1, positive.compare(VectorOperators.GT, 1)).intoArray(power, at);
-        return positive.compare(VectorOperators.GT, faint).anyTrue();
+        return positive.compare(VectorOperators.GT, zeroCosine).anyTrue();
     }
 
     @Override
-    public void mattes(HitRows rows, int from, int to, int[] which, float[] column) {
+    public void metallicDiffuses(HitRows rows, int from, int to, int[] rowSet, float[] column) {
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
-            int bits = which[b] & RowBits.within(b, from, to);
+            int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
             if (bits != 0) {
                 int row = b * RowBits.WIDTH;
                 for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
-                    matte(rows, i);
+                    writeMetallicDiffuse(rows, i);
                 }
-                merge(b, bits, specular, row, column);
+                mergeRows(b, bits, specularTerms, row, column);
             }
         }
     }
 
-    private void matte(HitRows rows, int i) {
+    private void writeMetallicDiffuse(HitRows rows, int i) {
         DoubleVector nl = lightCosine(rows, i);
-        DoubleVector below = nl.mul(one().sub(fifth(one().sub(nl))));
-        DoubleVector term = below.mul(one().sub(fifth(one().sub(viewCosine(rows, i)))));
-        ((FloatVector) term.castShape(F, 0)).intoArray(specular, i);
+        DoubleVector below = nl.mul(one().sub(pow5(one().sub(nl))));
+        DoubleVector term = below.mul(one().sub(pow5(one().sub(viewCosine(rows, i)))));
+        ((FloatVector) term.castShape(F, 0)).intoArray(specularTerms, i);
     }
 
     @Override
-    public void glosses(HitRows rows, int from, int to, int[] which, double alpha, float[] gloss, float[] grazing) {
+    public void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double alpha, float[] gloss, float[] grazing) {
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
-            int bits = which[b] & RowBits.within(b, from, to);
+            int bits = rowSet[b] & RowBits.rangeBits(b, from, to);
             if (bits != 0) {
                 int row = b * RowBits.WIDTH;
-                facets(rows, row, alpha);
-                merge(b, bits, specular, row, gloss);
-                merge(b, bits, grazed, row, grazing);
+                writeFacetTerms(rows, row, alpha);
+                mergeRows(b, bits, specularTerms, row, gloss);
+                mergeRows(b, bits, grazingTerms, row, grazing);
             }
         }
     }
 
-    /** Both terms of a word's rows, to {@link #specular} and {@link #grazed}. */
-    private void facets(HitRows rows, int row, double alpha) {
+    /** Both terms of a word's rows, to {@link #specularTerms} and {@link #grazingTerms}. */
+    private void writeFacetTerms(HitRows rows, int row, double alpha) {
         for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
-            microfacets(rows, i, alpha);
-            schlick(rows, i);
+            writeMicrofacetTerm(rows, i, alpha);
+            splitBySchlick(rows, i);
         }
     }
 
     /** Writes N·L·D·V to {@link #power}. */
-    private void microfacets(HitRows rows, int i, double alpha) {
+    private void writeMicrofacetTerm(HitRows rows, int i, double alpha) {
         DoubleVector nx = load(rows.nx, i);
         DoubleVector ny = load(rows.ny, i);
         DoubleVector nz = load(rows.nz, i);
@@ -486,20 +487,20 @@ final class LightLanes implements Terms {
         DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(load(rows.vz, i));
         DoubleVector nh = nx.mul(hx).add(ny.mul(hy)).add(nz.mul(hz));
         DoubleVector lengths = nx.mul(nx).add(ny.mul(ny)).add(nz.mul(nz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
-        DoubleVector c = unit(nh.mul(nh).div(lengths));
+        DoubleVector c = clampToUnit(nh.mul(nh).div(lengths));
         DoubleVector nl = lightCosine(rows, i);
         double a = alpha * alpha;
         DoubleVector t = c.mul(a - 1).add(1);
-        DoubleVector both = beside(nl, a).mul(beside(viewCosine(rows, i), a));
-        nl.mul(a).div(t.mul(t).mul(both)).intoArray(power, i);
+        DoubleVector visibility = smithTerm(nl, a).mul(smithTerm(viewCosine(rows, i), a));
+        nl.mul(a).div(t.mul(t).mul(visibility)).intoArray(power, i);
     }
 
-    private static DoubleVector beside(DoubleVector cosine, double a) {
+    private static DoubleVector smithTerm(DoubleVector cosine, double a) {
         return cosine.add(cosine.mul(cosine).mul(1 - a).add(a).lanewise(VectorOperators.SQRT));
     }
 
     /** Parts what stands in {@link #power} by (1 − V·H)⁵. */
-    private void schlick(HitRows rows, int i) {
+    private void splitBySchlick(HitRows rows, int i) {
         DoubleVector vx = load(rows.vx, i);
         DoubleVector vy = load(rows.vy, i);
         DoubleVector vz = load(rows.vz, i);
@@ -508,14 +509,14 @@ final class LightLanes implements Terms {
         DoubleVector hz = DoubleVector.fromArray(D, lz, i).sub(vz);
         DoubleVector vh = vx.mul(hx).add(vy.mul(hy)).add(vz.mul(hz)).neg();
         DoubleVector lengths = vx.mul(vx).add(vy.mul(vy)).add(vz.mul(vz)).mul(hx.mul(hx).add(hy.mul(hy)).add(hz.mul(hz)));
-        DoubleVector s = fifth(one().sub(unit(vh.div(lengths.lanewise(VectorOperators.SQRT)))));
+        DoubleVector s = pow5(one().sub(clampToUnit(vh.div(lengths.lanewise(VectorOperators.SQRT)))));
         DoubleVector facets = DoubleVector.fromArray(D, power, i);
-        ((FloatVector) facets.mul(one().sub(s)).castShape(F, 0)).intoArray(specular, i);
-        ((FloatVector) facets.mul(s).castShape(F, 0)).intoArray(grazed, i);
+        ((FloatVector) facets.mul(one().sub(s)).castShape(F, 0)).intoArray(specularTerms, i);
+        ((FloatVector) facets.mul(s).castShape(F, 0)).intoArray(grazingTerms, i);
     }
 
     /** Cut to 0…1; 0 for what is no number. */
-    private static DoubleVector unit(DoubleVector c) {
+    private static DoubleVector clampToUnit(DoubleVector c) {
         DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
         return positive.blend(1, positive.compare(VectorOperators.GT, 1));
     }
@@ -531,7 +532,7 @@ final class LightLanes implements Terms {
         return DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
     }
 
-    private static DoubleVector fifth(DoubleVector x) {
+    private static DoubleVector pow5(DoubleVector x) {
         DoubleVector square = x.mul(x);
         return square.mul(square).mul(x);
     }

@@ -5,9 +5,9 @@ import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.base.math.Power;
+import lightning.base.math.PowerFunction;
 
-/** {@link Power#of} in lanes: the same operations in the same order, hence the same bits. */
+/** {@link PowerFunction#pow} in lanes: the same operations in the same order, hence the same bits. */
 public final class PowerLanes {
     private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Long> L = LongVector.SPECIES_PREFERRED;
@@ -29,12 +29,12 @@ public final class PowerLanes {
         DoubleVector x = DoubleVector.fromArray(D, values, i);
         VectorMask<Double> normal = x.compare(VectorOperators.GE, Double.MIN_NORMAL);
         LongVector bits = x.reinterpretAsLongs();
-        LongVector mantissa = bits.and(Power.MANTISSA);
-        VectorMask<Long> upper = mantissa.compare(VectorOperators.GT, Power.SQRT2_MANTISSA);
+        LongVector mantissa = bits.and(PowerFunction.MANTISSA);
+        VectorMask<Long> upper = mantissa.compare(VectorOperators.GT, PowerFunction.SQRT2_MANTISSA);
         // The biased exponent, put into the mantissa of 2^52, is a double without a conversion.
         DoubleVector biased = bits.lanewise(VectorOperators.LSHR, 52).or(0x4330000000000000L).reinterpretAsDoubles().sub(0x1p52);
         DoubleVector exponent = biased.sub(DoubleVector.broadcast(D, 1023).blend(1022, upper.cast(D)));
-        DoubleVector m = mantissa.or(LongVector.broadcast(L, Power.ONE).blend(Power.HALF, upper)).reinterpretAsDoubles();
+        DoubleVector m = mantissa.or(LongVector.broadcast(L, PowerFunction.ONE).blend(PowerFunction.HALF, upper)).reinterpretAsDoubles();
         DoubleVector s = m.sub(1).div(m.add(1));
         DoubleVector z = s.mul(s);
         DoubleVector series = z.mul(1.0 / 19).add(1.0 / 17);
@@ -46,7 +46,7 @@ public final class PowerLanes {
         series = series.mul(z).add(1.0 / 5);
         series = series.mul(z).add(1.0 / 3);
         series = series.mul(z).add(1.0);
-        DoubleVector p = exponent.add(s.mul(Power.LOG2_E_TWICE).mul(series)).mul(n);
+        DoubleVector p = exponent.add(s.mul(PowerFunction.LOG2_E_TWICE).mul(series)).mul(n);
         DoubleVector zero = DoubleVector.broadcast(D, n == 0 ? 0 : Double.NEGATIVE_INFINITY);
         zero.blend(p, normal).intoArray(values, i);
     }
@@ -55,9 +55,9 @@ public final class PowerLanes {
     private static void exponential(double[] values, int i) {
         DoubleVector given = DoubleVector.fromArray(D, values, i);
         VectorMask<Double> none = given.compare(VectorOperators.EQ, Double.NEGATIVE_INFINITY);
-        DoubleVector p = given.blend(Power.LEAST_EXPONENT, given.compare(VectorOperators.LT, Power.LEAST_EXPONENT));
-        DoubleVector whole = p.add(Power.ROUND).sub(Power.ROUND);
-        DoubleVector y = p.sub(whole).mul(Power.LN2);
+        DoubleVector p = given.blend(PowerFunction.MIN_EXPONENT, given.compare(VectorOperators.LT, PowerFunction.MIN_EXPONENT));
+        DoubleVector rounded = p.add(PowerFunction.ROUND).sub(PowerFunction.ROUND);
+        DoubleVector y = p.sub(rounded).mul(PowerFunction.LN2);
         DoubleVector e = y.mul(1.0 / 479001600).add(1.0 / 39916800);
         e = e.mul(y).add(1.0 / 3628800);
         e = e.mul(y).add(1.0 / 362880);
@@ -71,7 +71,7 @@ public final class PowerLanes {
         e = e.mul(y).add(1);
         e = e.mul(y).add(1);
         // whole + 1023 as an integer, by the same trick backwards.
-        DoubleVector scale = whole.add(1023).add(0x1p52).reinterpretAsLongs().lanewise(VectorOperators.LSHL, 52).reinterpretAsDoubles();
+        DoubleVector scale = rounded.add(1023).add(0x1p52).reinterpretAsLongs().lanewise(VectorOperators.LSHL, 52).reinterpretAsDoubles();
         e.mul(scale).blend(0, none).intoArray(values, i);
     }
 }

@@ -1,12 +1,12 @@
 package lightning.render.engine.lanes;
 
-import lightning.render.trace.primitive.Surface;
+import lightning.render.trace.primitive.SurfaceHit;
 
-/** The surfaces that a packet's rays met, lane by lane, as {@link Surface} has them. */
+/** The surfaces that a packet's rays met, lane by lane, as {@link SurfaceHit} has them. */
 public final class SurfacePacket {
-    final double[] ownX = new double[RayPacket.WIDTH];
-    final double[] ownY = new double[RayPacket.WIDTH];
-    final double[] ownZ = new double[RayPacket.WIDTH];
+    final double[] localX = new double[RayPacket.WIDTH];
+    final double[] localY = new double[RayPacket.WIDTH];
+    final double[] localZ = new double[RayPacket.WIDTH];
     /** Points off the surface, render space. */
     public final float[] px = new float[RayPacket.WIDTH];
     public final float[] py = new float[RayPacket.WIDTH];

@@ -1,8 +1,8 @@
 package lightning.render.engine.scalar;
 
 import lightning.render.engine.Engine;
-import lightning.render.shading.Sums;
-import lightning.render.shading.Terms;
+import lightning.render.shading.SumKernel;
+import lightning.render.shading.TermKernel;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.Tracer;
 
@@ -17,12 +17,12 @@ public record ScalarEngine() implements Engine {
     }
 
     @Override
-    public Terms terms() {
+    public TermKernel terms() {
         return new ScalarTerms();
     }
 
     @Override
-    public Sums sums() {
+    public SumKernel sums() {
         return new ScalarSums();
     }
 }

@@ -1,33 +1,35 @@
 package lightning.render.engine.scalar;
 
-import lightning.render.shading.Addends;
-import lightning.render.shading.Shade;
-import lightning.render.shading.Sums;
+import lightning.render.shading.ShadingMaterial;
+import lightning.render.shading.SumKernel;
+import lightning.render.shading.SumOperands;
 import lightning.render.trace.HitRows;
 
-/** {@link Sums} in plain loops. */
-final class ScalarSums implements Sums {
+/** {@link SumKernel} in plain loops. */
+final class ScalarSums implements SumKernel {
     @Override
-    public void sum(int rows, Addends addends, float[][] to) {
+    public void sum(int rows, SumOperands addends, float[][] to) {
         sum(rows, addends, addends.red, addends.tintRed, addends.sumRed, to[0]);
         sum(rows, addends, addends.green, addends.tintGreen, addends.sumGreen, to[1]);
         sum(rows, addends, addends.blue, addends.tintBlue, addends.sumBlue, to[2]);
     }
 
     /** One channel. */
-    private static void sum(int rows, Addends addends, float[] weight, float[][] tint, float[][] sums, float[] to) {
+    private static void sum(int rows, SumOperands addends, float[] weight, float[][] tint, float[][] sums, float[] to) {
         for (int i = 0; i < rows; i++) {
             float sum = addends.tinted
-                    ? chain(i, addends, weight, tint, 0, addends.first) + chain(i, addends, weight, tint, addends.first, addends.lights)
-                    : chain(i, addends, weight, 0, addends.first) + chain(i, addends, weight, addends.first, addends.lights);
-            for (int s = 0; s < addends.sums; s++) {
+                    ? weightedSum(i, addends, weight, tint, 0, addends.firstChainLength)
+                            + weightedSum(i, addends, weight, tint, addends.firstChainLength, addends.lightCount)
+                    : weightedSum(i, addends, weight, 0, addends.firstChainLength)
+                            + weightedSum(i, addends, weight, addends.firstChainLength, addends.lightCount);
+            for (int s = 0; s < addends.sumCount; s++) {
                 sum += sums[s][i];
             }
             to[i] = sum;
         }
     }
 
-    private static float chain(int i, Addends addends, float[] weight, float[][] tint, int from, int to) {
+    private static float weightedSum(int i, SumOperands addends, float[] weight, float[][] tint, int from, int to) {
         float sum = 0;
         for (int l = from; l < to; l++) {
             sum += addends.term[l][i] * addends.falloff[l][i] * tint[l][i] * weight[l];
@@ -35,7 +37,7 @@ final class ScalarSums implements Sums {
         return sum;
     }
 
-    private static float chain(int i, Addends addends, float[] weight, int from, int to) {
+    private static float weightedSum(int i, SumOperands addends, float[] weight, int from, int to) {
         float sum = 0;
         for (int l = from; l < to; l++) {
             sum += addends.term[l][i] * addends.falloff[l][i] * weight[l];
@@ -44,25 +46,26 @@ final class ScalarSums implements Sums {
     }
 
     @Override
-    public void close(HitRows rows, int run, Shade shade, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
+    public void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular,
+            float[][] grazing,
             float[][] mirrored, float[][] to) {
         for (int c = 0; c < 3; c++) {
-            float emitted = shade.ambient()[c] * ambience;
-            float kd = shade.diffuse()[c];
-            float kr = shade.reflective()[c];
+            float emitted = material.ambient()[c] * ambience;
+            float kd = material.diffuse()[c];
+            float kr = material.reflective()[c];
             float[] texel = rows.texel(c);
             for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
-                float color = diffuse[c][i] * (shade.textured() ? texel[i] * kd : kd) + emitted;
-                if (shade.mirrors()) {
+                float color = diffuse[c][i] * (material.isTextured() ? texel[i] * kd : kd) + emitted;
+                if (material.isReflective()) {
                     color *= 1 - kr;
                 }
                 if (grazing != null) {
-                    float metal = shade.textured() ? texel[i] * shade.metal()[c] : shade.metal()[c];
-                    color += specular[c][i] * (metal + shade.specular()[c]) + grazing[c][i];
+                    float metal = material.isTextured() ? texel[i] * material.texturedF0()[c] : material.texturedF0()[c];
+                    color += specular[c][i] * (metal + material.specular()[c]) + grazing[c][i];
                 } else if (specular != null) {
-                    color += specular[c][i] * shade.specular()[c];
+                    color += specular[c][i] * material.specular()[c];
                 }
-                if (shade.mirrors()) {
+                if (material.isReflective()) {
                     color += mirrored[c][i] * kr;
                 }
                 to[c][i] = color;

@@ -1,32 +1,32 @@
 package lightning.render.engine.scalar;
 
 import java.util.Arrays;
-import lightning.base.math.Power;
-import lightning.render.shading.Lamp;
-import lightning.render.shading.LampArea;
+import lightning.base.math.PowerFunction;
+import lightning.render.shading.AreaSamples;
+import lightning.render.shading.LightSource;
 import lightning.render.shading.LightingEquation;
 import lightning.render.shading.RowBits;
-import lightning.render.shading.Terms;
+import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
-import lightning.render.trace.RowWays;
+import lightning.render.trace.RowShadowRays;
 import lightning.scene.Attenuation;
 
-/** {@link Terms} in plain loops, row by row. */
-final class ScalarTerms implements Terms {
+/** {@link TermKernel} in plain loops, row by row. */
+final class ScalarTerms implements TermKernel {
     /** The unit vector from each row to the light. */
-    private final double[] lx = new double[ROWS];
-    private final double[] ly = new double[ROWS];
-    private final double[] lz = new double[ROWS];
-    private final double[] distance = new double[ROWS];
+    private final double[] lx = new double[MAX_ROWS];
+    private final double[] ly = new double[MAX_ROWS];
+    private final double[] lz = new double[MAX_ROWS];
+    private final double[] distance = new double[MAX_ROWS];
     /** The cosine from the cone's axis, −1…1. */
-    private final double[] axisCosine = new double[ROWS];
+    private final double[] axisCosine = new double[MAX_ROWS];
 
     @Override
-    public void aim(HitRows rows, Lamp lamp) {
-        double x = lamp.source().x();
-        double y = lamp.source().y();
-        double z = lamp.source().z();
-        if (!lamp.type().hasPosition()) {
+    public void aim(HitRows rows, LightSource source) {
+        double x = source.position().x();
+        double y = source.position().y();
+        double z = source.position().z();
+        if (!source.type().hasPosition()) {
             Arrays.fill(lx, 0, rows.count, x);
             Arrays.fill(ly, 0, rows.count, y);
             Arrays.fill(lz, 0, rows.count, z);
@@ -38,11 +38,11 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
-    public void aim(HitRows rows, Lamp lamp, int s, double[] turn, int[] which, float[] cosine, int[] facing) {
-        LampArea area = lamp.area();
+    public void aim(HitRows rows, LightSource source, int s, double[] rotations, int[] rowSet, float[] cosine, int[] facing) {
+        AreaSamples area = source.samples();
         for (int i = 0; i < rows.count; i++) {
-            int k = LampArea.place(s, turn[i]);
-            if (lamp.type().hasPosition()) {
+            int k = AreaSamples.index(s, rotations[i]);
+            if (source.type().hasPosition()) {
                 aimAtPoint(rows, i, area.x[k], area.y[k], area.z[k]);
             } else {
                 lx[i] = area.x[k];
@@ -51,33 +51,33 @@ final class ScalarTerms implements Terms {
             }
         }
         cosines(rows, cosine);
-        facing(cosine, rows.count, facing);
+        selectFacing(cosine, rows.count, facing);
         for (int b = 0; b < RowBits.words(rows.count); b++) {
-            facing[b] &= which[b];
+            facing[b] &= rowSet[b];
         }
     }
 
     @Override
-    public void lead(HitRows rows, Lamp lamp, int s, int[] which, RowWays ways) {
-        LampArea area = lamp.area();
+    public void aimShadowRays(HitRows rows, LightSource source, int s, int[] rowSet, RowShadowRays shadowRays) {
+        AreaSamples area = source.samples();
         for (int i = 0; i < rows.count; i++) {
-            int k = LampArea.place(s, ways.turn[i]);
-            ways.x[i] = area.x[k];
-            ways.y[i] = area.y[k];
-            ways.z[i] = area.z[k];
+            int k = AreaSamples.index(s, shadowRays.rotation[i]);
+            shadowRays.x[i] = area.x[k];
+            shadowRays.y[i] = area.y[k];
+            shadowRays.z[i] = area.z[k];
         }
     }
 
     @Override
-    public void mayFace(HitRows rows, Lamp lamp, int[] may) {
+    public void addPossiblyFacing(HitRows rows, LightSource source, int[] candidates) {
         for (int b = 0; b < RowBits.words(rows.count); b++) {
-            may[b] = RowBits.valid(b, rows.count);
+            candidates[b] = RowBits.validBits(b, rows.count);
         }
     }
 
     @Override
-    public void mayShine(HitRows rows, int from, int to, Lamp lamp, double shininess, int[] may) {
-        RowBits.add(may, from, to);
+    public void addPossibleHighlights(HitRows rows, int from, int to, LightSource source, double shininess, int[] candidates) {
+        RowBits.add(candidates, from, to);
     }
 
     private void aimAtPoint(HitRows rows, int i, double x, double y, double z) {
@@ -85,28 +85,28 @@ final class ScalarTerms implements Terms {
         double vy = y - rows.py[i];
         double vz = z - rows.pz[i];
         double d = Math.sqrt(vx * vx + vy * vy + vz * vz);
-        boolean here = d < LightingEquation.NO_DISTANCE;
+        boolean atLight = d < LightingEquation.MIN_DISTANCE;
         double inverse = 1 / d;
         distance[i] = d;
-        lx[i] = here ? rows.nx[i] : vx * inverse;
-        ly[i] = here ? rows.ny[i] : vy * inverse;
-        lz[i] = here ? rows.nz[i] : vz * inverse;
+        lx[i] = atLight ? rows.nx[i] : vx * inverse;
+        ly[i] = atLight ? rows.ny[i] : vy * inverse;
+        lz[i] = atLight ? rows.nz[i] : vz * inverse;
     }
 
     @Override
-    public void measure(HitRows rows, Lamp lamp) {
+    public void computeDistances(HitRows rows, LightSource source) {
         for (int i = 0; i < rows.count; i++) {
-            double vx = lamp.source().x() - rows.px[i];
-            double vy = lamp.source().y() - rows.py[i];
-            double vz = lamp.source().z() - rows.pz[i];
+            double vx = source.position().x() - rows.px[i];
+            double vy = source.position().y() - rows.py[i];
+            double vz = source.position().z() - rows.pz[i];
             distance[i] = Math.sqrt(vx * vx + vy * vy + vz * vz);
         }
     }
 
     @Override
-    public void aimCone(HitRows rows, Lamp lamp) {
+    public void computeConeCosines(HitRows rows, LightSource source) {
         for (int i = 0; i < rows.count; i++) {
-            double c = -(lx[i] * lamp.axis().x() + ly[i] * lamp.axis().y() + lz[i] * lamp.axis().z());
+            double c = -(lx[i] * source.axis().x() + ly[i] * source.axis().y() + lz[i] * source.axis().z());
             axisCosine[i] = c < -1 ? -1 : c > 1 ? 1 : c;
         }
     }
@@ -119,7 +119,7 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
-    public void facing(float[] cosine, int rows, int[] facing) {
+    public void selectFacing(float[] cosine, int rows, int[] facing) {
         Arrays.fill(facing, 0, RowBits.words(rows), 0);
         for (int i = 0; i < rows; i++) {
             if (cosine[i] > 0) {
@@ -129,27 +129,27 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
-    public void inside(int[] among, int rows, double cosAngle, int[] inside) {
+    public void selectInside(int[] candidates, int rows, double cosAngle, int[] inside) {
         Arrays.fill(inside, 0, RowBits.words(rows), 0);
         for (int i = 0; i < rows; i++) {
-            if (RowBits.contains(among, i) && axisCosine[i] >= cosAngle) {
+            if (RowBits.contains(candidates, i) && axisCosine[i] >= cosAngle) {
                 RowBits.add(inside, i);
             }
         }
     }
 
     @Override
-    public void select(float[] values, int[] which, int rows, float[] to) {
+    public void select(float[] values, int[] rowSet, int rows, float[] to) {
         for (int i = 0; i < rows; i++) {
-            to[i] = RowBits.contains(which, i) ? values[i] : 0;
+            to[i] = RowBits.contains(rowSet, i) ? values[i] : 0;
         }
     }
 
     @Override
-    public void speculars(HitRows rows, int from, int to, int[] which, double shininess, float[] column) {
+    public void speculars(HitRows rows, int from, int to, int[] rowSet, double shininess, float[] column) {
         for (int i = from; i < to; i++) {
-            if (RowBits.contains(which, i)) {
-                column[i] = (float) Power.of(mirrorCosine(rows, i), shininess);
+            if (RowBits.contains(rowSet, i)) {
+                column[i] = (float) PowerFunction.pow(mirrorCosine(rows, i), shininess);
             }
         }
     }
@@ -175,20 +175,20 @@ final class ScalarTerms implements Terms {
     }
 
     @Override
-    public void mattes(HitRows rows, int from, int to, int[] which, float[] column) {
+    public void metallicDiffuses(HitRows rows, int from, int to, int[] rowSet, float[] column) {
         for (int i = from; i < to; i++) {
-            if (RowBits.contains(which, i)) {
+            if (RowBits.contains(rowSet, i)) {
                 double nl = lightCosine(rows, i);
-                column[i] = (float) (nl * (1 - fifth(1 - nl)) * (1 - fifth(1 - viewCosine(rows, i))));
+                column[i] = (float) (nl * (1 - pow5(1 - nl)) * (1 - pow5(1 - viewCosine(rows, i))));
             }
         }
     }
 
     @Override
-    public void glosses(HitRows rows, int from, int to, int[] which, double alpha, float[] gloss, float[] grazing) {
+    public void metallicSpeculars(HitRows rows, int from, int to, int[] rowSet, double alpha, float[] gloss, float[] grazing) {
         for (int i = from; i < to; i++) {
-            if (RowBits.contains(which, i)) {
-                double facets = microfacets(rows, i, alpha);
+            if (RowBits.contains(rowSet, i)) {
+                double facets = microfacetTerm(rows, i, alpha);
                 double schlick = schlick(rows, i);
                 gloss[i] = (float) (facets * (1 - schlick));
                 grazing[i] = (float) (facets * schlick);
@@ -207,13 +207,13 @@ final class ScalarTerms implements Terms {
         return c > 0 ? c : 0;
     }
 
-    private static double fifth(double x) {
+    private static double pow5(double x) {
         double square = x * x;
         return square * square * x;
     }
 
     /** N·L·D·V. */
-    private double microfacets(HitRows rows, int i, double alpha) {
+    private double microfacetTerm(HitRows rows, int i, double alpha) {
         double nx = rows.nx[i];
         double ny = rows.ny[i];
         double nz = rows.nz[i];
@@ -242,37 +242,37 @@ final class ScalarTerms implements Terms {
         double hz = lz[i] - vz;
         double vh = -(vx * hx + vy * hy + vz * hz);
         double c = vh / Math.sqrt((vx * vx + vy * vy + vz * vz) * (hx * hx + hy * hy + hz * hz));
-        return fifth(1 - (c > 0 ? c > 1 ? 1 : c : 0));
+        return pow5(1 - (c > 0 ? c > 1 ? 1 : c : 0));
     }
 
     @Override
-    public void falloffs(HitRows rows, Lamp lamp, float[] to) {
+    public void falloffs(HitRows rows, LightSource source, float[] to) {
         for (int i = 0; i < rows.count; i++) {
-            to[i] = (float) factor(lamp, i);
+            to[i] = (float) factor(source, i);
         }
     }
 
     @Override
-    public void add(float[] term, float[] falloff, int[] which, int rows, double[] sum) {
+    public void accumulate(float[] term, float[] falloff, int[] rowSet, int rows, double[] sum) {
         for (int i = 0; i < rows; i++) {
-            if (RowBits.contains(which, i)) {
+            if (RowBits.contains(rowSet, i)) {
                 sum[i] += falloff == null ? term[i] : (double) term[i] * falloff[i];
             }
         }
     }
 
     @Override
-    public void factors(HitRows rows, Lamp lamp, double[] to) {
+    public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
         for (int i = 0; i < rows.count; i++) {
-            to[i] = factor(lamp, i);
+            to[i] = factor(source, i);
         }
     }
 
-    private double factor(Lamp lamp, int i) {
-        Attenuation a = lamp.light().attenuation();
+    private double factor(LightSource source, int i) {
+        Attenuation a = source.light().attenuation();
         double d = distance[i];
         double factor = 1 / (a.constant() + a.linear() * d + a.quadratic() * (d * d));
         factor = factor < 1 ? factor : 1;
-        return lamp.hasCone() ? factor * Power.of(axisCosine[i] > 0 ? axisCosine[i] : 0, lamp.dropoff()) : factor;
+        return source.hasCone() ? factor * PowerFunction.pow(axisCosine[i] > 0 ? axisCosine[i] : 0, source.dropoff()) : factor;
     }
 }

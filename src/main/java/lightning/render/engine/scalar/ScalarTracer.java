@@ -1,186 +1,187 @@
 package lightning.render.engine.scalar;
 
 import lightning.render.trace.CameraRays;
-import lightning.render.trace.CrossingWalk;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RayColumns;
-import lightning.render.trace.RowWays;
-import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.SamplePositions;
+import lightning.render.trace.ShadowRayHitFinder;
+import lightning.render.trace.ShadowRays;
 import lightning.render.trace.Tracer;
-import lightning.render.trace.Ways;
-import lightning.render.trace.primitive.Crossings;
 import lightning.render.trace.primitive.PrimitiveTable;
-import lightning.render.trace.primitive.Surface;
-import lightning.render.trace.tree.Candidates;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.primitive.SurfaceHit;
+import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.PointBox;
-import lightning.render.trace.tree.RayWalk;
-import lightning.render.trace.tree.WayEnd;
+import lightning.render.trace.tree.RayTraversal;
+import lightning.render.trace.tree.ShadowRayTarget;
 
 /** Traces the rays of a tile one by one: slower than in lanes once these are compiled, and quick from the first ray on. */
 final class ScalarTracer implements Tracer {
     private final PrimitiveTable primitives;
-    private final RayWalk walk;
-    private final Surface surface = new Surface();
+    private final RayTraversal traversal;
+    private final SurfaceHit surface = new SurfaceHit();
     /** Made when it is needed first. */
-    private CrossingWalk crossings;
+    private ShadowRayHitFinder hitFinder;
 
     ScalarTracer(Geometry geometry) {
         primitives = geometry.primitives();
-        walk = new RayWalk(geometry.bvh());
+        traversal = new RayTraversal(geometry.bvh());
     }
 
     @Override
-    public Tracer among(Geometry others) {
-        return new ScalarTracer(others);
+    public Tracer withGeometry(Geometry geometry) {
+        return new ScalarTracer(geometry);
     }
 
     @Override
-    public void eye(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays) {
+    public void directEyeRays(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays) {
         for (int y = 0, ray = 0; y < lines; y++) {
             for (int x = 0; x < columns; x++) {
-                camera.at(column + x + 0.5, row + y + 0.5, rays.dx, rays.dy, rays.dz, ray++);
+                camera.writeDirection(column + x + 0.5, row + y + 0.5, rays.dx, rays.dy, rays.dz, ray++);
             }
         }
     }
 
     @Override
-    public void samples(CameraRays camera, SamplePlaces places, RayColumns rays) {
-        for (int ray = 0; ray < places.count(); ray++) {
-            camera.at(places.x(ray), places.y(ray), rays.dx, rays.dy, rays.dz, ray);
+    public void directSampleRays(CameraRays camera, SamplePositions positions, RayColumns rays) {
+        for (int ray = 0; ray < positions.count(); ray++) {
+            camera.writeDirection(positions.x(ray), positions.y(ray), rays.dx, rays.dy, rays.dz, ray);
         }
     }
 
     @Override
-    public void nearest(RayColumns rays, Candidates candidates) {
-        walk.leadTo(WayEnd.OPEN);
+    public void findNearest(RayColumns rays, CandidateList candidates) {
+        traversal.setTarget(ShadowRayTarget.OFF_SURFACE);
         for (int ray = 0; ray < rays.count; ray++) {
-            walk.enter(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
-            rays.primitive[ray] = walk.nearest(candidates);
-            rays.t[ray] = walk.distance();
-            rays.part[ray] = walk.part();
+            traversal.setRay(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
+            rays.primitive[ray] = traversal.nearest(candidates);
+            rays.t[ray] = traversal.distance();
+            rays.part[ray] = traversal.part();
         }
     }
 
     @Override
-    public void distances(RayColumns rays) {
-        walk.leadTo(WayEnd.OPEN);
+    public void writeDistances(RayColumns rays) {
+        traversal.setTarget(ShadowRayTarget.OFF_SURFACE);
         for (int ray = 0; ray < rays.count; ray++) {
             int s = rays.primitive[ray];
             if (s >= 0) {
-                walk.enter(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
-                walk.only(s);
-                rays.t[ray] = walk.distance();
-                rays.part[ray] = walk.part();
+                traversal.setRay(rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray], rays.dy[ray], rays.dz[ray]);
+                traversal.intersectPrimitive(s);
+                rays.t[ray] = traversal.distance();
+                rays.part[ray] = traversal.part();
             }
         }
     }
 
     @Override
-    public void surfaces(RayColumns rays, HitRows rows, boolean own) {
-        for (int row = 0; row < rays.hits; row++) {
-            surface(rays, row);
+    public void writeSurfaces(RayColumns rays, HitRows rows, boolean withLocalPoints) {
+        for (int row = 0; row < rays.hitCount; row++) {
+            computeSurface(rays, row);
             rows.px[row] = surface.px;
             rows.py[row] = surface.py;
             rows.pz[row] = surface.pz;
             rows.nx[row] = surface.nx;
             rows.ny[row] = surface.ny;
             rows.nz[row] = surface.nz;
-            if (own) {
-                own(rays, row);
+            if (withLocalPoints) {
+                copyLocalPoint(rays, row);
             }
         }
     }
 
     @Override
-    public void ownPoints(RayColumns rays) {
-        for (int row = 0; row < rays.hits; row++) {
-            surface(rays, row);
-            own(rays, row);
+    public void writeLocalPoints(RayColumns rays) {
+        for (int row = 0; row < rays.hitCount; row++) {
+            computeSurface(rays, row);
+            copyLocalPoint(rays, row);
         }
     }
 
-    private void surface(RayColumns rays, int row) {
+    private void computeSurface(RayColumns rays, int row) {
         int ray = rays.order[row];
-        surface.at(primitives, rays.primitive[ray], rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray), rays.dx[ray],
+        surface.compute(primitives, rays.primitive[ray], rays.part[ray], rays.originX(ray), rays.originY(ray), rays.originZ(ray),
+                rays.dx[ray],
                 rays.dy[ray],
                 rays.dz[ray], rays.t[ray]);
     }
 
-    private void own(RayColumns rays, int row) {
-        rays.ownX[row] = surface.ownX;
-        rays.ownY[row] = surface.ownY;
-        rays.ownZ[row] = surface.ownZ;
+    private void copyLocalPoint(RayColumns rays, int row) {
+        rays.localX[row] = surface.localX;
+        rays.localY[row] = surface.localY;
+        rays.localZ[row] = surface.localZ;
     }
 
     @Override
-    public void blocked(HitRows rows, int[] chosen, Ways ways, Candidates candidates, int[] blocked) {
-        double x = ways.source().x();
-        double y = ways.source().y();
-        double z = ways.source().z();
-        double limit = ways.limit();
-        walk.leadTo(ways.end());
-        for (int b = 0, first = 0; first < rows.count; b++, first += WORD) {
+    public void findBlocked(HitRows rows, int[] selected, ShadowRays shadowRays, CandidateList candidates, int[] blocked) {
+        double x = shadowRays.source().x();
+        double y = shadowRays.source().y();
+        double z = shadowRays.source().z();
+        double limit = shadowRays.limit();
+        traversal.setTarget(shadowRays.target());
+        for (int b = 0, first = 0; first < rows.count; b++, first += ROWS_PER_WORD) {
             int bits = 0;
-            for (int left = chosen[b]; left != 0; left &= left - 1) {
+            for (int left = selected[b]; left != 0; left &= left - 1) {
                 int i = Integer.numberOfTrailingZeros(left);
                 double px = rows.px[first + i];
                 double py = rows.py[first + i];
                 double pz = rows.pz[first + i];
-                if (ways.ends()) {
-                    walk.enter(px, py, pz, x - px, y - py, z - pz);
+                if (shadowRays.isPoint()) {
+                    traversal.setRay(px, py, pz, x - px, y - py, z - pz);
                 } else {
-                    walk.enter(px, py, pz, x, y, z);
+                    traversal.setRay(px, py, pz, x, y, z);
                 }
-                bits |= (walk.blocked(limit, candidates) ? 1 : 0) << i;
+                bits |= (traversal.isBlocked(limit, candidates) ? 1 : 0) << i;
             }
             blocked[b] = bits;
         }
     }
 
     @Override
-    public void blocked(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, int[] blocked) {
-        double limit = ways.limit();
-        walk.leadTo(WayEnd.OPEN);
-        for (int b = 0, first = 0; first < rows.count; b++, first += WORD) {
+    public void findBlocked(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, int[] blocked) {
+        double limit = shadowRays.limit();
+        traversal.setTarget(ShadowRayTarget.OFF_SURFACE);
+        for (int b = 0, first = 0; first < rows.count; b++, first += ROWS_PER_WORD) {
             int bits = 0;
-            for (int left = chosen[b]; left != 0; left &= left - 1) {
+            for (int left = selected[b]; left != 0; left &= left - 1) {
                 int i = first + Integer.numberOfTrailingZeros(left);
                 double px = rows.px[i];
                 double py = rows.py[i];
                 double pz = rows.pz[i];
-                if (!ways.open) {
-                    walk.leadTo(ways.end[i]);
+                if (!shadowRays.isOffSurface) {
+                    traversal.setTarget(shadowRays.target[i]);
                 }
-                if (ways.ends) {
-                    walk.enter(px, py, pz, ways.x[i] - px, ways.y[i] - py, ways.z[i] - pz);
+                if (shadowRays.toPoints) {
+                    traversal.setRay(px, py, pz, shadowRays.x[i] - px, shadowRays.y[i] - py, shadowRays.z[i] - pz);
                 } else {
-                    walk.enter(px, py, pz, ways.x[i], ways.y[i], ways.z[i]);
+                    traversal.setRay(px, py, pz, shadowRays.x[i], shadowRays.y[i], shadowRays.z[i]);
                 }
-                bits |= (walk.blocked(limit, candidates) ? 1 : 0) << i - first;
+                bits |= (traversal.isBlocked(limit, candidates) ? 1 : 0) << i - first;
             }
             blocked[b] = bits;
         }
     }
 
     @Override
-    public void cross(HitRows rows, int[] chosen, RowWays ways, Candidates candidates, Crossings to) {
-        if (crossings == null) {
-            crossings = new CrossingWalk(primitives);
+    public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+        if (hitFinder == null) {
+            hitFinder = new ShadowRayHitFinder(primitives);
         }
-        crossings.cross(rows, chosen, ways, candidates, to);
+        hitFinder.findHits(rows, selected, shadowRays, candidates, hits);
     }
 
     @Override
-    public PointBox box(float[] x, float[] y, float[] z, int from, int to) {
+    public PointBox bounds(float[] x, float[] y, float[] z, int from, int to) {
         PointBox box = new PointBox();
-        range(x, from, to, box, 0);
-        range(y, from, to, box, 1);
-        range(z, from, to, box, 2);
+        setRange(x, from, to, box, 0);
+        setRange(y, from, to, box, 1);
+        setRange(z, from, to, box, 2);
         return box;
     }
 
-    private static void range(float[] values, int from, int to, PointBox box, int axis) {
+    private static void setRange(float[] values, int from, int to, PointBox box, int axis) {
         float low = values[from];
         float high = low;
         for (int i = from + 1; i < to; i++) {

@@ -1,10 +1,10 @@
 package lightning.render.relight.paper;
 
 import java.util.Arrays;
-import lightning.render.shading.Lamp;
+import lightning.render.shading.AngularMask;
 import lightning.render.shading.LightRows;
-import lightning.render.shading.Shaping;
-import lightning.render.shading.Terms;
+import lightning.render.shading.LightSource;
+import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 
 /**
@@ -12,21 +12,21 @@ import lightning.render.trace.HitRows;
  * its old one, both computed, because neither is stored. Holds scratch columns: one for each thread.
  */
 final class AttenuationRatio {
-    private final Terms terms;
-    private final double[] before = new double[Terms.ROWS];
-    private final double[] after = new double[Terms.ROWS];
+    private final TermKernel terms;
+    private final double[] before = new double[TermKernel.MAX_ROWS];
+    private final double[] after = new double[TermKernel.MAX_ROWS];
     /** The ratio of each row; 1 where the row is not lit. */
-    final float[] ratio = new float[Terms.ROWS];
+    final float[] ratio = new float[TermKernel.MAX_ROWS];
 
-    private double least;
+    private double minFalloff;
 
-    AttenuationRatio(Terms terms) {
+    AttenuationRatio(TermKernel terms) {
         this.terms = terms;
     }
 
     /** The least of all falloffs, old and new, of the rows computed last, but not below the least normal float. */
-    double least() {
-        return least;
+    double minFalloff() {
+        return minFalloff;
     }
 
     /**
@@ -34,34 +34,34 @@ final class AttenuationRatio {
      *
      * @return whether there is one: not where an old falloff is 0 or too small to divide by
      */
-    boolean compute(HitRows rows, Lamp from, Lamp to, byte[] states) {
+    boolean compute(HitRows rows, LightSource from, LightSource to, byte[] states) {
         factors(rows, from, before);
         factors(rows, to, after);
         boolean usable = true;
-        least = 1;
+        minFalloff = 1;
         for (int i = 0; i < rows.count; i++) {
-            boolean lit = (states[i] & LightRows.STATE) == LightRows.LIT;
+            boolean lit = (states[i] & LightRows.STATE_MASK) == LightRows.LIT;
             ratio[i] = (float) (lit ? after[i] / before[i] : 1);
             usable &= !lit || before[i] >= Float.MIN_NORMAL;
-            least = Math.min(least, lit ? Math.min(before[i], after[i]) : 1);
+            minFalloff = Math.min(minFalloff, lit ? Math.min(before[i], after[i]) : 1);
         }
-        least = Math.max(least, Float.MIN_NORMAL);
+        minFalloff = Math.max(minFalloff, Float.MIN_NORMAL);
         return usable;
     }
 
-    private void factors(HitRows rows, Lamp lamp, double[] to) {
-        if (!lamp.type().hasPosition()) {
+    private void factors(HitRows rows, LightSource source, double[] to) {
+        if (!source.type().hasPosition()) {
             Arrays.fill(to, 0, rows.count, 1);
             return;
         }
-        terms.aim(rows, lamp);
-        if (lamp.hasCone()) {
-            terms.aimCone(rows, lamp);
+        terms.aim(rows, source);
+        if (source.hasCone()) {
+            terms.computeConeCosines(rows, source);
         }
-        terms.factors(rows, lamp, to);
-        Shaping doors = Shaping.of(lamp);
-        if (doors != null) {
-            doors.multiply(rows, to);
+        terms.unroundedFalloffs(rows, source, to);
+        AngularMask mask = AngularMask.of(source);
+        if (mask != null) {
+            mask.multiply(rows, to);
         }
     }
 }

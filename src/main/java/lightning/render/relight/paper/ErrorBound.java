@@ -1,11 +1,11 @@
 package lightning.render.relight.paper;
 
 import java.util.List;
-import lightning.render.cache.KnownLight;
+import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 
 /**
  * How far the film may be from the exact one: relative for each value, plus an absolute part.
@@ -26,27 +26,27 @@ public record ErrorBound(double relative, double absolute) {
         LayerStamp[] top = stamps(cache.lights());
         LayerStamp[] mirrors = stamps(cache.mirroredLights());
         int depth = cache.mirroredScene().picture().depth();
-        Sampling sampling = cache.scene().picture().sampling();
-        int samples = sampling.isFine() ? sampling.perPixel() : 1;
+        SamplingSettings sampling = cache.scene().picture().sampling();
+        int samples = sampling.isSupersampled() ? sampling.samplesPerPixel() : 1;
         double relative = Math.max(RatioBound.relative(top, 0, samples), RatioBound.relative(mirrors, depth, samples));
         if (relative == 0) {
             return NONE;
         }
-        return new ErrorBound(relative, RatioBound.absolute(top, 1, RatioBound.terms(cache.geometry().materials()))
-                + RatioBound.absolute(mirrors, depth, RatioBound.terms(cache.mirroredGeometry().materials())));
+        return new ErrorBound(relative, RatioBound.absolute(top, 1, RatioBound.maxTermSum(cache.geometry().materials()))
+                + RatioBound.absolute(mirrors, depth, RatioBound.maxTermSum(cache.mirroredGeometry().materials())));
     }
 
-    private static LayerStamp[] stamps(List<KnownLight> lights) {
-        return lights.stream().map(KnownLight::stamp).toArray(LayerStamp[]::new);
+    private static LayerStamp[] stamps(List<CachedLight> lights) {
+        return lights.stream().map(CachedLight::stamp).toArray(LayerStamp[]::new);
     }
 
     /** The bound for the brightest value of the film, linear: no value is off by more. */
-    public double largest(PixelCache cache) {
-        return relative == 0 ? absolute : relative * cache.brightest() + absolute;
+    public double maxError(PixelCache cache) {
+        return relative == 0 ? absolute : relative * cache.maxValue() + absolute;
     }
 
     /** Whether an error of this size could change what is displayed at an exposure, in stops. */
-    public boolean shows(double exposure, DisplayCurve curve) {
+    public boolean isVisible(double exposure, DisplayCurve curve) {
         double scaled = Math.pow(2, exposure) * absolute;
         return HALF_STEP < switch (curve) {
             case SRGB -> SRGB_RELATIVE_SLOPE * relative + SRGB_STEEPEST * scaled;

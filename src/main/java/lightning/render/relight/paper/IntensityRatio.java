@@ -1,6 +1,6 @@
 package lightning.render.relight.paper;
 
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.WeightedLight;
 
 /**
  * The paper's update after a change of colour or intensity (§4.1): new over old weight, one factor for
@@ -14,7 +14,7 @@ record IntensityRatio(float red, float green, float blue) {
      * so small that contributions made with it have lost digits: these are not even scaled by falloffs, though their
      * weight stays.
      */
-    static IntensityRatio between(Luminaire before, Luminaire after) {
+    static IntensityRatio between(WeightedLight before, WeightedLight after) {
         return new IntensityRatio(ratio(before.red(), after.red()), ratio(before.green(), after.green()),
                 ratio(before.blue(), after.blue()));
     }

@@ -46,11 +46,11 @@ import lightning.scene.Light;
  * specular contributions, on each level of mirrors.
  *
  * <p>So far no term is above 1. Of a metallic material the specular and the grazing one are at most T
- * ({@link MaterialTable#mostTerm}); each loss above is at most that of a term of 1, T times, so that A is 1 + 2T times the sum.
+ * ({@link MaterialTable#maxTerm}); each loss above is at most that of a term of 1, T times, so that A is 1 + 2T times the sum.
  */
 final class RatioBound {
-    private static final double UNIT = 0x1p-24;
-    private static final double TINY = 0x1p-150;
+    private static final double UNIT_ROUNDOFF = 0x1p-24;
+    private static final double UNDERFLOW = 0x1p-150;
 
     private RatioBound() {}
 
@@ -59,21 +59,21 @@ final class RatioBound {
      *
      * @param weight       whether weights were scaled
      * @param falloff      whether falloffs were scaled
-     * @param leastFalloff the least falloff, old or new, of rows whose falloff was scaled
+     * @param minFalloff the least falloff, old or new, of rows whose falloff was scaled
      */
-    static ScaledStamp scaled(LayerStamp stamp, Light light, boolean weight, boolean falloff, double leastFalloff) {
+    static ScaledStamp stampAfterScaling(LayerStamp stamp, Light light, boolean weight, boolean falloff, double minFalloff) {
         ScaledStamp before = ScaledStamp.of(stamp);
         int scalings = (weight ? 1 : 0) + (falloff ? 1 : 0);
-        double lost = scalings == 0 ? 0 : 4 * TINY * (weight(before.light()) + weight(light) + 4) / leastWeight(light);
-        double ofWeight = Math.max(before.lostOfWeight(), lostAtOnce(before.light())) + lost;
+        double loss = scalings == 0 ? 0 : 4 * UNDERFLOW * (weight(before.light()) + weight(light) + 4) / minWeight(light);
+        double ofWeight = Math.max(before.weightLoss(), initialLoss(before.light())) + loss;
         return new ScaledStamp(light, before.roundings() + 2 * scalings,
-                falloff ? before.lostOfContribution() + ofWeight / leastFalloff : before.lostOfContribution(),
+                falloff ? before.contributionLoss() + ofWeight / minFalloff : before.contributionLoss(),
                 falloff ? 0 : ofWeight);
     }
 
     /** What contributions lose that are computed and not scaled, as a share of the weight. */
-    private static double lostAtOnce(Light light) {
-        return 2 * TINY * (weight(light) + 1) / leastWeight(light);
+    private static double initialLoss(Light light) {
+        return 2 * UNDERFLOW * (weight(light) + 1) / minWeight(light);
     }
 
     private static double weight(Light light) {
@@ -81,15 +81,15 @@ final class RatioBound {
     }
 
     /** The least weight of a channel that is a normal float; +∞ where there is none. */
-    private static double leastWeight(Light light) {
-        double least = Double.POSITIVE_INFINITY;
+    private static double minWeight(Light light) {
+        double min = Double.POSITIVE_INFINITY;
         Rgb weight = light.weight();
         for (double channel : new double[] {weight.r(), weight.g(), weight.b()}) {
             // Rounded as the contributions' weight is.
             float w = (float) channel;
-            least = w >= Float.MIN_NORMAL ? Math.min(least, w) : least;
+            min = w >= Float.MIN_NORMAL ? Math.min(min, w) : min;
         }
-        return least;
+        return min;
     }
 
     /**
@@ -99,39 +99,39 @@ final class RatioBound {
      * @param samples of how many samples a pixel is the mean
      */
     static double relative(LayerStamp[] stamps, int mirrors, int samples) {
-        int most = 0;
+        int max = 0;
         for (LayerStamp stamp : stamps) {
-            most = Math.max(most, stamp instanceof ScaledStamp scaled ? scaled.roundings() : 0);
+            max = Math.max(max, stamp instanceof ScaledStamp scaled ? scaled.roundings() : 0);
         }
-        if (most == 0) {
+        if (max == 0) {
             return 0;
         }
-        int mean = samples == 1 ? 0 : depth(samples) + 1;
-        double n = 6 + most + 2.0 * (depth(stamps.length) + 5 + 2 * mirrors + mean);
-        double gamma = n * UNIT / (1 - n * UNIT);
+        int mean = samples == 1 ? 0 : treeDepth(samples) + 1;
+        double n = 6 + max + 2.0 * (treeDepth(stamps.length) + 5 + 2 * mirrors + mean);
+        double gamma = n * UNIT_ROUNDOFF / (1 - n * UNIT_ROUNDOFF);
         return gamma / (1 - gamma);
     }
 
     /** The depth of the balanced sum of so many terms: ⌈log₂ terms⌉. */
-    private static int depth(int terms) {
+    private static int treeDepth(int terms) {
         return 32 - Integer.numberOfLeadingZeros(Math.max(0, terms - 1));
     }
 
     /** What the terms of one light over rows of these materials at most add up to. */
-    static double terms(MaterialTable materials) {
-        return materials.hasMetallic() ? 1 + 2 * materials.mostTerm() : 2;
+    static double maxTermSum(MaterialTable materials) {
+        return materials.hasMetallic() ? 1 + 2 * materials.maxTerm() : 2;
     }
 
     /**
      * The absolute part A of as many levels as given.
      *
-     * @param terms what the terms of one light at most add up to ({@link #terms})
+     * @param terms what the terms of one light at most add up to ({@link #maxTermSum})
      */
     static double absolute(LayerStamp[] stamps, int levels, double terms) {
         double sum = 0;
         for (LayerStamp stamp : stamps) {
             if (stamp instanceof ScaledStamp scaled && scaled.roundings() > 0) {
-                sum += weight(scaled.light()) * (scaled.lostOfContribution() + scaled.lostOfWeight()) + 2 * Float.MIN_NORMAL;
+                sum += weight(scaled.light()) * (scaled.contributionLoss() + scaled.weightLoss()) + 2 * Float.MIN_NORMAL;
             }
         }
         return levels * terms * sum;

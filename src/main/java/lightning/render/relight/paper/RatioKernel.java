@@ -4,14 +4,14 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import lightning.render.column.ColumnSet;
-import lightning.render.shading.Columns;
+import lightning.render.shading.ColumnAllocator;
 import lightning.render.shading.ConeChange;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightRows;
 import lightning.render.shading.LightingEquation;
-import lightning.render.shading.Luminaire;
 import lightning.render.shading.ScratchColumns;
-import lightning.render.shading.Terms;
+import lightning.render.shading.TermKernel;
+import lightning.render.shading.WeightedLight;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
@@ -22,83 +22,88 @@ import lightning.render.trace.ShapeChange;
  * multiplied in, and scaled by ratios. Holds scratch memory: one for each thread.
  */
 public final class RatioKernel {
-    private static final float[] ZEROS = new float[Terms.ROWS];
+    private static final float[] ZEROS = new float[TermKernel.MAX_ROWS];
 
-    private final LightKernel exact;
+    private final LightKernel lightKernel;
     private final AttenuationRatio falloffs;
     private final ScratchColumns scratch = new ScratchColumns();
-    private double leastFalloff = 1;
+    private double minFalloff = 1;
     private long rowsScaled;
 
     public RatioKernel(LightKernel exact) {
-        this.exact = exact;
+        this.lightKernel = exact;
         falloffs = new AttenuationRatio(exact.terms());
     }
 
     /**
-     * The least falloff, before or after, of any row whose contributions {@link #partial} scaled by a ratio of falloffs
+     * The least falloff, before or after, of any row whose contributions {@link #update} scaled by a ratio of falloffs
      * since the start; where it is below the least normal float, that.
      */
-    double leastFalloff() {
-        return leastFalloff;
+    double minFalloff() {
+        return minFalloff;
     }
 
     /** Rows of layers that were looked at, written or scaled since the start. */
     long rowsTouched() {
-        return exact.rowsTouched() + rowsScaled;
+        return lightKernel.rowsTouched() + rowsScaled;
     }
 
     /** All contributions, shadow rays included: the worst case, and the paper's answer to an old value of 0. */
-    public RatioRows full(HitRows rows, Luminaire light) {
+    public RatioRows recompute(HitRows rows, WeightedLight light) {
         scratch.reset();
-        return contributions(rows, light, exact.full(rows, light.lamp(), scratch), Columns.FRESH.states(rows.count));
+        return contributions(rows, light, lightKernel.recompute(rows, light.source(), scratch),
+                ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
     /** All contributions anew for rows whose states are known: no shadow ray is cast. */
-    RatioRows again(HitRows rows, Luminaire light, RatioRows before) {
+    RatioRows recomputeContributions(HitRows rows, WeightedLight light, RatioRows before) {
         scratch.reset();
-        return contributions(rows, light, exact.again(rows, light.lamp(), before, scratch), Columns.FRESH.states(rows.count));
+        return contributions(rows, light, lightKernel.recomputeTerms(rows, light.source(), before, scratch),
+                ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
     /** The terms of rows whose states are known, in columns that are valid until the next call; no shadow ray is cast. */
-    LightRows terms(HitRows rows, Luminaire light, RatioRows layer) {
+    LightRows terms(HitRows rows, WeightedLight light, RatioRows layer) {
         scratch.reset();
-        return exact.again(rows, light.lamp(), layer, scratch);
+        return lightKernel.recomputeTerms(rows, light.source(), layer, scratch);
     }
 
-    /** All contributions from terms that are known: the same as {@link #full} would give, and no ray is cast. */
-    RatioRows of(HitRows rows, Luminaire light, LightRows layer) {
-        rowsScaled += layer.lit;
-        return contributions(rows, light, layer, Columns.FRESH.states(rows.count));
+    /** All contributions from terms that are known: the same as {@link #recompute} would give, and no ray is cast. */
+    RatioRows fromTerms(HitRows rows, WeightedLight light, LightRows layer) {
+        rowsScaled += layer.litCount;
+        return contributions(rows, light, layer, ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    private RatioRows contributions(HitRows rows, Luminaire light, LightRows layer, byte[] states) {
+    private RatioRows contributions(HitRows rows, WeightedLight light, LightRows layer, byte[] states) {
         if (layer.state == LightRows.UNREACHED.state) {
             return RatioRows.UNREACHED;
         }
         System.arraycopy(layer.state, 0, states, 0, rows.count);
-        if (layer.lit == 0) {
-            return new RatioRows(states, null, null, null, kept(rows, layer.seen()), 0).withTint(kept(rows, layer.tint()));
+        if (layer.litCount == 0) {
+            return new RatioRows(states, null, null, null, copyCompact(rows, layer.visibleSamples()), 0)
+                    .withTint(copyCompact(rows, layer.tint()));
         }
         float[][] diffuse = weighted(rows, light, layer.cosine, layer);
         float[][] specular = layer.specular == null ? null : weighted(rows, light, layer.specular, layer);
         float[][] grazing = layer.grazing == null ? null : weighted(rows, light, layer.grazing, layer);
-        return new RatioRows(states, diffuse, specular, grazing, kept(rows, layer.seen()), layer.lit).withTint(kept(rows, layer.tint()));
+        return new RatioRows(states, diffuse, specular, grazing, copyCompact(rows, layer.visibleSamples()), layer.litCount)
+                .withTint(copyCompact(rows, layer.tint()));
     }
 
     /** A copy that stays, just long enough. */
-    private static float[][] kept(HitRows rows, float[][] tint) {
+    private static float[][] copyCompact(HitRows rows, float[][] tint) {
         return tint == null ? null
-                : Arrays.stream(tint).map(column -> Arrays.copyOf(column, HitRows.padded(rows.count))).toArray(float[][]::new);
+                : Arrays.stream(tint).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows.count))).toArray(float[][]::new);
     }
 
     /** A copy that stays, just long enough. */
-    private static short[][] kept(HitRows rows, short[][] seen) {
-        return seen == null ? null
-                : Arrays.stream(seen).map(column -> Arrays.copyOf(column, HitRows.padded(rows.count))).toArray(short[][]::new);
+    private static short[][] copyCompact(HitRows rows, short[][] visibleSamples) {
+        return visibleSamples == null ? null
+                : Arrays.stream(visibleSamples).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows.count)))
+                        .toArray(short[][]::new);
     }
 
-    private static float[][] weighted(HitRows rows, Luminaire light, float[] term, LightRows layer) {
+    private static float[][] weighted(HitRows rows, WeightedLight light, float[] term, LightRows layer) {
         float[][] out = columns(rows);
         float[][] tint = layer.tint();
         for (int i = 0; i < rows.count && tint != null; i++) {
@@ -109,77 +114,79 @@ public final class RatioKernel {
         }
         float[] falloff = layer.falloff;
         for (int i = 0; i < rows.count && tint == null; i++) {
-            float faded = falloff == null ? term[i] : term[i] * falloff[i];
-            out[0][i] = light.red() * faded;
-            out[1][i] = light.green() * faded;
-            out[2][i] = light.blue() * faded;
+            float premultiplied = falloff == null ? term[i] : term[i] * falloff[i];
+            out[0][i] = light.red() * premultiplied;
+            out[1][i] = light.green() * premultiplied;
+            out[2][i] = light.blue() * premultiplied;
         }
         return out;
     }
 
     private static float[][] columns(HitRows rows) {
-        return new float[][] {Columns.FRESH.floats(rows.count), Columns.FRESH.floats(rows.count), Columns.FRESH.floats(rows.count)};
+        return new float[][] {ColumnAllocator.NEW_ARRAYS.floats(rows.count), ColumnAllocator.NEW_ARRAYS.floats(rows.count),
+            ColumnAllocator.NEW_ARRAYS.floats(rows.count)};
     }
 
     /** The paper's updates of colour, intensity, attenuation, dropoff and angle, alone or together. */
-    public RatioRows partial(HitRows rows, Luminaire from, Luminaire to, RatioRows before, ConeChange cone, boolean falloff) {
-        if (to.lamp().isArea() && (cone != ConeChange.NONE || falloff)) {
-            return anew(rows, to, before, cone);
+    public RatioRows update(HitRows rows, WeightedLight from, WeightedLight to, RatioRows before, ConeChange cone, boolean falloff) {
+        if (to.source().isArea() && (cone != ConeChange.NONE || falloff)) {
+            return recomputeArea(rows, to, before, cone);
         }
         IntensityRatio intensity = IntensityRatio.between(from, to);
         if (!intensity.isUsable()) {
-            return full(rows, to);
+            return recompute(rows, to);
         }
-        if (before.tint() != null && !to.lamp().isArea()) {
-            return retinted(rows, to, before, cone);
+        if (before.tint() != null && !to.source().isArea()) {
+            return recomputeTinted(rows, to, before, cone);
         }
-        if (before.lit() == 0 && cone != ConeChange.ANGLE_ADD) {
-            return cone == ConeChange.NONE ? before : moved(rows, to, before, before, cone);
+        if (before.litCount() == 0 && cone != ConeChange.ANGLE_ADD) {
+            return cone == ConeChange.NONE ? before : updateCone(rows, to, before, before, cone);
         }
-        if (falloff && before.lit() > 0) {
-            if (!falloffs.compute(rows, from.lamp(), to.lamp(), before.states())) {
-                return full(rows, to);
+        if (falloff && before.litCount() > 0) {
+            if (!falloffs.compute(rows, from.source(), to.source(), before.states())) {
+                return recompute(rows, to);
             }
-            leastFalloff = Math.min(leastFalloff, falloffs.least());
+            minFalloff = Math.min(minFalloff, falloffs.minFalloff());
         }
-        RatioRows scaled = scaled(rows, before, intensity, falloff && before.lit() > 0);
-        return cone == ConeChange.NONE ? scaled : moved(rows, to, before, scaled, cone);
+        RatioRows scaled = scale(rows, before, intensity, falloff && before.litCount() > 0);
+        return cone == ConeChange.NONE ? scaled : updateCone(rows, to, before, scaled, cone);
     }
 
     /** Samples of one row fall off by different ratios, so that no ratio of their sum is known: it is computed anew, without a ray. */
-    private RatioRows anew(HitRows rows, Luminaire light, RatioRows before, ConeChange cone) {
+    private RatioRows recomputeArea(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
         scratch.reset();
-        LightRows known = known(before);
-        LightRows now = exact.partial(rows, light.lamp(), known, cone, true, scratch);
-        return now == known ? before : contributions(rows, light, now, Columns.FRESH.states(rows.count));
+        LightRows known = toTermLayer(before);
+        LightRows updated = lightKernel.update(rows, light.source(), known, cone, true, scratch);
+        return updated == known ? before : contributions(rows, light, updated, ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
     /** What passes of the light is one rounding more, which no bound of ratios counts: it is computed anew, without a ray. */
-    private RatioRows retinted(HitRows rows, Luminaire light, RatioRows before, ConeChange cone) {
+    private RatioRows recomputeTinted(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
         scratch.reset();
-        LightRows known = known(before);
-        LightRows moved = cone == ConeChange.NONE ? known : exact.partial(rows, light.lamp(), known, cone, false, scratch);
-        return contributions(rows, light, exact.again(rows, light.lamp(), moved, scratch), Columns.FRESH.states(rows.count));
+        LightRows known = toTermLayer(before);
+        LightRows coneUpdated = cone == ConeChange.NONE ? known : lightKernel.update(rows, light.source(), known, cone, false, scratch);
+        return contributions(rows, light, lightKernel.recomputeTerms(rows, light.source(), coneUpdated, scratch),
+                ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
     /** A layer of which the states are known, what samples see and what passes of the light. */
-    private static LightRows known(RatioRows before) {
-        return new LightRows(before.states(), before.lit() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
-                before.grazing == null ? null : ZEROS, null, before.seen(), before.lit()).withTint(before.tint());
+    private static LightRows toTermLayer(RatioRows before) {
+        return new LightRows(before.states(), before.litCount() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
+                before.grazing == null ? null : ZEROS, null, before.visibleSamples(), before.litCount()).withTint(before.tint());
     }
 
-    private RatioRows scaled(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
-        if (before.lit() == 0 || !falloff && intensity.equals(IntensityRatio.NONE)) {
+    private RatioRows scale(HitRows rows, RatioRows before, IntensityRatio intensity, boolean falloff) {
+        if (before.litCount() == 0 || !falloff && intensity.equals(IntensityRatio.NONE)) {
             return before;
         }
-        rowsScaled += before.lit();
-        return new RatioRows(before.states(), scaled(rows, before.diffuse, intensity, falloff),
-                before.specular == null ? null : scaled(rows, before.specular, intensity, falloff),
-                before.grazing == null ? null : scaled(rows, before.grazing, intensity, falloff), before.seen(), before.lit())
+        rowsScaled += before.litCount();
+        return new RatioRows(before.states(), scale(rows, before.diffuse, intensity, falloff),
+                before.specular == null ? null : scale(rows, before.specular, intensity, falloff),
+                before.grazing == null ? null : scale(rows, before.grazing, intensity, falloff), before.visibleSamples(), before.litCount())
                 .withTint(before.tint());
     }
 
-    private float[][] scaled(HitRows rows, float[][] from, IntensityRatio intensity, boolean falloff) {
+    private float[][] scale(HitRows rows, float[][] from, IntensityRatio intensity, boolean falloff) {
         float[][] to = columns(rows);
         for (int c = 0; c < 3; c++) {
             float factor = intensity.channel(c);
@@ -199,11 +206,11 @@ public final class RatioKernel {
     }
 
     /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
-    private RatioRows moved(HitRows rows, Luminaire light, RatioRows before, RatioRows scaled, ConeChange cone) {
+    private RatioRows updateCone(HitRows rows, WeightedLight light, RatioRows before, RatioRows scaled, ConeChange cone) {
         scratch.reset();
-        LightRows known = known(before);
-        LightRows now = exact.partial(rows, light.lamp(), known, cone, false, scratch);
-        return now.state == known.state ? scaled : joined(rows, light, before, scaled, now);
+        LightRows known = toTermLayer(before);
+        LightRows coneUpdated = lightKernel.update(rows, light.source(), known, cone, false, scratch);
+        return coneUpdated.state == known.state ? scaled : mergeRows(rows, light, before, scaled, coneUpdated);
     }
 
     /**
@@ -212,31 +219,32 @@ public final class RatioKernel {
      *
      * @param light the light that the layer was computed for
      */
-    RatioRows shadowed(HitRows rows, Luminaire light, RatioRows before, ShapeChange change) {
+    RatioRows updateShadows(HitRows rows, WeightedLight light, RatioRows before, ShapeChange change) {
         scratch.reset();
-        LightRows known = known(before);
-        LightRows now = exact.shadowed(rows, light.lamp(), known, change, scratch);
-        if (now != known && (now.tint() != null || known.tint() != null)) {
-            return contributions(rows, light, exact.again(rows, light.lamp(), now, scratch), Columns.FRESH.states(rows.count));
+        LightRows known = toTermLayer(before);
+        LightRows updated = lightKernel.updateShadows(rows, light.source(), known, change, scratch);
+        if (updated != known && (updated.tint() != null || known.tint() != null)) {
+            return contributions(rows, light, lightKernel.recomputeTerms(rows, light.source(), updated, scratch),
+                    ColumnAllocator.NEW_ARRAYS.states(rows.count));
         }
-        return now == known ? before
-                : joined(rows, light, before, before, exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch));
+        return updated == known ? before
+                : mergeRows(rows, light, before, before, lightKernel.update(rows, light.source(), updated, ConeChange.NONE, true, scratch));
     }
 
-    /** Rows that were lit before and are so {@code now} from {@code scaled}, others from what is known now. */
-    private RatioRows joined(HitRows rows, Luminaire light, RatioRows before, RatioRows scaled, LightRows now) {
-        RatioRows entered = contributions(rows, light, now, Columns.FRESH.states(rows.count));
-        for (int i = 0; i < rows.count && entered.lit() > 0; i++) {
-            boolean stays = (before.states()[i] & LightRows.STATE) == LightRows.LIT
-                    && (entered.states()[i] & LightRows.STATE) == LightRows.LIT;
+    /** Rows that were lit before and are so {@code updated} from {@code scaled}, others from what is known now. */
+    private RatioRows mergeRows(HitRows rows, WeightedLight light, RatioRows before, RatioRows scaled, LightRows updated) {
+        RatioRows entered = contributions(rows, light, updated, ColumnAllocator.NEW_ARRAYS.states(rows.count));
+        for (int i = 0; i < rows.count && entered.litCount() > 0; i++) {
+            boolean stays = (before.states()[i] & LightRows.STATE_MASK) == LightRows.LIT
+                    && (entered.states()[i] & LightRows.STATE_MASK) == LightRows.LIT;
             if (stays) {
-                take(scaled.diffuse, entered.diffuse, i);
+                copyRow(scaled.diffuse, entered.diffuse, i);
                 // A layer that was known exactly may lack highlights that are 0: those of now are, too.
                 if (entered.specular != null && scaled.specular != null) {
-                    take(scaled.specular, entered.specular, i);
+                    copyRow(scaled.specular, entered.specular, i);
                 }
                 if (entered.grazing != null) {
-                    take(scaled.grazing, entered.grazing, i);
+                    copyRow(scaled.grazing, entered.grazing, i);
                 }
             }
         }
@@ -250,37 +258,41 @@ public final class RatioKernel {
      * @param light   the light that the layer was computed for
      * @param changed materials whose shininess, roughness or model changed, or that got or lost their highlights
      */
-    RatioRows speculars(HitRows rows, Luminaire light, RatioRows before, MaterialSet changed) {
-        if (before.lit() == 0 || !changed.isIn(rows)) {
-            return before.grazing == null || exact.hasMetallic(rows) ? before
-                    : new RatioRows(before.states(), before.diffuse, before.specular, null, before.seen(), before.lit())
+    RatioRows updateSpeculars(HitRows rows, WeightedLight light, RatioRows before, MaterialSet changed) {
+        if (before.litCount() == 0 || !changed.intersects(rows)) {
+            return before.grazing == null || lightKernel.hasMetallic(rows) ? before
+                    : new RatioRows(before.states(), before.diffuse, before.specular, null, before.visibleSamples(), before.litCount())
                             .withTint(before.tint());
         }
         scratch.reset();
-        LightRows known = known(before);
-        LightRows now = exact.speculars(rows, light.lamp(), known, changed, scratch);
-        if (now.specular == null && now.cosine == known.cosine) {
-            return new RatioRows(before.states(), before.diffuse, null, null, before.seen(), before.lit()).withTint(before.tint());
+        LightRows known = toTermLayer(before);
+        LightRows updated = lightKernel.updateSpeculars(rows, light.source(), known, changed, scratch);
+        if (updated.specular == null && updated.cosine == known.cosine) {
+            return new RatioRows(before.states(), before.diffuse, null, null, before.visibleSamples(), before.litCount())
+                    .withTint(before.tint());
         }
-        LightRows faded = exact.partial(rows, light.lamp(), now, ConeChange.NONE, true, scratch);
+        LightRows premultiplied = lightKernel.update(rows, light.source(), updated, ConeChange.NONE, true, scratch);
         return new RatioRows(before.states(),
-                now.cosine == known.cosine ? before.diffuse : anew(rows, light, faded, faded.cosine, before.diffuse, changed),
-                anew(rows, light, faded, faded.specular, before.specular, changed),
-                anew(rows, light, faded, faded.grazing, before.grazing, changed), before.seen(), before.lit()).withTint(before.tint());
+                updated.cosine == known.cosine ? before.diffuse
+                        : recomputeChanged(rows, light, premultiplied, premultiplied.cosine, before.diffuse, changed),
+                recomputeChanged(rows, light, premultiplied, premultiplied.specular, before.specular, changed),
+                recomputeChanged(rows, light, premultiplied, premultiplied.grazing, before.grazing, changed), before.visibleSamples(),
+                before.litCount()).withTint(before.tint());
     }
 
     /** A term's contributions: of rows whose material did not change as they were, where they were any. */
-    private static float[][] anew(HitRows rows, Luminaire light, LightRows layer, float[] term, float[][] before, MaterialSet changed) {
+    private static float[][] recomputeChanged(HitRows rows, WeightedLight light, LightRows layer, float[] term, float[][] before,
+            MaterialSet changed) {
         if (term == null) {
             return null;
         }
-        float[][] now = weighted(rows, light, term, layer);
-        for (int r = 0; r < rows.runs && before != null; r++) {
+        float[][] updated = weighted(rows, light, term, layer);
+        for (int r = 0; r < rows.runCount && before != null; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r] && !changed.contains(rows.runMaterial[r]); i++) {
-                take(before, now, i);
+                copyRow(before, updated, i);
             }
         }
-        return now;
+        return updated;
     }
 
     /**
@@ -289,36 +301,36 @@ public final class RatioKernel {
      * @param before over the old rows
      * @param added  over the added rows; null where there are none
      */
-    RatioRows spliced(RowSplice splice, RatioRows before, RatioRows added) {
+    RatioRows splice(RowSplice splice, RatioRows before, RatioRows added) {
         if (before.states() == LightRows.UNREACHED.state && (added == null || added.states() == LightRows.UNREACHED.state)) {
             return RatioRows.UNREACHED;
         }
         Set<RatioRows.Column> known = EnumSet.allOf(RatioRows.Column.class);
-        if (!exact.hasSpecular(splice.rows())) {
-            known.removeAll(RatioRows.Column.SPECULAR);
+        if (!lightKernel.hasSpecular(splice.rows())) {
+            known.removeAll(RatioRows.Column.SPECULAR_COLUMNS);
         }
-        if (before.grazing == null && !exact.hasMetallic(splice.rows())) {
-            known.removeAll(RatioRows.Column.GRAZING);
+        if (before.grazing == null && !lightKernel.hasMetallic(splice.rows())) {
+            known.removeAll(RatioRows.Column.GRAZING_COLUMNS);
         }
         if (before.tint() == null && (added == null || added.tint() == null)) {
-            known.removeAll(RatioRows.Column.TINT);
+            known.removeAll(RatioRows.Column.TINT_COLUMNS);
         }
-        known.removeIf(kind -> RatioRows.Column.SEEN.contains(kind) && !before.columns().has(kind)
+        known.removeIf(kind -> RatioRows.Column.SAMPLE_COLUMNS.contains(kind) && !before.columns().has(kind)
                 && (added == null || !added.columns().has(kind)));
-        ColumnSet<RatioRows.Column> columns = ColumnSet.room(RatioRows.Column.class, known, splice.rows().count);
-        splice.fill(columns, LightRows.plainlyTinted(before.columns(), RatioRows.Column.TINT),
-                added == null ? null : LightRows.plainlyTinted(added.columns(), RatioRows.Column.TINT));
+        ColumnSet<RatioRows.Column> columns = ColumnSet.allocate(RatioRows.Column.class, known, splice.rows().count);
+        splice.fill(columns, LightRows.withDefaultTint(before.columns(), RatioRows.Column.TINT_COLUMNS),
+                added == null ? null : LightRows.withDefaultTint(added.columns(), RatioRows.Column.TINT_COLUMNS));
         byte[] states = (byte[]) columns.get(RatioRows.Column.STATE);
         int lit = 0;
         for (byte state : states) {
-            lit += (state & LightRows.STATE) == LightRows.LIT ? 1 : 0;
+            lit += (state & LightRows.STATE_MASK) == LightRows.LIT ? 1 : 0;
         }
-        return lit == 0 ? new RatioRows(states, null, null, null, LightRows.seen(columns, RatioRows.Column.SEEN), 0)
-                .withTint(LightRows.colors(columns, RatioRows.Column.TINT))
+        return lit == 0 ? new RatioRows(states, null, null, null, LightRows.readVisibleSamples(columns, RatioRows.Column.SAMPLE_COLUMNS), 0)
+                .withTint(LightRows.readChannels(columns, RatioRows.Column.TINT_COLUMNS))
                 : new RatioRows(columns, lit);
     }
 
-    private static void take(float[][] from, float[][] to, int row) {
+    private static void copyRow(float[][] from, float[][] to, int row) {
         to[0][row] = from[0][row];
         to[1][row] = from[1][row];
         to[2][row] = from[2][row];

@@ -1,7 +1,7 @@
 package lightning.render.relight.paper;
 
 import java.util.List;
-import lightning.render.cache.KnownLight;
+import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.column.ColumnKind;
@@ -14,7 +14,7 @@ import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.ConeChange;
 import lightning.render.shading.LightKernel;
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.WeightedLight;
 import lightning.render.trace.MaterialTable;
 import lightning.scene.Light;
 import lightning.scene.Scene;
@@ -27,23 +27,24 @@ public record RatioMethod() implements UpdateMethod {
      * (§4.1), shadow rays included. Layers of a light that is off are updated once it shines.
      */
     @Override
-    public LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene) {
-        if (!scene.shines(wanted.light())) {
+    public LightUpdate update(LayerStamp before, WeightedLight target, Scene scene) {
+        if (!scene.isActive(target.light())) {
             return new LightUpdate.Keep();
         }
-        LightDifference difference = LightDifference.between(before.light(), wanted.light());
-        LightUpdate least = difference.update(wanted.light());
-        if (least instanceof LightUpdate.Keep) {
-            return least;
+        LightDifference difference = LightDifference.between(before.light(), target.light());
+        LightUpdate min = difference.update(target.light());
+        if (min instanceof LightUpdate.Keep) {
+            return min;
         }
         boolean usable =
-                IntensityRatio.between(Luminaire.shining(before.light(), scene), Luminaire.shining(wanted.light(), scene)).isUsable();
-        return difference.cone() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : least;
+                IntensityRatio.between(WeightedLight.ofSwitchedOn(before.light(), scene), WeightedLight.ofSwitchedOn(target.light(), scene))
+                        .isUsable();
+        return difference.coneChange() == ConeChange.TURN || !usable ? new LightUpdate.FullRecompute(false) : min;
     }
 
     @Override
-    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
-        return RatioBound.scaled(before, light, weight, falloff, leastFalloff);
+    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
+        return RatioBound.stampAfterScaling(before, light, weight, falloff, minFalloff);
     }
 
     @Override
@@ -58,12 +59,12 @@ public record RatioMethod() implements UpdateMethod {
 
     @Override
     public double errorBound(PixelCache cache) {
-        return ErrorBound.of(cache).largest(cache);
+        return ErrorBound.of(cache).maxError(cache);
     }
 
     @Override
     public UpdatePlan refresh(PixelCache cache, double exposure, DisplayCurve curve) {
-        return ErrorBound.of(cache).shows(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
+        return ErrorBound.of(cache).isVisible(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
     }
 
     /** Recomputes all contributions that were scaled, for the scene shown. */
@@ -75,8 +76,8 @@ public record RatioMethod() implements UpdateMethod {
                 depth, depth);
     }
 
-    private static LevelPlan refresh(Scene scene, List<KnownLight> lights, MaterialTable materials) {
+    private static LevelPlan refresh(Scene scene, List<CachedLight> lights, MaterialTable materials) {
         return LevelPlan.refresh(scene, lights, materials, light -> light.stamp() instanceof ScaledStamp stamp && stamp.roundings() > 0
-                && scene.shines(light.light()));
+                && scene.isActive(light.light()));
     }
 }

@@ -37,11 +37,11 @@ public final class RatioRows extends WeightedLayer {
         TINT_GREEN(ElementType.FLOAT),
         TINT_BLUE(ElementType.FLOAT);
 
-        static final List<Column> DIFFUSE = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
-        static final List<Column> SEEN = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
-        static final List<Column> TINT = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
-        static final List<Column> GRAZING = List.of(GRAZING_RED, GRAZING_GREEN, GRAZING_BLUE);
-        static final List<Column> SPECULAR = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
+        static final List<Column> DIFFUSE_COLUMNS = List.of(DIFFUSE_RED, DIFFUSE_GREEN, DIFFUSE_BLUE);
+        static final List<Column> SAMPLE_COLUMNS = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
+        static final List<Column> TINT_COLUMNS = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
+        static final List<Column> GRAZING_COLUMNS = List.of(GRAZING_RED, GRAZING_GREEN, GRAZING_BLUE);
+        static final List<Column> SPECULAR_COLUMNS = List.of(SPECULAR_RED, SPECULAR_GREEN, SPECULAR_BLUE);
 
         private final ElementType element;
 
@@ -59,30 +59,30 @@ public final class RatioRows extends WeightedLayer {
     static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, null, null, 0);
 
     private final byte[] states;
-    private final int lit;
-    /** To which samples of its light each row's ways are free; see {@link LightRows#seen}. */
-    private final short[][] seen;
+    private final int litCount;
+    /** To which samples of its light each row's ways are free; see {@link LightRows#visibleSamples}. */
+    private final short[][] visibleSamples;
 
     /** What passes of the light on free ways, which contributions hold; see {@link LightRows#tint}. */
     private final float[][] tint;
 
     private final ColumnSet<Column> columns;
 
-    RatioRows(byte[] states, float[][] diffuse, float[][] specular, float[][] grazing, short[][] seen, int lit) {
+    RatioRows(byte[] states, float[][] diffuse, float[][] specular, float[][] grazing, short[][] visibleSamples, int lit) {
         this(ColumnSet.of(Column.class, states, channel(diffuse, 0), channel(diffuse, 1), channel(diffuse, 2), channel(specular, 0),
                 channel(specular, 1), channel(specular, 2), channel(grazing, 0), channel(grazing, 1), channel(grazing, 2),
-                LightRows.samples(seen, 0), LightRows.samples(seen, 1),
-                LightRows.samples(seen, 2), LightRows.samples(seen, 3), null, null, null), lit);
+                LightRows.sampleColumn(visibleSamples, 0), LightRows.sampleColumn(visibleSamples, 1),
+                LightRows.sampleColumn(visibleSamples, 2), LightRows.sampleColumn(visibleSamples, 3), null, null, null), lit);
     }
 
     RatioRows(ColumnSet<Column> columns, int lit) {
-        super(LightRows.colors(columns, Column.DIFFUSE), LightRows.colors(columns, Column.SPECULAR),
-                LightRows.colors(columns, Column.GRAZING));
+        super(LightRows.readChannels(columns, Column.DIFFUSE_COLUMNS), LightRows.readChannels(columns, Column.SPECULAR_COLUMNS),
+                LightRows.readChannels(columns, Column.GRAZING_COLUMNS));
         this.columns = columns;
-        this.lit = lit;
+        this.litCount = lit;
         states = (byte[]) columns.get(Column.STATE);
-        tint = LightRows.colors(columns, Column.TINT);
-        seen = LightRows.seen(columns, Column.SEEN);
+        tint = LightRows.readChannels(columns, Column.TINT_COLUMNS);
+        visibleSamples = LightRows.readVisibleSamples(columns, Column.SAMPLE_COLUMNS);
     }
 
     /**
@@ -94,12 +94,12 @@ public final class RatioRows extends WeightedLayer {
     static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
         if (!tinted) {
-            columns.removeAll(Column.TINT);
+            columns.removeAll(Column.TINT_COLUMNS);
         }
         if (!metallic) {
-            columns.removeAll(Column.GRAZING);
+            columns.removeAll(Column.GRAZING_COLUMNS);
         }
-        columns.removeAll(Column.SEEN.subList(LightRows.groups(light), Column.SEEN.size()));
+        columns.removeAll(Column.SAMPLE_COLUMNS.subList(LightRows.sampleColumnCount(light), Column.SAMPLE_COLUMNS.size()));
         return columns;
     }
 
@@ -109,7 +109,7 @@ public final class RatioRows extends WeightedLayer {
 
     /** This layer, whose contributions hold these tints; null for none. */
     RatioRows withTint(float[][] tints) {
-        return tints == tint ? this : new RatioRows(LightRows.with(columns, Column.TINT, tints), lit);
+        return tints == tint ? this : new RatioRows(LightRows.withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
     }
 
     @Override
@@ -118,8 +118,8 @@ public final class RatioRows extends WeightedLayer {
     }
 
     @Override
-    public short[][] seen() {
-        return seen;
+    public short[][] visibleSamples() {
+        return visibleSamples;
     }
 
     @Override
@@ -128,8 +128,8 @@ public final class RatioRows extends WeightedLayer {
     }
 
     @Override
-    public int lit() {
-        return lit;
+    public int litCount() {
+        return litCount;
     }
 
     /** The columns that this layer has. */
@@ -139,11 +139,11 @@ public final class RatioRows extends WeightedLayer {
 
     @Override
     public long bytes() {
-        return columns.bytes() - LightRows.shared(states);
+        return columns.bytes() - LightRows.sharedBytes(states);
     }
 
     @Override
-    public long composedBytes() {
+    public long bytesReadByCompositing() {
         return columns.bytes() - columns.bytes(Column.STATE);
     }
 

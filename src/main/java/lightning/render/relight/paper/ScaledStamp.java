@@ -9,11 +9,11 @@ import lightning.scene.Light;
  * @param light     the light that it shows
  * @param roundings how many float roundings lie between a contribution and its exact value, beyond
  *                  those of the equation itself
- * @param lostOfContribution how far a contribution may be off because values underflowed before the last scaling of
+ * @param contributionLoss how far a contribution may be off because values underflowed before the last scaling of
  *                           falloffs, as a share of its light's weight times its falloff
- * @param lostOfWeight       the same for values that underflowed since, as a share of its light's weight
+ * @param weightLoss       the same for values that underflowed since, as a share of its light's weight
  */
-record ScaledStamp(Light light, int roundings, double lostOfContribution, double lostOfWeight) implements LayerStamp {
+record ScaledStamp(Light light, int roundings, double contributionLoss, double weightLoss) implements LayerStamp {
 
     /** What a layer has lost so far; nothing where it was not scaled. */
     static ScaledStamp of(LayerStamp stamp) {

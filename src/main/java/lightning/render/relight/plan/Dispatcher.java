@@ -2,18 +2,18 @@ package lightning.render.relight.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import lightning.base.text.Texts;
-import lightning.render.cache.KnownLight;
+import lightning.base.text.Messages;
+import lightning.render.cache.CachedLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
-import lightning.render.shading.Lamp;
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.LightSource;
+import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.ShapeChange;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
-import lightning.scene.LightMatch;
+import lightning.scene.LightMatcher;
 import lightning.scene.Scene;
 
 /**
@@ -30,8 +30,8 @@ public final class Dispatcher {
      * @param mirrors whether mirror images shall show the wanted scene too
      * @param method  how edits are carried out
      */
-    public static UpdatePlan plan(PixelCache cache, Scene wanted, boolean mirrors, UpdateMethod method) {
-        return plan(cache, wanted, null, mirrors, method);
+    public static UpdatePlan plan(PixelCache cache, Scene target, boolean mirrors, UpdateMethod method) {
+        return plan(cache, target, null, mirrors, method);
     }
 
     /**
@@ -39,70 +39,72 @@ public final class Dispatcher {
      *
      * @param geometry of the wanted scene, which followed from what is known, perhaps in several steps; null where it is not known
      */
-    public static UpdatePlan plan(PixelCache cache, Scene wanted, Geometry geometry, boolean mirrors, UpdateMethod method) {
+    public static UpdatePlan plan(PixelCache cache, Scene target, Geometry geometry, boolean mirrors, UpdateMethod method) {
         if (cache == null) {
-            return new UpdatePlan.FirstPass(Texts.key("no picture yet"));
+            return new UpdatePlan.FirstPass(Messages.key("no picture yet"));
         }
         Scene known = cache.scene();
-        if (known.picture().width() != wanted.picture().width() || known.picture().height() != wanted.picture().height()) {
-            return new UpdatePlan.FirstPass(Texts.key("another size"));
+        if (known.picture().width() != target.picture().width() || known.picture().height() != target.picture().height()) {
+            return new UpdatePlan.FirstPass(Messages.key("another size"));
         }
-        boolean resampled = !known.picture().sampling().samplesLike(wanted.picture().sampling());
+        boolean resampled = !known.picture().sampling().hasSameSamples(target.picture().sampling());
         // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
-        if (resampled && (hasNoCentres(known) || hasNoCentres(wanted) || cache.geometry().mirrors() != MaterialTable.MIRRORS)) {
-            return new UpdatePlan.FirstPass(Texts.key("other samples"));
+        if (resampled && (hasNoCenters(known) || hasNoCenters(target)
+                || cache.geometry().castsReflections() != MaterialTable.CASTS_REFLECTIONS)) {
+            return new UpdatePlan.FirstPass(Messages.key("other samples"));
         }
-        if (!known.camera().equals(wanted.camera())) {
-            return new UpdatePlan.FirstPass(Texts.key("another camera"));
+        if (!known.camera().equals(target.camera())) {
+            return new UpdatePlan.FirstPass(Messages.key("another camera"));
         }
-        ShapeChange shapes = cache.geometry().serves(wanted) ? ShapeChange.NONE
-                : geometry != null ? cache.geometry().changeTo(geometry) : cache.geometry().changeTo(wanted);
+        ShapeChange shapes = cache.geometry().canServe(target) ? ShapeChange.NONE
+                : geometry != null ? cache.geometry().changeTo(geometry) : cache.geometry().changeTo(target);
         boolean reshaped = shapes != ShapeChange.NONE;
-        if (!shapes.keepsAny() || reshaped && resampled) {
-            return new UpdatePlan.FirstPass(Texts.key("other shapes"));
+        if (!shapes.hasUnchanged() || reshaped && resampled) {
+            return new UpdatePlan.FirstPass(Messages.key("other shapes"));
         }
-        int depthFrom = known.picture().depth();
-        int depthTo = wanted.picture().depth();
-        boolean refresh = resampled || reshaped || depthFrom != depthTo || mirrors && !cache.mirroredScene().equals(wanted);
-        if (known.equals(wanted) && !refresh) {
+        int oldDepth = known.picture().depth();
+        int newDepth = target.picture().depth();
+        boolean refresh = resampled || reshaped || oldDepth != newDepth || mirrors && !cache.mirroredScene().equals(target);
+        if (known.equals(target) && !refresh) {
             return new UpdatePlan.Nothing();
         }
-        MaterialTable materials = shapes.after(cache.geometry()).of(wanted).materials();
-        LevelPlan top = level(cache.geometry(), known, cache.lights(), wanted, materials, shapes, method);
-        LevelPlan mirrored = refresh ? level(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), wanted,
+        MaterialTable materials = shapes.after(cache.geometry()).withMaterialsOf(target).materials();
+        LevelPlan top = planLevel(cache.geometry(), known, cache.lights(), target, materials, shapes, method);
+        LevelPlan mirrored = refresh ? planLevel(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), target,
                 materials, shapes, method) : null;
-        if (resampled && !(top.materials().mirrors().isEmpty() && mirrored.materials().mirrors().isEmpty())) {
-            return new UpdatePlan.FirstPass(Texts.key("other samples and mirrors"));
+        if (resampled && !(top.materials().mirroringChanged().isEmpty() && mirrored.materials().mirroringChanged().isEmpty())) {
+            return new UpdatePlan.FirstPass(Messages.key("other samples and mirrors"));
         }
-        return new UpdatePlan.Relight(top, mirrored, depthFrom, depthTo, resampled, shapes);
+        return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes);
     }
 
     /** Whether all pixels have several samples, so that their centres are not traced. */
-    private static boolean hasNoCentres(Scene scene) {
-        return scene.picture().sampling().antialias() == Antialias.EVERY;
+    private static boolean hasNoCenters(Scene scene) {
+        return scene.picture().sampling().antialias() == AntialiasMode.EVERY;
     }
 
     /** @param lights those of {@code known} */
-    private static LevelPlan level(Geometry shown, Scene known, List<KnownLight> lights, Scene wanted, MaterialTable materials,
+    private static LevelPlan planLevel(Geometry shown, Scene known, List<CachedLight> lights, Scene target, MaterialTable materials,
             ShapeChange shapes, UpdateMethod method) {
-        LightMatch match = new LightMatch(known.rig().actingLights(), wanted.rig().actingLights());
+        LightMatcher match = new LightMatcher(known.rig().effectiveLights(), target.rig().effectiveLights());
         List<LayerPlan> layers = new ArrayList<>();
-        boolean forgets = false;
+        boolean dropsLayers = false;
         for (int l = 0; l < match.after().size(); l++) {
-            Luminaire light = Luminaire.of(match.after().get(l), wanted);
-            KnownLight origin = match.origin(l) < 0 ? null : lights.get(match.origin(l));
-            boolean holds = origin != null && holds(origin, known, wanted, shapes);
-            LightUpdate update = update(holds ? origin.stamp() : null, origin == null || origin.stamp() == null, light, wanted, method);
+            WeightedLight light = WeightedLight.of(match.after().get(l), target);
+            CachedLight origin = match.originIndex(l) < 0 ? null : lights.get(match.originIndex(l));
+            boolean isReusable = origin != null && isReusable(origin, known, target, shapes);
+            LightUpdate update =
+                    planLight(isReusable ? origin.stamp() : null, origin == null || origin.stamp() == null, light, target, method);
             // A dark light's layers that do not hold are dropped, and with them what would tell where it shone.
-            boolean forgotten = origin != null && !holds && update instanceof LightUpdate.Keep;
-            ShapeChange shadows = holds && origin.stamp() != null ? shapes.shadows(shown, origin.stamp().light().shadowedBy(),
+            boolean isDropped = origin != null && !isReusable && update instanceof LightUpdate.Keep;
+            ShapeChange shadows = isReusable && origin.stamp() != null ? shapes.shadowChange(shown, origin.stamp().light().shadowedBy(),
                     LayerPlan.shadowedBy(light.light(), origin.stamp(), update)) : ShapeChange.NONE;
-            layers.add(LayerPlan.of(light, forgotten ? null : origin, update, shadows, known));
-            forgets |= forgotten;
+            layers.add(LayerPlan.of(light, isDropped ? null : origin, update, shadows, known));
+            dropsLayers |= isDropped;
         }
-        List<String> dropped = match.gone().stream().map(i -> match.before().get(i).name()).toList();
+        List<String> dropped = match.removedIndices().stream().map(i -> match.before().get(i).name()).toList();
         // A change of the order or number of lights changes how their sum is grouped.
-        boolean compose = forgets || !match.keepsPlaces() || !known.world().equals(wanted.world());
+        boolean compose = dropsLayers || !match.keepsOrder() || !known.world().equals(target.world());
         return new LevelPlan(layers, dropped, compose,
                 MaterialDifference.between(shown.materials(), materials));
     }
@@ -113,20 +115,20 @@ public final class Dispatcher {
      * it is in another group. Of a light that is larger than a point it is not asked for each of
      * its samples: it is computed anew.
      */
-    private static boolean holds(KnownLight light, Scene known, Scene scene, ShapeChange shapes) {
+    private static boolean isReusable(CachedLight light, Scene known, Scene scene, ShapeChange shapes) {
         if (light.stamp() == null) {
             return true;
         }
         Light computed = light.stamp().light();
-        return shapes == ShapeChange.NONE || !computed.isArea() && shapes.keepsLinks(known, scene, computed.illuminates())
-                && (!computed.type().hasPosition() || shapes.keepsEnd(Lamp.of(computed, scene).source()));
+        return shapes == ShapeChange.NONE || !computed.isArea() && shapes.hasSameLinks(known, scene, computed.illuminates())
+                && (!computed.type().hasPosition() || shapes.hasSameTarget(LightSource.of(computed, scene).position()));
     }
 
     /** @param added whether the light never shone */
-    private static LightUpdate update(LayerStamp before, boolean added, Luminaire light, Scene wanted, UpdateMethod method) {
+    private static LightUpdate planLight(LayerStamp before, boolean added, WeightedLight light, Scene target, UpdateMethod method) {
         if (before == null) {
             return light.isDark() ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);
         }
-        return method.update(before, light, wanted);
+        return method.update(before, light, target);
     }
 }

@@ -14,39 +14,39 @@ import lightning.scene.LightTerm;
  * that decide the update; attributes that the type does not act on do not count.
  *
  * @param moved   the source is another: position, or direction of a directional light, or one for the other
- * @param cone    which rows may enter or leave the cone
+ * @param coneChange    which rows may enter or leave the cone
  * @param falloff whether the falloff of any row may change
  * @param weight  whether colour · intensity changes
  * @param shadows whether other shapes throw shadows in its light
  */
-public record LightDifference(boolean moved, ConeChange cone, boolean falloff, boolean weight, boolean shadows) {
+public record LightDifference(boolean moved, ConeChange coneChange, boolean falloff, boolean weight, boolean shadows) {
 
-    public static LightDifference between(Light before, Light wanted) {
-        Set<LightTerm> changed = changed(before, wanted);
-        ConeChange cone = cone(changed, before, wanted);
+    public static LightDifference between(Light before, Light target) {
+        Set<LightTerm> changed = changedTerms(before, target);
+        ConeChange cone = coneChange(changed, before, target);
         return new LightDifference(changed.contains(LightTerm.SOURCE), cone,
-                changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && wanted.gobo().isPresent(),
-                changed.contains(LightTerm.WEIGHT), changed.contains(LightTerm.SHADOW));
+                changed.contains(LightTerm.FALLOFF) || cone == ConeChange.TURN || cone != ConeChange.NONE && target.gobo().isPresent(),
+                changed.contains(LightTerm.WEIGHT), changed.contains(LightTerm.SHADOW_LINKS));
     }
 
     /** The least update to the light wanted: all terms where the light moved, else what differs. */
-    public LightUpdate update(Light wanted) {
-        if (moved || shadows && wanted.isArea()) {
+    public LightUpdate update(Light target) {
+        if (moved || shadows && target.isArea()) {
             return new LightUpdate.FullRecompute(false);
         }
-        if (cone != ConeChange.NONE || falloff || shadows) {
-            return new LightUpdate.Partial(cone, falloff, weight, shadows);
+        if (coneChange != ConeChange.NONE || falloff || shadows) {
+            return new LightUpdate.Partial(coneChange, falloff, weight, shadows);
         }
         return weight ? new LightUpdate.Reweight() : new LightUpdate.Keep();
     }
 
     /** The terms of attributes that act with another value than before, or come into action, or go out of it. */
-    private static Set<LightTerm> changed(Light before, Light wanted) {
+    private static Set<LightTerm> changedTerms(Light before, Light target) {
         Set<LightTerm> changed = EnumSet.noneOf(LightTerm.class);
-        for (LightAttribute<?> attribute : before == wanted ? List.<LightAttribute<?>>of() : LightAttribute.ALL) {
+        for (LightAttribute<?> attribute : before == target ? List.<LightAttribute<?>>of() : LightAttribute.ALL) {
             Optional<LightTerm> was = attribute.term(before);
-            Optional<LightTerm> is = attribute.term(wanted);
-            if (!was.equals(is) || is.isPresent() && !attribute.isAlike(before, wanted)) {
+            Optional<LightTerm> is = attribute.term(target);
+            if (!was.equals(is) || is.isPresent() && !attribute.isEquivalent(before, target)) {
                 was.ifPresent(changed::add);
                 is.ifPresent(changed::add);
             }
@@ -54,14 +54,14 @@ public record LightDifference(boolean moved, ConeChange cone, boolean falloff, b
         return changed;
     }
 
-    private static ConeChange cone(Set<LightTerm> changed, Light before, Light wanted) {
-        if (changed.contains(LightTerm.AXIS)) {
+    private static ConeChange coneChange(Set<LightTerm> changed, Light before, Light target) {
+        if (changed.contains(LightTerm.CONE_AXIS)) {
             return ConeChange.TURN;
         }
-        if (changed.contains(LightTerm.REACH)) {
+        if (changed.contains(LightTerm.ILLUMINATION_LINKS)) {
             return ConeChange.LINKS;
         }
-        return !changed.contains(LightTerm.OPENING) ? ConeChange.NONE
-                : before.angle() > wanted.angle() ? ConeChange.ANGLE_REMOVE : ConeChange.ANGLE_ADD;
+        return !changed.contains(LightTerm.CONE_ANGLE) ? ConeChange.NONE
+                : before.angle() > target.angle() ? ConeChange.ANGLE_REMOVE : ConeChange.ANGLE_ADD;
     }
 }

@@ -7,43 +7,44 @@ import lightning.scene.MaterialAttribute;
 import lightning.scene.MaterialTerm;
 
 /** What differs between the materials that a level's rows show and those wanted, in the terms that decide the update. */
-record MaterialDifference(MaterialTable before, MaterialTable wanted) {
+record MaterialDifference(MaterialTable before, MaterialTable after) {
 
-    static MaterialUpdate between(MaterialTable before, MaterialTable wanted) {
-        if (before == wanted) {
-            return MaterialUpdate.none(wanted);
+    static MaterialUpdate between(MaterialTable before, MaterialTable target) {
+        if (before == target) {
+            return MaterialUpdate.none(target);
         }
-        var difference = new MaterialDifference(before, wanted);
+        var difference = new MaterialDifference(before, target);
         // What shapes have that came since is in no row.
         int count = before.count();
-        return new MaterialUpdate(wanted, MaterialSet.of(count, difference::recolors), MaterialSet.of(count, difference::specular),
-                MaterialSet.of(count, difference::texture), MaterialSet.of(count, difference::mirrors));
+        return new MaterialUpdate(target, MaterialSet.of(count, difference::changesColor),
+                MaterialSet.of(count, difference::changesSpecular),
+                MaterialSet.of(count, difference::changesTexture), MaterialSet.of(count, difference::changesMirroring));
     }
 
-    private boolean recolors(int m) {
-        return differs(MaterialTerm.COLOR, m) || model(m) || texture(m);
+    private boolean changesColor(int m) {
+        return differs(MaterialTerm.COLOR, m) || changesModel(m) || changesTexture(m);
     }
 
-    private boolean specular(int m) {
-        return model(m) || before.isSpecular(m) != wanted.isSpecular(m) || wanted.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
+    private boolean changesSpecular(int m) {
+        return changesModel(m) || before.isSpecular(m) != after.isSpecular(m) || after.isSpecular(m) && differs(MaterialTerm.HIGHLIGHT, m);
     }
 
-    private boolean model(int m) {
+    private boolean changesModel(int m) {
         return differs(MaterialTerm.MODEL, m);
     }
 
-    private boolean texture(int m) {
+    private boolean changesTexture(int m) {
         // Shapes with colours of their own may have come to a material, or left it, without being seen here.
-        return differs(MaterialTerm.TEXEL, m) || before.isTextured(m) != wanted.isTextured(m);
+        return differs(MaterialTerm.TEXEL, m) || before.isTextured(m) != after.isTextured(m);
     }
 
     private boolean differs(MaterialTerm term, int m) {
         Material a = before.material(m);
-        Material b = wanted.material(m);
-        return a != b && MaterialAttribute.ALL.stream().anyMatch(attribute -> attribute.term() == term && !attribute.isAlike(a, b));
+        Material b = after.material(m);
+        return a != b && MaterialAttribute.ALL.stream().anyMatch(attribute -> attribute.term() == term && !attribute.isEquivalent(a, b));
     }
 
-    private boolean mirrors(int m) {
-        return before.isReflective(m) != wanted.isReflective(m);
+    private boolean changesMirroring(int m) {
+        return before.isReflective(m) != after.isReflective(m);
     }
 }

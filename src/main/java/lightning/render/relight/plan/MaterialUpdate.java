@@ -9,14 +9,14 @@ import lightning.render.trace.MaterialTable;
  * What an edit of materials asks of a level's rows, from the cheapest to the dearest. A material may be in several sets.
  *
  * @param materials  as they are wanted
- * @param recolored  any colour or the texture changed: the equation is closed anew where their rows are
- * @param speculars  the shininess, roughness or model changed, or highlights came or went: terms of each light are computed anew,
+ * @param colorChanged  any colour or the texture changed: the equation is closed anew where their rows are
+ * @param specularChanged  the shininess, roughness or model changed, or highlights came or went: terms of each light are computed anew,
  *                   without a ray
- * @param retextured the texture changed: their rows' texels are looked up anew, without a search
- * @param mirrors    reflectivity came or went: their rows begin or cease to cast mirrored rays
+ * @param textureChanged the texture changed: their rows' texels are looked up anew, without a search
+ * @param mirroringChanged    reflectivity came or went: their rows begin or cease to cast mirrored rays
  */
-public record MaterialUpdate(MaterialTable materials, MaterialSet recolored, MaterialSet speculars, MaterialSet retextured,
-        MaterialSet mirrors) {
+public record MaterialUpdate(MaterialTable materials, MaterialSet colorChanged, MaterialSet specularChanged, MaterialSet textureChanged,
+        MaterialSet mirroringChanged) {
 
     /** No material is another. */
     public static MaterialUpdate none(MaterialTable materials) {
@@ -24,24 +24,24 @@ public record MaterialUpdate(MaterialTable materials, MaterialSet recolored, Mat
     }
 
     public boolean isEmpty() {
-        return recolored.isEmpty() && speculars.isEmpty() && retextured.isEmpty() && mirrors.isEmpty();
+        return colorChanged.isEmpty() && specularChanged.isEmpty() && textureChanged.isEmpty() && mirroringChanged.isEmpty();
     }
 
     /** The steps in words, one for each material. */
-    List<String> steps() {
+    List<String> describe() {
         List<String> steps = new ArrayList<>();
         for (int m = 0; m < materials.count() && !isEmpty(); m++) {
             List<String> parts = new ArrayList<>();
-            if (mirrors.contains(m)) {
+            if (mirroringChanged.contains(m)) {
                 parts.add(materials.isReflective(m) ? "begins to mirror" : "ceases to mirror");
             }
-            if (retextured.contains(m)) {
+            if (textureChanged.contains(m)) {
                 parts.add("texture");
             }
-            if (speculars.contains(m)) {
+            if (specularChanged.contains(m)) {
                 parts.add(materials.isSpecular(m) ? "specular term" : "no highlights");
             }
-            if (parts.isEmpty() && recolored.contains(m)) {
+            if (parts.isEmpty() && colorChanged.contains(m)) {
                 parts.add("colours");
             }
             if (!parts.isEmpty()) {

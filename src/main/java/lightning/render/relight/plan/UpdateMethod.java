@@ -4,7 +4,7 @@ import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
 import lightning.render.image.DisplayCurve;
 import lightning.render.shading.LightKernel;
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -16,7 +16,7 @@ public interface UpdateMethod {
      * @param before what its layers were computed for
      * @param scene  the scene wanted
      */
-    LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene);
+    LightUpdate update(LayerStamp before, WeightedLight target, Scene scene);
 
     /**
      * The stamp of a layer after an update that kept some of its terms.
@@ -24,9 +24,9 @@ public interface UpdateMethod {
      * @param before       what it was computed for
      * @param weight       whether the light's weight changed
      * @param falloff      whether its falloff changed
-     * @param leastFalloff {@link LayerUpdater#leastFalloff} of all threads
+     * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
-    LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff);
+    LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff);
 
     /**
      * Creates the updater of one thread.

@@ -1,7 +1,7 @@
 package lightning.render.relight.plan;
 
 import java.util.List;
-import lightning.base.text.Texts;
+import lightning.base.text.Messages;
 import lightning.render.shading.BranchSums;
 import lightning.render.trace.ShapeChange;
 
@@ -19,22 +19,22 @@ public sealed interface UpdatePlan {
      *
      * @param top       the first level
      * @param mirrors   the mirror levels, or null where they stay as they are
-     * @param depthFrom how many mirror bounces are known
-     * @param depthTo   how many are wanted
+     * @param oldDepth how many mirror bounces are known
+     * @param newDepth   how many are wanted
      * @param resampled whether pixels get other finer samples, or none, whatever the edges
      * @param shapes    which shapes differ; where any does, there are {@code mirrors}
      */
-    record Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo, boolean resampled, ShapeChange shapes)
+    record Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, boolean resampled, ShapeChange shapes)
             implements UpdatePlan {
 
         /** An update of the same shapes that leaves it to the edges which finer samples there are. */
-        public Relight(LevelPlan top, LevelPlan mirrors, int depthFrom, int depthTo) {
-            this(top, mirrors, depthFrom, depthTo, false, ShapeChange.NONE);
+        public Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth) {
+            this(top, mirrors, oldDepth, newDepth, false, ShapeChange.NONE);
         }
 
         /** The same with keys of sums that may be kept, or null, for each of the two. */
         public Relight withKeys(BranchSums.Key topKey, BranchSums.Key mirrorsKey) {
-            return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), depthFrom, depthTo, resampled,
+            return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), oldDepth, newDepth, resampled,
                     shapes);
         }
     }
@@ -42,14 +42,14 @@ public sealed interface UpdatePlan {
     /** The plan in the words of the paper, one step a string. */
     default List<String> steps() {
         return switch (this) {
-            case Nothing _ -> List.of(Texts.of("nothing to do"));
-            case FirstPass first -> List.of(Texts.of("first pass: {0}", Texts.of(first.reason())));
-            case Relight relight -> PlanText.of(relight);
+            case Nothing _ -> List.of(Messages.tr("nothing to do"));
+            case FirstPass first -> List.of(Messages.tr("first pass: {0}", Messages.tr(first.reason())));
+            case Relight relight -> PlanDescription.steps(relight);
         };
     }
 
     /** The steps on one line. */
-    default String text() {
+    default String description() {
         return String.join(", ", steps());
     }
 }

@@ -5,19 +5,19 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.CachedLight;
 import lightning.render.cache.CachedTile;
 import lightning.render.cache.FineTile;
-import lightning.render.cache.KnownLight;
 import lightning.render.cache.LayerStamp;
 import lightning.render.cache.PixelCache;
-import lightning.render.engine.Crew;
+import lightning.render.engine.EngineWorkers;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.shading.EdgeCodes;
-import lightning.render.shading.EdgeMap;
-import lightning.render.shading.Luminaire;
-import lightning.render.shading.SeenScenes;
-import lightning.scene.Antialias;
+import lightning.render.shading.EdgeDetector;
+import lightning.render.shading.RenderedScenes;
+import lightning.render.shading.WeightedLight;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 
 /**
@@ -26,47 +26,50 @@ import lightning.scene.Light;
  */
 public final class CacheBuilder {
     /** Of a small picture each thread takes tiles so many times at least, so that all are ready at about the same time. */
-    private static final int EACH = 8;
+    private static final int MIN_BATCHES_PER_THREAD = 8;
 
-    private final Job job;
-    private final Workers workers;
-    private final PixelCache old;
-    private final List<Crew<TileWorker>> threads;
-    private final int[] order;
+    private final RenderJob job;
+    private final WorkerPool workers;
+    private final PixelCache oldCache;
+    private final List<EngineWorkers<TileWorker>> tileWorkers;
+    private final int[] tileOrder;
 
     /** @param old the cache to start from, or null for a first pass */
-    public CacheBuilder(Job job, Workers workers, PixelCache old) {
+    public CacheBuilder(RenderJob job, WorkerPool workers, PixelCache old) {
         this.job = job;
         this.workers = workers;
-        this.old = old;
-        threads = Crew.each(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
-        order = old == null ? MiddleFirst.order(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
+        this.oldCache = old;
+        tileWorkers = EngineWorkers.perThread(workers.count(), job.options().engines(), engine -> new TileWorker(job, engine));
+        tileOrder = old == null ? CenterFirstOrder.tileOrder(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
     }
 
     /** A new cache and the work that it took. */
-    public record Built(PixelCache cache, Tally work) {}
+    public record BuildResult(PixelCache cache, WorkCounts work) {}
 
     /**
      * Builds the cache as the job plans it.
      *
-     * @param centersAlone whether finer samples are left out
+     * @param centersOnly whether finer samples are left out
      * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */
-    public Built build(boolean centersAlone) {
-        CachedTile[] centers = centers(centersAlone ? 0 : fineTiles());
-        FineTile[] fine = centersAlone ? new FineTile[0] : samples(centers, centers.length);
-        List<KnownLight> lights = job.plan() == null ? KnownLight.all(job.scene(), this::fresh) : after(job.top());
-        List<KnownLight> mirrored = job.plan() == null ? lights : job.mirrors() == null ? old.mirroredLights() : after(job.mirrors());
-        return new Built(new PixelCache(job.shown().geometry(), centers, fine, new SeenScenes(job.scene(), job.mirrored().scene()), lights,
-                mirrored), work());
+    public BuildResult build(boolean centersOnly) {
+        CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
+        FineTile[] fine = centersOnly ? new FineTile[0] : buildSamples(centers, centers.length);
+        List<CachedLight> lights = job.plan() == null ? CachedLight.ofScene(job.scene(), this::freshStamp) : lightsAfter(job.topPlan());
+        List<CachedLight> mirrored =
+                job.plan() == null ? lights : job.mirrorPlan() == null ? oldCache.mirroredLights() : lightsAfter(job.mirrorPlan());
+        return new BuildResult(
+                new PixelCache(job.target().geometry(), centers, fine, new RenderedScenes(job.scene(), job.mirrorTarget().scene()), lights,
+                        mirrored),
+                work());
     }
 
-    private LayerStamp fresh(Light light) {
-        return Luminaire.of(light, job.scene()).isDark() ? null : LayerStamp.fresh(light);
+    private LayerStamp freshStamp(Light light) {
+        return WeightedLight.of(light, job.scene()).isDark() ? null : LayerStamp.ofComputed(light);
     }
 
-    private List<KnownLight> after(LevelPlan plan) {
-        return plan.after(job.options().method(), made().mapToDouble(TileWorker::leastFalloff).reduce(1, Math::min));
+    private List<CachedLight> lightsAfter(LevelPlan plan) {
+        return plan.lightsAfter(job.options().method(), allWorkers().mapToDouble(TileWorker::minFalloff).reduce(1, Math::min));
     }
 
     /**
@@ -74,50 +77,50 @@ public final class CacheBuilder {
      *
      * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */
-    public Built finish(PixelCache centers) {
-        return new Built(new PixelCache(centers.geometry(), centers.tiles(), samples(centers.tiles(), 0), centers.scenes(),
+    public BuildResult finish(PixelCache centers) {
+        return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.scenes(),
                 centers.lights(), centers.mirroredLights()), work());
     }
 
     /**
      * Makes the pixels' centres; none where all pixels have several samples.
      *
-     * @param more how many tiles are made afterwards, for who hears of the progress
+     * @param laterTiles how many tiles are made afterwards, for who hears of the progress
      */
-    private CachedTile[] centers(int more) {
-        CachedTile[] tiles = new CachedTile[job.sampling().antialias() == Antialias.EVERY ? 0 : job.tileCount()];
-        Progress part = job.progress().part(0, tiles.length + more);
-        if (old == null) {
-            workers.run(tiles.length, (worker, i) -> first(tiles, worker, order[i]), part);
+    private CachedTile[] buildCenters(int laterTiles) {
+        CachedTile[] tiles = new CachedTile[job.sampling().antialias() == AntialiasMode.EVERY ? 0 : job.tileCount()];
+        Progress part = job.progress().subProgress(0, tiles.length + laterTiles);
+        if (oldCache == null) {
+            workers.run(tiles.length, (worker, i) -> buildTile(tiles, worker, tileOrder[i]), part);
         } else {
-            relight(tiles, part);
+            relightTiles(tiles, part);
         }
         return tiles;
     }
 
-    private void first(CachedTile[] tiles, int worker, int tile) {
-        tiles[tile] = threads.get(worker).forTile(tile).firstPass(tile);
+    private void buildTile(CachedTile[] tiles, int worker, int tile) {
+        tiles[tile] = tileWorkers.get(worker).forTile(tile).firstPass(tile);
         if (tiles[tile] != null) {
-            job.progress().made(tile, tiles[tile].film);
+            job.progress().tileFinished(tile, tiles[tile].film);
         }
     }
 
-    private void relight(CachedTile[] tiles, Progress progress) {
-        int together = Math.clamp(tiles.length / (EACH * workers.count()), 1, Approach.TILES);
-        CachedTile[] known = old.tiles();
-        Approach[] approach = new Approach[workers.count()];
-        Arrays.setAll(approach, worker -> new Approach());
-        workers.run(tiles.length, together, (worker, tile) -> {
-            if (tile % together == 0) {
-                approach[worker].to(known, tile, Math.min(tiles.length, tile + together));
+    private void relightTiles(CachedTile[] tiles, Progress progress) {
+        int batchSize = Math.clamp(tiles.length / (MIN_BATCHES_PER_THREAD * workers.count()), 1, TilePrefetcher.MAX_TILES);
+        CachedTile[] known = oldCache.tiles();
+        TilePrefetcher[] approach = new TilePrefetcher[workers.count()];
+        Arrays.setAll(approach, worker -> new TilePrefetcher());
+        workers.run(tiles.length, batchSize, (worker, tile) -> {
+            if (tile % batchSize == 0) {
+                approach[worker].prefetch(known, tile, Math.min(tiles.length, tile + batchSize));
             }
-            tiles[tile] = threads.get(worker).forTile(tile).relight(tile, known[tile]);
+            tiles[tile] = tileWorkers.get(worker).forTile(tile).relight(tile, known[tile]);
         }, progress);
     }
 
     /** How many tiles of finer samples the picture has: none without anti-aliasing. */
-    private int fineTiles() {
-        return job.sampling().isFine() ? job.tileCount() : 0;
+    private int fineTileCount() {
+        return job.sampling().isSupersampled() ? job.tileCount() : 0;
     }
 
     /**
@@ -126,37 +129,37 @@ public final class CacheBuilder {
      * @param centers the pixels' centres as they are now; none where all pixels have several samples
      * @param before  how many tiles were made before, for who hears of the progress
      */
-    private FineTile[] samples(CachedTile[] centers, int before) {
-        FineTile[] fine = new FineTile[fineTiles()];
+    private FineTile[] buildSamples(CachedTile[] centers, int before) {
+        FineTile[] fine = new FineTile[fineTileCount()];
         if (fine.length == 0) {
             return fine;
         }
-        boolean known = old != null && old.scene().picture().sampling().samplesLike(job.sampling());
-        EdgeMap edges = edges(centers);
-        EdgeMap edgesBefore = known ? edges(old.tiles()) : null;
-        FineWorker[] finer = new FineWorker[threads.size()];
-        Arrays.setAll(finer, worker -> new FineWorker(job, threads.get(worker), edges, edgesBefore));
+        boolean known = oldCache != null && oldCache.scene().picture().sampling().hasSameSamples(job.sampling());
+        EdgeDetector edges = edgeDetector(centers);
+        EdgeDetector edgesBefore = known ? edgeDetector(oldCache.tiles()) : null;
+        FineSampleWorker[] sampleWorkers = new FineSampleWorker[tileWorkers.size()];
+        Arrays.setAll(sampleWorkers, worker -> new FineSampleWorker(job, tileWorkers.get(worker), edges, edgesBefore));
         workers.run(fine.length, (worker, i) -> {
-            int tile = order[i];
-            fine[tile] = finer[worker].tile(tile, centers.length == 0 ? null : centers[tile],
-                    !known || centers.length == 0 ? null : old.tile(tile), known ? old.fine(tile) : null);
-            if (old == null && fine[tile] != null) {
-                job.progress().made(tile, fine[tile].film());
+            int tile = tileOrder[i];
+            fine[tile] = sampleWorkers[worker].buildTile(tile, centers.length == 0 ? null : centers[tile],
+                    !known || centers.length == 0 ? null : oldCache.tile(tile), known ? oldCache.fineTile(tile) : null);
+            if (oldCache == null && fine[tile] != null) {
+                job.progress().tileFinished(tile, fine[tile].film());
             }
-        }, job.progress().part(before, before + fine.length));
+        }, job.progress().subProgress(before, before + fine.length));
         return fine;
     }
 
-    private EdgeMap edges(CachedTile[] centers) {
+    private EdgeDetector edgeDetector(CachedTile[] centers) {
         EdgeCodes[] codes = Arrays.stream(centers).map(tile -> tile.codes).toArray(EdgeCodes[]::new);
-        return new EdgeMap(job.scene().picture().width(), job.scene().picture().height(), codes);
+        return new EdgeDetector(job.scene().picture().width(), job.scene().picture().height(), codes);
     }
 
-    private Stream<TileWorker> made() {
-        return threads.stream().flatMap(crew -> crew.all().stream());
+    private Stream<TileWorker> allWorkers() {
+        return tileWorkers.stream().flatMap(crew -> crew.workers().stream());
     }
 
-    private Tally work() {
-        return made().map(TileWorker::work).reduce(Tally.NONE, Tally::plus);
+    private WorkCounts work() {
+        return allWorkers().map(TileWorker::work).reduce(WorkCounts.NONE, WorkCounts::plus);
     }
 }

@@ -11,7 +11,7 @@ import lightning.render.relight.plan.UpdateMethod;
 import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.LightKernel;
 import lightning.render.shading.LightRows;
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
@@ -20,18 +20,18 @@ public record ExactMethod() implements UpdateMethod {
 
     /** Layers of a dark light are updated once it shines. */
     @Override
-    public LightUpdate update(LayerStamp before, Luminaire wanted, Scene scene) {
-        return wanted.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), wanted.light()).update(wanted.light());
+    public LightUpdate update(LayerStamp before, WeightedLight target, Scene scene) {
+        return target.isDark() ? new LightUpdate.Keep() : LightDifference.between(before.light(), target.light()).update(target.light());
     }
 
     @Override
-    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double leastFalloff) {
-        return LayerStamp.fresh(light);
+    public LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff) {
+        return LayerStamp.ofComputed(light);
     }
 
     @Override
     public LayerUpdater updater(LightKernel kernel, int lights) {
-        return new ExactUpdater(kernel, lights >= RepeatedEdit.LEAST_LIGHTS);
+        return new ExactUpdater(kernel, lights >= RepeatedEditDetector.MIN_LIGHTS);
     }
 
     @Override

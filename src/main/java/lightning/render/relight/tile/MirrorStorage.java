@@ -11,7 +11,7 @@ public enum MirrorStorage {
     public static final MirrorStorage SMALLEST = HIT_SHAPES;
 
     /** Whether rows and layers are kept. */
-    public boolean keepsRows() {
+    public boolean storesRows() {
         return this == FULL_ROWS;
     }
 }

@@ -1,6 +1,6 @@
 package lightning.render.relight.tile;
 
-import lightning.render.shading.Luminaire;
+import lightning.render.shading.WeightedLight;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
@@ -10,11 +10,11 @@ import lightning.scene.Scene;
  * @param geometry with the scene's materials
  * @param lights   the scene's lights, in its order
  */
-public record PreparedScene(Geometry geometry, Scene scene, Luminaire[] lights) {
+public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights) {
     // An array in a record: written once by its maker, never after.
 
     /** @param geometry of the same shapes, with whatever materials */
     public static PreparedScene of(Geometry geometry, Scene scene) {
-        return new PreparedScene(geometry.of(scene), scene, Luminaire.all(scene));
+        return new PreparedScene(geometry.withMaterialsOf(scene), scene, WeightedLight.ofScene(scene));
     }
 }

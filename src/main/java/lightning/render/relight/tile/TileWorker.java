@@ -7,90 +7,91 @@ import lightning.render.cache.TileLevel;
 import lightning.render.engine.Engine;
 import lightning.render.image.Film;
 import lightning.render.relight.plan.MaterialUpdate;
-import lightning.render.shading.EdgeCoder;
+import lightning.render.shading.EdgeCodeBuilder;
 import lightning.render.shading.EdgeCodes;
-import lightning.render.shading.TraceCounts;
+import lightning.render.shading.RayCounts;
 import lightning.render.trace.HitRows;
 import lightning.render.trace.RowSplice;
-import lightning.render.trace.SamplePlaces;
+import lightning.render.trace.SamplePositions;
 import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 
 /** Builds and updates cached tiles by one engine. Holds scratch memory: one for each thread. */
 final class TileWorker {
-    private final Job job;
+    private final RenderJob job;
     private final Engine engine;
     private final Tracer tracer;
-    private final LevelWorker eye;
+    private final LevelWorker eyeWorker;
     /** Whether rows know whose they are. */
-    private final boolean owned;
+    private final boolean needsOwners;
     /** Made when it is needed first. */
-    private LevelWorker mirror;
+    private LevelWorker mirrorWorker;
     /** Made when it is needed first. */
-    private LowerLevels lower;
+    private BounceLevels bounceLevels;
     /** Made when anti-aliasing asks for it first. */
-    private EdgeCoder coder;
+    private EdgeCodeBuilder edgeCoder;
     /** Where samples are composed whose colours are not kept; made when it is needed first. */
-    private float[][] samples;
+    private float[][] sampleColors;
     /** The colours composed last. */
     private float[][] colors;
     /** Whether the last tile or block was composed. */
-    private boolean recolored;
+    private boolean hasNewColors;
     private long eyeRays;
     private long filmBytes;
 
-    TileWorker(Job job, Engine engine) {
+    TileWorker(RenderJob job, Engine engine) {
         this.job = job;
         this.engine = engine;
-        tracer = engine.tracer(job.shown().geometry());
-        eye = new LevelWorker(job, job.shown(), engine, tracer);
-        owned = job.owned();
+        tracer = engine.tracer(job.target().geometry());
+        eyeWorker = new LevelWorker(job, job.target(), engine, tracer);
+        needsOwners = job.needsOwners();
     }
 
-    private LevelWorker mirror() {
-        if (mirror == null) {
-            mirror = job.mirrored() == job.shown() ? eye : new LevelWorker(job, job.mirrored(), engine, tracer);
+    private LevelWorker mirrorWorker() {
+        if (mirrorWorker == null) {
+            mirrorWorker = job.mirrorTarget() == job.target() ? eyeWorker : new LevelWorker(job, job.mirrorTarget(), engine, tracer);
         }
-        return mirror;
+        return mirrorWorker;
     }
 
-    private LowerLevels lower() {
-        lower = lower == null ? new LowerLevels(job, mirror()) : lower;
-        return lower;
+    private BounceLevels bounceLevels() {
+        bounceLevels = bounceLevels == null ? new BounceLevels(job, mirrorWorker()) : bounceLevels;
+        return bounceLevels;
     }
 
     /** What was done since the start. */
-    Tally work() {
-        Tally work = new Tally(eye.rowsTouched(), eye.rowsComposed(), eye.bytesMoved() + filmBytes,
-                new TraceCounts(eyeRays, lower == null ? 0 : lower.rays(), eye.shadowRays()));
-        return mirror == null || mirror == eye ? work
-                : work.plus(new Tally(mirror.rowsTouched(), mirror.rowsComposed(), mirror.bytesMoved(),
-                        new TraceCounts(0, 0, mirror.shadowRays())));
+    WorkCounts work() {
+        WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), eyeWorker.rowsComposed(), eyeWorker.bytesMoved() + filmBytes,
+                new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), eyeWorker.shadowRays()));
+        return mirrorWorker == null || mirrorWorker == eyeWorker ? work
+                : work.plus(new WorkCounts(mirrorWorker.rowsTouched(), mirrorWorker.rowsComposed(), mirrorWorker.bytesMoved(),
+                        new RayCounts(0, 0, mirrorWorker.shadowRays())));
     }
 
-    double leastFalloff() {
-        return eye.leastFalloff();
+    double minFalloff() {
+        return eyeWorker.minFalloff();
     }
 
     /** Traces the centres of a tile's pixels and keeps what it learned; null where the work was cancelled. */
     CachedTile firstPass(int tile) {
-        int x0 = tile % job.tilesX() * Film.TILE;
-        int y0 = tile / job.tilesX() * Film.TILE;
-        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - x0)
-                * Math.min(Film.TILE, job.scene().picture().height() - y0);
-        return traced(SamplePlaces.centers(x0, y0), eye.visibility().eye(x0, y0, Film.TILE, rows(job.coding())), job.coding(), false);
+        int x0 = tile % job.tilesX() * Film.TILE_SIZE;
+        int y0 = tile / job.tilesX() * Film.TILE_SIZE;
+        eyeRays += (long) Math.min(Film.TILE_SIZE, job.scene().picture().width() - x0)
+                * Math.min(Film.TILE_SIZE, job.scene().picture().height() - y0);
+        return buildTraced(SamplePositions.centers(x0, y0),
+                eyeWorker.visibility().traceEyeRays(x0, y0, Film.TILE_SIZE, allocator(job.detectsEdges())), job.detectsEdges(), false);
     }
 
     /** Traces finer samples; null where the work was cancelled. */
-    CachedTile fine(SamplePlaces places) {
+    CachedTile traceSamples(SamplePositions places) {
         eyeRays += places.count();
-        return traced(places, eye.visibility().fine(places, rows(false)), false, true);
+        return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(false)), false, true);
     }
 
     /** Whether the samples made last have other colours than before. */
-    boolean recolored() {
-        return recolored;
+    boolean hasNewColors() {
+        return hasNewColors;
     }
 
     /** The colours of the samples made last, where those are others than before: red, green and blue, valid until the next call. */
@@ -98,74 +99,77 @@ final class TileWorker {
         return colors;
     }
 
-    private CachedTile traced(SamplePlaces places, HitRows rows, boolean coded, boolean fine) {
-        TileLevel top = eye.lit(rows);
-        begin(coded, top);
-        LowerLevels.Kept below = top.rows().reflective == 0 ? new LowerLevels.Kept(new TileLevel[] {top}, new int[0][], null)
-                : lower().traced(top, new int[0][], coded ? coder : null);
-        return job.progress().isCancelled() ? null
-                : finish(places, top, below, false, null, coded ? coder.codes() : null, fine);
+    private CachedTile buildTraced(SamplePositions places, HitRows rows, boolean detectEdges, boolean fine) {
+        TileLevel top = eyeWorker.lightLevel(rows);
+        startEdgeCodes(detectEdges, top);
+        BounceLevels.TracedLevels below =
+                top.rows().reflectiveCount == 0 ? new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null)
+                        : bounceLevels().traceAll(top, new int[0][], detectEdges ? edgeCoder : null);
+        return job.progress().isCanceled() ? null
+                : buildTile(places, top, below, false, null, detectEdges ? edgeCoder.build() : null, fine);
     }
 
-    private TileVisibility.Allocator rows(boolean coded) {
-        return (count, textured, clear) -> new HitRows(count, textured, clear, coded, owned);
+    private TileVisibility.Allocator allocator(boolean detectEdges) {
+        return (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, needsOwners);
     }
 
     /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
     CachedTile relight(int tile, CachedTile old) {
-        SamplePlaces places = SamplePlaces.centers(tile % job.tilesX() * Film.TILE, tile / job.tilesX() * Film.TILE);
-        BitSet anew = touching(places);
-        if (!LevelWorker.areFew(anew, places.count())) {
+        SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
+        BitSet retraced = changedRays(places);
+        if (!LevelWorker.isWorthUpdating(retraced, places.count())) {
             return firstPass(tile);
         }
-        boolean seeksEdges = job.sampling().antialias() == Antialias.EDGES;
+        boolean seeksEdges = job.sampling().antialias() == AntialiasMode.EDGES;
         boolean codes = old.codes != null;
-        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), anew, seeksEdges,
+        return relight(places, seeksEdges == codes ? old : seeksEdges ? withCodes(places, old) : withoutCodes(old), retraced, seeksEdges,
                 false);
     }
 
     /** Those of the places whose rays may hit something else than before. */
-    private BitSet touching(SamplePlaces places) {
-        return job.shapes().isEmpty() ? new BitSet() : eye.visibility().eyeTouching(places, job.shapes().seen());
+    private BitSet changedRays(SamplePositions places) {
+        return job.shapeChange().isEmpty() ? new BitSet()
+                : eyeWorker.visibility().eyeRaysThroughBoxes(places, job.shapeChange().visibleChanges());
     }
 
     /**
      * A tile that anti-aliasing begins to look at: what its rays hit is asked again, for the codes that were not kept; the
      * rows and their light are those that are known.
      */
-    private CachedTile withCodes(SamplePlaces places, CachedTile old) {
-        TileLevel top = old.levels[0].withCode(seen(places, true).code);
-        TileLevel[] levels = lower().asked(old, top, true, (level, again) -> level.withCode(again.code));
+    private CachedTile withCodes(SamplePositions places, CachedTile old) {
+        TileLevel top = old.levels[0].withCode(eyeHits(places, true).code);
+        TileLevel[] levels = bounceLevels().retraceHits(old, top, true, (level, retracedRows) -> level.withCode(retracedRows.code));
         return new CachedTile(levels, old.hitShapes, old.images, old.film, null);
     }
 
     /** What the eye rays of some places hit. */
-    private HitRows seen(SamplePlaces places, boolean coded) {
+    private HitRows eyeHits(SamplePositions places, boolean detectEdges) {
         if (places.pixels() != null) {
             eyeRays += places.count();
-            return eye.visibility().fine(places, rows(coded));
+            return eyeWorker.visibility().traceSamples(places, allocator(detectEdges));
         }
-        eyeRays += (long) Math.min(Film.TILE, job.scene().picture().width() - places.x0())
-                * Math.min(Film.TILE, job.scene().picture().height() - places.y0());
-        return eye.visibility().eye(places.x0(), places.y0(), Film.TILE, rows(coded));
+        eyeRays += (long) Math.min(Film.TILE_SIZE, job.scene().picture().width() - places.x0())
+                * Math.min(Film.TILE_SIZE, job.scene().picture().height() - places.y0());
+        return eyeWorker.visibility().traceEyeRays(places.x0(), places.y0(), Film.TILE_SIZE, allocator(detectEdges));
     }
 
     /** A tile whose rows know whose they are where a light asks for that, and do not where none does. */
-    private CachedTile owned(SamplePlaces places, CachedTile old) {
+    private CachedTile updateOwners(SamplePositions places, CachedTile old) {
         boolean known = old.levels[0].rows().owner != null;
-        return !owned && !known || owned && known && job.shapes().keepsIndices() ? old
-                : new CachedTile(owned ? known ? reindexed(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
+        return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
+                : new CachedTile(needsOwners ? known ? reindexOwners(old) : withOwners(places, old) : withoutOwners(old), old.hitShapes,
                         old.images, old.film, old.codes);
     }
 
     /** What rays hit is asked again: the rows and their light are those that are known. */
-    private TileLevel[] withOwners(SamplePlaces places, CachedTile old) {
-        TileLevel top = old.levels[0].withOwner(seen(places, false).ownersOf(old.levels[0].rows()));
-        return lower().asked(old, top, false, (level, again) -> level.withOwner(again.ownersOf(level.rows())));
+    private TileLevel[] withOwners(SamplePositions places, CachedTile old) {
+        TileLevel top = old.levels[0].withOwner(eyeHits(places, false).ownersFor(old.levels[0].rows()));
+        return bounceLevels().retraceHits(old, top, false, (level, retracedRows) -> level.withOwner(retracedRows.ownersFor(level.rows())));
     }
 
-    private TileLevel[] reindexed(CachedTile old) {
-        return Arrays.stream(old.levels).map(level -> level.withOwner(job.shapes().now(level.rows().owner))).toArray(TileLevel[]::new);
+    private TileLevel[] reindexOwners(CachedTile old) {
+        return Arrays.stream(old.levels).map(level -> level.withOwner(job.shapeChange().mapIndices(level.rows().owner)))
+                .toArray(TileLevel[]::new);
     }
 
     private static TileLevel[] withoutOwners(CachedTile old) {
@@ -178,53 +182,56 @@ final class TileWorker {
     }
 
     /** Updates finer samples as planned; null where the work was cancelled. */
-    CachedTile relight(SamplePlaces places, CachedTile old) {
-        BitSet anew = touching(places);
-        return LevelWorker.areFew(anew, places.count()) ? relight(places, old, anew, false, true) : fine(places);
+    CachedTile relight(SamplePositions places, CachedTile old) {
+        BitSet retraced = changedRays(places);
+        return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, false, true) : traceSamples(places);
     }
 
     /**
-     * @param anew  places whose rays are traced anew
+     * @param retraced  places whose rays are traced anew
      * @param codes whether anti-aliasing looks at these rows
      * @param fine  whether they are finer samples
      */
-    private CachedTile relight(SamplePlaces places, CachedTile of, BitSet anew, boolean codes, boolean fine) {
-        CachedTile old = owned(places, of);
+    private CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean codes, boolean fine) {
+        CachedTile old = updateOwners(places, previous);
         TileLevel known = old.levels[0];
-        MaterialUpdate materials = job.top().materials();
-        RowSplice order = !anew.isEmpty() || materials.mirrors().isIn(known.rows())
-                ? RowSplice.sorted(known.rows(), anew, job.shown().geometry().materials()) : null;
-        TileLevel sorted = order == null ? known : eye.sorted(order, known);
-        sorted = eye.retextured(sorted, places, job.top());
-        TileLevel top = eye.updated(sorted, job.top());
-        if (!anew.isEmpty() && !job.progress().isCancelled()) {
-            TileLevel added = eye.lit(eye.visibility().eye(places, anew, rows(known.rows().code != null)));
-            eyeRays += anew.cardinality();
-            RowSplice all = RowSplice.joined(Film.TILE_PIXELS, top.rows(), added.rows(), job.shown().geometry().materials());
-            top = eye.joined(all, top, added);
-            order = order.then(all);
+        MaterialUpdate materials = job.topPlan().materials();
+        RowSplice order = !retraced.isEmpty() || materials.mirroringChanged().intersects(known.rows())
+                ? RowSplice.sort(known.rows(), retraced, job.target().geometry().materials()) : null;
+        TileLevel sorted = order == null ? known : eyeWorker.reorder(order, known);
+        sorted = eyeWorker.retexture(sorted, places, job.topPlan());
+        TileLevel top = eyeWorker.update(sorted, job.topPlan());
+        if (!retraced.isEmpty() && !job.progress().isCanceled()) {
+            TileLevel added =
+                    eyeWorker.lightLevel(eyeWorker.visibility().traceEyeRays(places, retraced, allocator(known.rows().code != null)));
+            eyeRays += retraced.cardinality();
+            RowSplice all = RowSplice.join(Film.TILE_PIXELS, top.rows(), added.rows(), job.target().geometry().materials());
+            top = eyeWorker.join(all, top, added);
+            order = order.andThen(all);
         }
-        if (job.progress().isCancelled()) {
+        if (job.progress().isCanceled()) {
             return null;
         }
-        boolean lowerStay = job.mirrors() == null && order == null;
-        boolean coded = job.coding() && codes && (!lowerStay || job.top().recodes(sorted, top.layers()));
-        begin(coded, top);
-        LowerLevels.Kept below =
-                lowerStay ? new LowerLevels.Kept(old.levels, old.hitShapes, old.images) : updateLower(old, top, order, coded);
-        if (job.progress().isCancelled()) {
+        boolean reusesBounces = job.mirrorPlan() == null && order == null;
+        boolean detectEdges = job.detectsEdges() && codes && (!reusesBounces || job.topPlan().canChangeEdges(sorted, top.layers()));
+        startEdgeCodes(detectEdges, top);
+        BounceLevels.TracedLevels below =
+                reusesBounces ? new BounceLevels.TracedLevels(old.levels, old.hitShapes, old.images)
+                        : updateLower(old, top, order, detectEdges);
+        if (job.progress().isCanceled()) {
             return null;
         }
-        boolean same = order == null && below.images() == old.images && !job.top().recolors(sorted, top.layers());
-        EdgeCodes seen = !coded ? old.codes : (lowerStay ? coder.codes(old.codes) : coder.codes()).or(old.codes);
-        return finish(places, top, below, same, old.film, seen, fine);
+        boolean isUnchanged = order == null && below.images() == old.images && !job.topPlan().canChangeColors(sorted, top.layers());
+        EdgeCodes newCodes =
+                !detectEdges ? old.codes : (reusesBounces ? edgeCoder.build(old.codes) : edgeCoder.build()).reuseIfEqual(old.codes);
+        return buildTile(places, top, below, isUnchanged, old.film, newCodes, fine);
     }
 
-    private void begin(boolean coded, TileLevel top) {
-        if (coded) {
-            coder = coder == null ? new EdgeCoder() : coder;
-            coder.begin();
-            eye.code(coder, 0, 0, top);
+    private void startEdgeCodes(boolean detectEdges, TileLevel top) {
+        if (detectEdges) {
+            edgeCoder = edgeCoder == null ? new EdgeCodeBuilder() : edgeCoder;
+            edgeCoder.begin();
+            eyeWorker.addEdgeCodes(edgeCoder, 0, 0, top);
         }
     }
 
@@ -234,34 +241,35 @@ final class TileWorker {
      * @param film the colours of before
      * @param fine whether the rows are finer samples, whose colours only accuracy ratio keeps, to bound its errors
      */
-    private CachedTile finish(SamplePlaces places, TileLevel top, LowerLevels.Kept below, boolean same, float[][] film, EdgeCodes codes,
+    private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
+            float[][] film, EdgeCodes codes,
             boolean fine) {
         TileLevel[] levels = below.levels().clone();
         levels[0] = top;
-        boolean kept = !fine || !job.options().accuracy().isExact();
-        if (!same) {
-            colors = kept ? new float[3][Film.TILE_PIXELS] : samples();
-            eye.composer.background(top.rows(), job.scene(), places, colors);
-            levels[0] = eye.compose(top, job.top(), below.images(), colors);
-            filmBytes += kept ? 12L * Film.TILE_PIXELS : 0;
+        boolean storesColors = !fine || !job.options().accuracy().isExact();
+        if (!isUnchanged) {
+            colors = storesColors ? new float[3][Film.TILE_PIXELS] : sampleColors();
+            eyeWorker.composer.fillBackground(top.rows(), job.scene(), places, colors);
+            levels[0] = eyeWorker.compose(top, job.topPlan(), below.images(), colors);
+            filmBytes += storesColors ? 12L * Film.TILE_PIXELS : 0;
         }
-        recolored = !same;
-        return new CachedTile(levels, below.hitShapes(), below.images(), !kept ? null : same ? film : colors, codes);
+        hasNewColors = !isUnchanged;
+        return new CachedTile(levels, below.hitShapes(), below.images(), !storesColors ? null : isUnchanged ? film : colors, codes);
     }
 
-    private float[][] samples() {
-        samples = samples == null ? new float[3][Film.TILE_PIXELS] : samples;
-        return samples;
+    private float[][] sampleColors() {
+        sampleColors = sampleColors == null ? new float[3][Film.TILE_PIXELS] : sampleColors;
+        return sampleColors;
     }
 
     /**
      * @param order what became of the first level's rows; null if they are what they were
-     * @param coded whether anti-aliasing wants to see the levels below
+     * @param detectEdges whether anti-aliasing wants to see the levels below
      */
-    private LowerLevels.Kept updateLower(CachedTile old, TileLevel top, RowSplice order, boolean coded) {
-        if (top.rows().reflective == 0) {
-            return new LowerLevels.Kept(new TileLevel[] {top}, new int[0][], null);
+    private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, RowSplice order, boolean detectEdges) {
+        if (top.rows().reflectiveCount == 0) {
+            return new BounceLevels.TracedLevels(new TileLevel[] {top}, new int[0][], null);
         }
-        return lower().updated(old, top, order, coded ? coder : null);
+        return bounceLevels().updateAll(old, top, order, detectEdges ? edgeCoder : null);
     }
 }

@@ -8,7 +8,7 @@ import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
-import lightning.render.trace.solid.Rays;
+import lightning.render.trace.solid.RayBatch;
 
 /**
  * All that the rays of a packet sweep, to be tested against the eight boxes of a node at once.
@@ -21,102 +21,103 @@ import lightning.render.trace.solid.Rays;
 final class MeshBeam {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Float> LANES = FloatVector.SPECIES_PREFERRED;
-    private static final float WIDER = 0x1p-22f;
+    private static final float STEP_PADDING = 0x1p-22f;
     /** No distance within a mesh is as large. */
-    private static final float NEVER = 1e30f;
+    private static final float UNREACHED = 1e30f;
 
     /** For each axis, factor and summand of: in by the greater side, out by it, in by the lesser side, out by it. */
-    private final float[] c = new float[24];
-    private final float[] least = new float[Rays.WIDTH];
-    private final float[] most = new float[Rays.WIDTH];
-    private final float[] leastStep = new float[Rays.WIDTH];
-    private final float[] mostStep = new float[Rays.WIDTH];
+    private final float[] coefficients = new float[24];
+    private final float[] minStart = new float[RayBatch.WIDTH];
+    private final float[] maxStart = new float[RayBatch.WIDTH];
+    private final float[] minStep = new float[RayBatch.WIDTH];
+    private final float[] maxStep = new float[RayBatch.WIDTH];
     /** Where the beam enters each child, as the bits of floats. */
-    final int[] in = new int[MeshTree.WIDTH];
+    final int[] entryBits = new int[MeshTree.WIDTH];
     /** The rays that were taken, one bit for each. */
     long rays;
     /** The greatest difference between the rays' steps on any axis. */
-    float spread;
+    float stepSpread;
     /** The greatest difference between the rays' origins on any axis. */
-    float width;
+    float originSpread;
 
     /** Takes a set of rays, not empty, of the packets {@code i … end − 1}. */
-    void take(MeshSight sight, long set, int i, int end) {
-        rays = set;
-        spread = 0;
-        width = 0;
-        axis(sight.startX, sight.stepX, sight.wide, i, end, 0);
-        axis(sight.startY, sight.stepY, sight.wide, i, end, 8);
-        axis(sight.startZ, sight.stepZ, sight.wide, i, end, 16);
+    void setRays(MeshFloatLines lines, long rayMask, int i, int end) {
+        rays = rayMask;
+        stepSpread = 0;
+        originSpread = 0;
+        boundAxis(lines.startX, lines.stepX, lines.lineWidth, i, end, 0);
+        boundAxis(lines.startY, lines.stepY, lines.lineWidth, i, end, 8);
+        boundAxis(lines.startZ, lines.stepZ, lines.lineWidth, i, end, 16);
     }
 
-    private void axis(float[] start, float[] step, float[] wide, int from, int end, int at) {
+    private void boundAxis(float[] start, float[] step, float[] lineWidth, int from, int end, int at) {
         FloatVector low = FloatVector.broadcast(LANES, Float.POSITIVE_INFINITY);
         FloatVector high = low.neg();
         FloatVector lowStep = low;
         FloatVector highStep = high;
-        for (int i = from; i < end; i += Rays.WIDTH) {
-            VectorMask<Float> open = VectorMask.fromLong(LANES, rays >>> i);
+        for (int i = from; i < end; i += RayBatch.WIDTH) {
+            VectorMask<Float> active = VectorMask.fromLong(LANES, rays >>> i);
             FloatVector o = FloatVector.fromArray(LANES, start, i);
-            FloatVector w = FloatVector.fromArray(LANES, wide, i);
+            FloatVector w = FloatVector.fromArray(LANES, lineWidth, i);
             FloatVector d = FloatVector.fromArray(LANES, step, i);
             w = w.add(w);
             FloatVector less = o.sub(w);
             FloatVector more = o.add(w);
-            low = low.blend(less, less.compare(LT, low).and(open));
-            high = high.blend(more, more.compare(GT, high).and(open));
-            lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(open));
-            highStep = highStep.blend(d, d.compare(GT, highStep).and(open));
+            low = low.blend(less, less.compare(LT, low).and(active));
+            high = high.blend(more, more.compare(GT, high).and(active));
+            lowStep = lowStep.blend(d, d.compare(LT, lowStep).and(active));
+            highStep = highStep.blend(d, d.compare(GT, highStep).and(active));
         }
-        low.intoArray(least, 0);
-        high.intoArray(most, 0);
-        lowStep.intoArray(leastStep, 0);
-        highStep.intoArray(mostStep, 0);
-        fold(at);
+        low.intoArray(minStart, 0);
+        high.intoArray(maxStart, 0);
+        lowStep.intoArray(minStep, 0);
+        highStep.intoArray(maxStep, 0);
+        reduceAxis(at);
     }
 
-    private void fold(int at) {
-        float low = least[0];
-        float high = most[0];
-        float lowStep = leastStep[0];
-        float highStep = mostStep[0];
-        for (int i = 1; i < Rays.WIDTH; i++) {
-            low = least[i] < low ? least[i] : low;
-            high = most[i] > high ? most[i] : high;
-            lowStep = leastStep[i] < lowStep ? leastStep[i] : lowStep;
-            highStep = mostStep[i] > highStep ? mostStep[i] : highStep;
+    private void reduceAxis(int at) {
+        float low = minStart[0];
+        float high = maxStart[0];
+        float lowStep = minStep[0];
+        float highStep = maxStep[0];
+        for (int i = 1; i < RayBatch.WIDTH; i++) {
+            low = minStart[i] < low ? minStart[i] : low;
+            high = maxStart[i] > high ? maxStart[i] : high;
+            lowStep = minStep[i] < lowStep ? minStep[i] : lowStep;
+            highStep = maxStep[i] > highStep ? maxStep[i] : highStep;
         }
-        width = high - low > width ? high - low : width;
-        spread = highStep - lowStep > spread ? highStep - lowStep : spread;
-        lowStep -= WIDER;
-        highStep += WIDER;
-        lowStep = lowStep == 0 ? -WIDER : lowStep;
-        highStep = highStep == 0 ? WIDER : highStep;
+        originSpread = high - low > originSpread ? high - low : originSpread;
+        stepSpread = highStep - lowStep > stepSpread ? highStep - lowStep : stepSpread;
+        lowStep -= STEP_PADDING;
+        highStep += STEP_PADDING;
+        lowStep = lowStep == 0 ? -STEP_PADDING : lowStep;
+        highStep = highStep == 0 ? STEP_PADDING : highStep;
         // low + t·lowStep ≤ the greater side: until then where the step is forwards, from then on where it is backwards.
         float a = 1 / lowStep;
-        put(at, lowStep < 0, a, -low * a);
+        storeCoefficients(at, lowStep < 0, a, -low * a);
         float b = 1 / highStep;
-        put(at + 4, highStep > 0, b, -high * b);
+        storeCoefficients(at + 4, highStep > 0, b, -high * b);
     }
 
-    private void put(int at, boolean from, float factor, float summand) {
-        c[at] = from ? factor : 0;
-        c[at + 1] = from ? summand : 0;
-        c[at + 2] = from ? 0 : factor;
-        c[at + 3] = from ? NEVER : summand;
+    private void storeCoefficients(int at, boolean isEntry, float factor, float summand) {
+        coefficients[at] = isEntry ? factor : 0;
+        coefficients[at + 1] = isEntry ? summand : 0;
+        coefficients[at + 2] = isEntry ? 0 : factor;
+        coefficients[at + 3] = isEntry ? UNREACHED : summand;
     }
 
-    /** The children of a node that the beam touches up to a distance, as one bit each; writes {@link #in}. */
-    int touches(MeshTree tree, int node, int far) {
+    /** The children of a node that the beam touches up to a distance, as one bit each; writes {@link #entryBits}. */
+    int enteredChildren(MeshTree tree, int node, int limitBits) {
         float[] b = tree.box;
-        float[] k = c;
-        int at = MeshTree.NODE * node;
+        float[] k = coefficients;
+        int at = MeshTree.NODE_FLOATS * node;
         FloatVector lesser = FloatVector.fromArray(FLOATS, b, at);
         FloatVector greater = FloatVector.fromArray(FLOATS, b, at + 8);
         IntVector enters = greater.fma(FloatVector.broadcast(FLOATS, k[0]), FloatVector.broadcast(FLOATS, k[1])).reinterpretAsInts()
                 .max(lesser.fma(FloatVector.broadcast(FLOATS, k[4]), FloatVector.broadcast(FLOATS, k[5])).reinterpretAsInts()).max(0);
         IntVector leaves = greater.fma(FloatVector.broadcast(FLOATS, k[2]), FloatVector.broadcast(FLOATS, k[3])).reinterpretAsInts()
-                .min(lesser.fma(FloatVector.broadcast(FLOATS, k[6]), FloatVector.broadcast(FLOATS, k[7])).reinterpretAsInts()).min(far);
+                .min(lesser.fma(FloatVector.broadcast(FLOATS, k[6]), FloatVector.broadcast(FLOATS, k[7])).reinterpretAsInts())
+                .min(limitBits);
         lesser = FloatVector.fromArray(FLOATS, b, at + 16);
         greater = FloatVector.fromArray(FLOATS, b, at + 24);
         enters = enters.max(greater.fma(FloatVector.broadcast(FLOATS, k[8]), FloatVector.broadcast(FLOATS, k[9])).reinterpretAsInts())
@@ -129,7 +130,7 @@ final class MeshBeam {
                 .max(lesser.fma(FloatVector.broadcast(FLOATS, k[20]), FloatVector.broadcast(FLOATS, k[21])).reinterpretAsInts());
         leaves = leaves.min(greater.fma(FloatVector.broadcast(FLOATS, k[18]), FloatVector.broadcast(FLOATS, k[19])).reinterpretAsInts())
                 .min(lesser.fma(FloatVector.broadcast(FLOATS, k[22]), FloatVector.broadcast(FLOATS, k[23])).reinterpretAsInts());
-        enters.intoArray(in, 0);
+        enters.intoArray(entryBits, 0);
         return (int) enters.compare(LE, leaves).toLong();
     }
 }

@@ -13,7 +13,7 @@ package lightning.render.trace.mesh;
  * <p><b>The distance</b> is the mean of the vertices' depths with those differences as weights: all have one sign, so it lies between
  * the vertices' depths, up to rounding, even where a triangle is seen from its side and the weights are noise.
  *
- * <p><b>Boxes</b> are exact and the ray is made wide by {@code pad}, 16u·R with u = 2⁻⁵³ and R a bound on any |coordinate| of the
+ * <p><b>Boxes</b> are exact and the ray is made wide by {@code padding}, 16u·R with u = 2⁻⁵³ and R a bound on any |coordinate| of the
  * ray's origin plus any of the mesh. Moving and shearing are off by u·R + 2u·R + u·R, so a ray that the test lets in passes within
  * 4u·R of a point of the triangle, and of its box, on the two axes that are sheared, and at its very depth on the third. Where it
  * enters and leaves a box, (b − (o ± pad))·(1/d), is rounded by no more than 6u·R/|d|. So the wide ray crosses the triangle's own box
@@ -25,9 +25,9 @@ final class MeshRay {
     /** The distance to what a ray does not meet. */
     static final double MISS = Double.POSITIVE_INFINITY;
     /** 16u. */
-    static final double PAD = 0x1p-49;
+    static final double PADDING_SHARE = 0x1p-49;
     /** Finite, so that a ray within a box's plane makes no NaN. */
-    static final double STEEPEST = 0x1p900;
+    static final double MAX_INVERSE = 0x1p900;
 
     private double ox;
     private double oy;
@@ -39,7 +39,7 @@ final class MeshRay {
     private double highX;
     private double highY;
     private double highZ;
-    private double pad;
+    private double padding;
     private double inverseX;
     private double inverseY;
     private double inverseZ;
@@ -52,31 +52,31 @@ final class MeshRay {
     private double originZ;
     private double shearX;
     private double shearY;
-    private double perDepth;
+    private double inverseDepth;
     /** A point, and how near to it triangles are that the ray does not meet; negative for none. */
-    private double freeX;
-    private double freeY;
-    private double freeZ;
-    private double free;
-    /** Where the ray enters the box that {@link #enters} was asked for. */
-    double in;
+    private double ignoredX;
+    private double ignoredY;
+    private double ignoredZ;
+    private double ignoredRadius;
+    /** Where the ray enters the box that {@link #entersBox} was asked for. */
+    double entryDistance;
 
     /**
      * Takes a ray.
      *
-     * @param reach the largest absolute coordinate of the mesh
+     * @param maxCoordinate the largest absolute coordinate of the mesh
      */
-    void enter(double x, double y, double z, double dx, double dy, double dz, double reach) {
+    void setRay(double x, double y, double z, double dx, double dy, double dz, double maxCoordinate) {
         ox = x;
         oy = y;
         oz = z;
-        pad = PAD * (Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) + reach);
-        lowX = x + pad;
-        lowY = y + pad;
-        lowZ = z + pad;
-        highX = x - pad;
-        highY = y - pad;
-        highZ = z - pad;
+        padding = PADDING_SHARE * (Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) + maxCoordinate);
+        lowX = x + padding;
+        lowY = y + padding;
+        lowZ = z + padding;
+        highX = x - padding;
+        highY = y - padding;
+        highZ = z - padding;
         inverseX = inverse(dx);
         inverseY = inverse(dy);
         inverseZ = inverse(dz);
@@ -86,29 +86,29 @@ final class MeshRay {
         axisZ = absX >= absY && absX >= absZ ? 0 : absY >= absZ ? 1 : 2;
         axisX = axisZ == 2 ? 0 : axisZ + 1;
         axisY = axisX == 2 ? 0 : axisX + 1;
-        originX = of(axisX, x, y, z);
-        originY = of(axisY, x, y, z);
-        originZ = of(axisZ, x, y, z);
-        perDepth = 1 / of(axisZ, dx, dy, dz);
-        shearX = of(axisX, dx, dy, dz) * perDepth;
-        shearY = of(axisY, dx, dy, dz) * perDepth;
-        free = -1;
+        originX = component(axisX, x, y, z);
+        originY = component(axisY, x, y, z);
+        originZ = component(axisZ, x, y, z);
+        inverseDepth = 1 / component(axisZ, dx, dy, dz);
+        shearX = component(axisX, dx, dy, dz) * inverseDepth;
+        shearY = component(axisY, dx, dy, dz) * inverseDepth;
+        ignoredRadius = -1;
     }
 
-    /** Lets the ray, once taken, pass all triangles that are this near to a point of it, as far as {@link #gap} knows. */
-    void pass(double x, double y, double z, double near) {
-        freeX = x;
-        freeY = y;
-        freeZ = z;
-        free = near;
+    /** Lets the ray, once taken, pass all triangles that are this near to a point of it, as far as {@link #triangleDistance} knows. */
+    void ignoreNear(double x, double y, double z, double radius) {
+        ignoredX = x;
+        ignoredY = y;
+        ignoredZ = z;
+        ignoredRadius = radius;
     }
 
     private static double inverse(double d) {
         double inverse = 1 / d;
-        return inverse < -STEEPEST ? -STEEPEST : inverse > STEEPEST ? STEEPEST : inverse;
+        return inverse < -MAX_INVERSE ? -MAX_INVERSE : inverse > MAX_INVERSE ? MAX_INVERSE : inverse;
     }
 
-    private static double of(int axis, double x, double y, double z) {
+    private static double component(int axis, double x, double y, double z) {
         return axis == 0 ? x : axis == 1 ? y : z;
     }
 
@@ -117,8 +117,9 @@ final class MeshRay {
      * and {@code v[c + k * step]}.
      */
     double distance(float[] v, int a, int b, int c, int step) {
-        double t = depth(v, a, b, c, axisX * step, axisY * step, axisZ * step, originX, originY, originZ, shearX, shearY, perDepth);
-        return t > 0 ? within(t, v, a, b, c, step) : MISS;
+        double t = planeDistance(v, a, b, c, axisX * step, axisY * step, axisZ * step, originX, originY, originZ, shearX, shearY,
+                inverseDepth);
+        return t > 0 ? acceptedDistance(t, v, a, b, c, step) : MISS;
     }
 
     /**
@@ -126,8 +127,9 @@ final class MeshRay {
      * {@code x}, {@code y} and {@code z} of its vertices, which are added to {@code a}, {@code b} and {@code c}, and of the origin are those across
      * the ray's axis and along it.
      */
-    static double depth(float[] v, int a, int b, int c, int x, int y, int z, double originX, double originY, double originZ, double shearX,
-            double shearY, double perDepth) {
+    static double planeDistance(float[] v, int a, int b, int c, int x, int y, int z, double originX, double originY, double originZ,
+            double shearX,
+            double shearY, double inverseDepth) {
         double az = v[a + z] - originZ;
         double ax = v[a + x] - originX - shearX * az;
         double ay = v[a + y] - originY - shearY * az;
@@ -137,49 +139,51 @@ final class MeshRay {
         double cz = v[c + z] - originZ;
         double cx = v[c + x] - originX - shearX * cz;
         double cy = v[c + y] - originY - shearY * cz;
-        double atA = cx * by - cy * bx;
-        double atB = ax * cy - ay * cx;
-        double atC = bx * ay - by * ax;
-        boolean one = atA >= 0 && atB >= 0 && atC >= 0;
-        boolean other = atA <= 0 && atB <= 0 && atC <= 0;
+        double weightA = cx * by - cy * bx;
+        double weightB = ax * cy - ay * cx;
+        double weightC = bx * ay - by * ax;
+        boolean allPositive = weightA >= 0 && weightB >= 0 && weightC >= 0;
+        boolean allNegative = weightA <= 0 && weightB <= 0 && weightC <= 0;
         // NaN where all weights are 0: the triangle is seen as a line, and its neighbours cover what it does.
-        return one || other ? (atA * az + atB * bz + atC * cz) / (atA + atB + atC) * perDepth : Double.NaN;
+        return allPositive || allNegative ? (weightA * az + weightB * bz + weightC * cz) / (weightA + weightB + weightC) * inverseDepth
+                : Double.NaN;
     }
 
-    private double within(double t, float[] v, int a, int b, int c, int step) {
-        double put = put(t, v, a, b, c, step, ox, oy, oz, pad, inverseX, inverseY, inverseZ);
-        return put < MISS && free >= 0 && gap(v, a, b, c, step, freeX, freeY, freeZ) <= free ? MISS : put;
+    private double acceptedDistance(double t, float[] v, int a, int b, int c, int step) {
+        double clamped = clampToBox(t, v, a, b, c, step, ox, oy, oz, padding, inverseX, inverseY, inverseZ);
+        return clamped < MISS && ignoredRadius >= 0 && triangleDistance(v, a, b, c, step, ignoredX, ignoredY, ignoredZ) <= ignoredRadius
+                ? MISS : clamped;
     }
 
     /** Puts a distance into the interval in which a ray, made wide, crosses the triangle's box; {@code +∞} where that is behind it. */
-    static double put(double t, float[] v, int a, int b, int c, int step, double ox, double oy, double oz, double pad,
+    static double clampToBox(double t, float[] v, int a, int b, int c, int step, double ox, double oy, double oz, double pad,
             double inverseX, double inverseY, double inverseZ) {
-        double p = (least(v[a], v[b], v[c]) - (ox + pad)) * inverseX;
-        double q = (most(v[a], v[b], v[c]) - (ox - pad)) * inverseX;
+        double p = (min(v[a], v[b], v[c]) - (ox + pad)) * inverseX;
+        double q = (max(v[a], v[b], v[c]) - (ox - pad)) * inverseX;
         double enters = p < q ? p : q;
         double leaves = p < q ? q : p;
-        p = (least(v[a + step], v[b + step], v[c + step]) - (oy + pad)) * inverseY;
-        q = (most(v[a + step], v[b + step], v[c + step]) - (oy - pad)) * inverseY;
+        p = (min(v[a + step], v[b + step], v[c + step]) - (oy + pad)) * inverseY;
+        q = (max(v[a + step], v[b + step], v[c + step]) - (oy - pad)) * inverseY;
         enters = Math.max(enters, p < q ? p : q);
         leaves = Math.min(leaves, p < q ? q : p);
-        p = (least(v[a + 2 * step], v[b + 2 * step], v[c + 2 * step]) - (oz + pad)) * inverseZ;
-        q = (most(v[a + 2 * step], v[b + 2 * step], v[c + 2 * step]) - (oz - pad)) * inverseZ;
+        p = (min(v[a + 2 * step], v[b + 2 * step], v[c + 2 * step]) - (oz + pad)) * inverseZ;
+        q = (max(v[a + 2 * step], v[b + 2 * step], v[c + 2 * step]) - (oz - pad)) * inverseZ;
         enters = Math.max(Math.max(enters, p < q ? p : q), 0);
         leaves = Math.min(leaves, p < q ? q : p);
-        double put = t < enters ? enters : t > leaves ? leaves : t;
-        return enters <= leaves && put > 0 && put < MISS ? put : MISS;
+        double clamped = t < enters ? enters : t > leaves ? leaves : t;
+        return enters <= leaves && clamped > 0 && clamped < MISS ? clamped : MISS;
     }
 
-    private static float least(float a, float b, float c) {
+    private static float min(float a, float b, float c) {
         return Math.min(Math.min(a, b), c);
     }
 
-    private static float most(float a, float b, float c) {
+    private static float max(float a, float b, float c) {
         return Math.max(Math.max(a, b), c);
     }
 
-    /** Whether the wide ray may meet the box of child {@code i} at a distance up to {@code limit}; writes {@link #in}. */
-    boolean enters(float[] box, int i, double limit) {
+    /** Whether the wide ray may meet the box of child {@code i} at a distance up to {@code limit}; writes {@link #entryDistance}. */
+    boolean entersBox(float[] box, int i, double limit) {
         double p = (box[i] - lowX) * inverseX;
         double q = (box[i + 8] - highX) * inverseX;
         double enters = p < q ? p : q;
@@ -198,7 +202,7 @@ final class MeshRay {
         far = p < q ? q : p;
         enters = near > enters ? near : enters;
         leaves = far < leaves ? far : leaves;
-        in = enters;
+        entryDistance = enters;
         return enters <= leaves;
     }
 
@@ -206,12 +210,12 @@ final class MeshRay {
      * How far a point lies off a triangle at least: from its box along an axis, or from its plane. No more than the distance, and
      * 0 on it, up to rounding.
      */
-    static double gap(float[] v, int a, int b, int c, int step, double x, double y, double z) {
-        double gap = 0;
+    static double triangleDistance(float[] v, int a, int b, int c, int step, double x, double y, double z) {
+        double minDistance = 0;
         for (int axis = 0; axis < 3; axis++) {
             int k = axis * step;
-            double p = of(axis, x, y, z);
-            gap = Math.max(gap, Math.max(Math.min(v[a + k], Math.min(v[b + k], v[c + k])) - p,
+            double p = component(axis, x, y, z);
+            minDistance = Math.max(minDistance, Math.max(Math.min(v[a + k], Math.min(v[b + k], v[c + k])) - p,
                     p - Math.max(v[a + k], Math.max(v[b + k], v[c + k]))));
         }
         double ex = (double) v[b] - v[a];
@@ -225,6 +229,6 @@ final class MeshRay {
         double nz = ex * fy - ey * fx;
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
         double plane = Math.abs((x - v[a]) * nx + (y - v[a + step]) * ny + (z - v[a + 2 * step]) * nz);
-        return length > 0 ? Math.max(gap, plane / length) : gap;
+        return length > 0 ? Math.max(minDistance, plane / length) : minDistance;
     }
 }

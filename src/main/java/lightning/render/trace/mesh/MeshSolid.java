@@ -18,7 +18,7 @@ public final class MeshSolid {
     }
 
     /** A mesh with a tree of its own, which nobody shares: for who measures how it is built. */
-    public static MeshSolid apart(Mesh mesh) {
+    public static MeshSolid withUnsharedTree(Mesh mesh) {
         return new MeshSolid(mesh, MeshTreeBuilder.build(mesh));
     }
 
@@ -42,33 +42,34 @@ public final class MeshSolid {
      * How far a point lies off the mesh at least, own units: off each triangle from its box along an axis or from its plane,
      * whichever is more; {@code +∞} where there is no triangle.
      */
-    public double gap(double x, double y, double z) {
-        return gap(0, x, y, z, Double.POSITIVE_INFINITY);
+    public double surfaceDistance(double x, double y, double z) {
+        return surfaceDistance(0, x, y, z, Double.POSITIVE_INFINITY);
     }
 
-    private double gap(int node, double x, double y, double z, double most) {
-        double least = most;
+    private double surfaceDistance(int node, double x, double y, double z, double limit) {
+        double min = limit;
         for (int c = 0; c < MeshTree.WIDTH && tree.child[MeshTree.WIDTH * node + c] != MeshTree.NONE; c++) {
-            if (boxGap(MeshTree.NODE * node + c, x, y, z) < least) {
+            if (boxDistance(MeshTree.NODE_FLOATS * node + c, x, y, z) < min) {
                 int child = tree.child[MeshTree.WIDTH * node + c];
-                least = child >= 0 ? gap(child, x, y, z, least) : leafGap(~child, x, y, z, least);
+                min = child >= 0 ? surfaceDistance(child, x, y, z, min) : leafDistance(~child, x, y, z, min);
             }
         }
-        return least;
+        return min;
     }
 
-    private double boxGap(int i, double x, double y, double z) {
+    private double boxDistance(int i, double x, double y, double z) {
         float[] b = tree.box;
         return Math.max(Math.max(Math.max(b[i] - x, x - b[i + 8]), Math.max(b[i + 16] - y, y - b[i + 24])),
                 Math.max(b[i + 32] - z, z - b[i + 40]));
     }
 
-    private double leafGap(int leaf, double x, double y, double z, double most) {
-        double least = most;
+    private double leafDistance(int leaf, double x, double y, double z, double limit) {
+        double min = limit;
         for (int s = 0; s < MeshTree.WIDTH && tree.triangle[MeshTree.WIDTH * leaf + s] >= 0; s++) {
-            int at = MeshTree.LEAF * leaf + s;
-            least = Math.min(least, MeshRay.gap(tree.vertex, at, at + MeshTree.VERTEX, at + 2 * MeshTree.VERTEX, MeshTree.WIDTH, x, y, z));
+            int at = MeshTree.LEAF_FLOATS * leaf + s;
+            min = Math.min(min, MeshRay.triangleDistance(tree.vertex, at, at + MeshTree.VERTEX_FLOATS, at + 2 * MeshTree.VERTEX_FLOATS,
+                    MeshTree.WIDTH, x, y, z));
         }
-        return least;
+        return min;
     }
 }

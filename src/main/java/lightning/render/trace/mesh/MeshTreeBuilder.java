@@ -8,12 +8,12 @@ import java.util.stream.IntStream;
 import lightning.scene.Mesh;
 
 /**
- * Builds the tree of a mesh from the top: sets of triangles are split in two ({@link TriangleSplit}), on all processors, then made eight wide
+ * Builds the tree of a mesh from the top: sets of triangles are split in two ({@link TriangleSplitter}), on all processors, then made eight wide
  * ({@link WideNodes}).
  */
 final class MeshTreeBuilder {
     /** Sets of more triangles are split by two threads. */
-    private static final int SHARED = 8192;
+    private static final int PARALLEL_THRESHOLD = 8192;
     /** Triangles or leaves that one thread takes at a time. */
     private static final int CHUNK = 16384;
 
@@ -33,19 +33,19 @@ final class MeshTreeBuilder {
      */
     static MeshTree build(Mesh mesh) {
         var builder = new MeshTreeBuilder(mesh);
-        if (builder.count <= SHARED) {
-            return builder.tree();
+        if (builder.count <= PARALLEL_THRESHOLD) {
+            return builder.buildTree();
         }
         // A task that is no ForkJoinTask: who waits for it does nothing else meanwhile.
-        var task = new FutureTask<>(builder::tree);
+        var task = new FutureTask<>(builder::buildTree);
         try (var pool = new ForkJoinPool()) {
             pool.execute(task);
-            return result(task);
+            return awaitResult(task);
         }
     }
 
     /** An interrupt is kept for later: half a tree is of no use to the others who wait for it. */
-    private static MeshTree result(FutureTask<MeshTree> task) {
+    private static MeshTree awaitResult(FutureTask<MeshTree> task) {
         boolean interrupted = false;
         try {
             while (true) {
@@ -68,57 +68,57 @@ final class MeshTreeBuilder {
         }
     }
 
-    private MeshTree tree() {
-        chunks(count, (from, to) -> boxes.take(mesh, from, to));
-        float[] all = TriangleBoxes.empty();
-        boxes.enclose(0, count, all);
-        TriangleSet root = count == 0 ? null : split(0, count, 0, all, new TriangleSplit(boxes));
+    private MeshTree buildTree() {
+        forEachChunk(count, (from, to) -> boxes.setTriangles(mesh, from, to));
+        float[] meshBox = TriangleBoxes.emptyBox();
+        boxes.enclose(0, count, meshBox);
+        TriangleSet root = count == 0 ? null : split(0, count, 0, meshBox, new TriangleSplitter(boxes));
         WideNodes nodes = new WideNodes(root);
-        float[] vertex = new float[MeshTree.LEAF * nodes.leafCount()];
+        float[] vertex = new float[MeshTree.LEAF_FLOATS * nodes.leafCount()];
         int[] triangle = new int[MeshTree.WIDTH * nodes.leafCount()];
-        chunks(nodes.leafCount(), (from, to) -> {
+        forEachChunk(nodes.leafCount(), (from, to) -> {
             for (int leaf = from; leaf < to; leaf++) {
-                pack(nodes, leaf, vertex, triangle);
+                packLeaf(nodes, leaf, vertex, triangle);
             }
         });
         float[] bounds = new float[6];
         for (int a = 0; count > 0 && a < 3; a++) {
-            bounds[a] = all[a];
-            bounds[3 + a] = -all[3 + a];
+            bounds[a] = meshBox[a];
+            bounds[3 + a] = -meshBox[3 + a];
         }
         return new MeshTree(nodes.boxes(), nodes.children(), vertex, triangle, bounds, nodes.depth());
     }
 
-    private interface Range {
+    private interface ChunkTask {
         void run(int from, int to);
     }
 
-    private static void chunks(int count, Range range) {
+    private static void forEachChunk(int count, ChunkTask chunkTask) {
         IntStream.range(0, (count + CHUNK - 1) / CHUNK).parallel()
-                .forEach(chunk -> range.run(chunk * CHUNK, Math.min(count, (chunk + 1) * CHUNK)));
+                .forEach(chunk -> chunkTask.run(chunk * CHUNK, Math.min(count, (chunk + 1) * CHUNK)));
     }
 
-    private TriangleSet split(int from, int to, int level, float[] box, TriangleSplit splitting) {
+    private TriangleSet split(int from, int to, int level, float[] box, TriangleSplitter splitter) {
         TriangleSet set = new TriangleSet(from, to, box);
         if (to - from <= MeshTree.WIDTH) {
             return set;
         }
-        float[] firstBox = TriangleBoxes.empty();
-        float[] secondBox = TriangleBoxes.empty();
-        int middle = splitting.part(from, to, level, firstBox, secondBox);
-        if (to - from > SHARED) {
+        float[] firstBox = TriangleBoxes.emptyBox();
+        float[] secondBox = TriangleBoxes.emptyBox();
+        int middle = splitter.split(from, to, level, firstBox, secondBox);
+        if (to - from > PARALLEL_THRESHOLD) {
             ForkJoinTask<TriangleSet> first =
-                    ForkJoinTask.adapt(() -> split(from, middle, level + 1, firstBox, new TriangleSplit(boxes))).fork();
-            set.second = split(middle, to, level + 1, secondBox, splitting);
+                    ForkJoinTask.adapt(() -> split(from, middle, level + 1, firstBox, new TriangleSplitter(boxes))).fork();
+            set.second = split(middle, to, level + 1, secondBox, splitter);
             set.first = first.join();
         } else {
-            set.first = split(from, middle, level + 1, firstBox, splitting);
-            set.second = split(middle, to, level + 1, secondBox, splitting);
+            set.first = split(from, middle, level + 1, firstBox, splitter);
+            set.second = split(middle, to, level + 1, secondBox, splitter);
         }
         return set;
     }
 
-    private void pack(WideNodes nodes, int leaf, float[] vertex, int[] triangle) {
+    private void packLeaf(WideNodes nodes, int leaf, float[] vertex, int[] triangle) {
         float[] p = mesh.positions();
         int[] t = mesh.triangles();
         TriangleSet set = nodes.leaf(leaf);
@@ -127,7 +127,7 @@ final class MeshTreeBuilder {
             triangle[MeshTree.WIDTH * leaf + s] = id;
             for (int v = 0; v < 3; v++) {
                 for (int a = 0; a < 3; a++) {
-                    vertex[MeshTree.LEAF * leaf + MeshTree.VERTEX * v + MeshTree.WIDTH * a + s] =
+                    vertex[MeshTree.LEAF_FLOATS * leaf + MeshTree.VERTEX_FLOATS * v + MeshTree.WIDTH * a + s] =
                             id < 0 ? Float.NaN : p[3 * t[3 * id + v] + a];
                 }
             }

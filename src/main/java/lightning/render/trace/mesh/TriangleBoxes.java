@@ -19,7 +19,7 @@ final class TriangleBoxes {
     }
 
     /** Takes some triangles of a mesh, each at its own place. */
-    void take(Mesh mesh, int from, int to) {
+    void setTriangles(Mesh mesh, int from, int to) {
         float[] p = mesh.positions();
         int[] t = mesh.triangles();
         for (int i = from; i < to; i++) {
@@ -28,16 +28,16 @@ final class TriangleBoxes {
                 float x = p[3 * t[3 * i] + a];
                 float y = p[3 * t[3 * i + 1] + a];
                 float z = p[3 * t[3 * i + 2] + a];
-                float least = x < y ? x : y;
-                float most = x < y ? y : x;
-                boxes[6 * i + a] = least < z ? least : z;
-                boxes[6 * i + 3 + a] = -(most > z ? most : z);
+                float min = x < y ? x : y;
+                float max = x < y ? y : x;
+                boxes[6 * i + a] = min < z ? min : z;
+                boxes[6 * i + 3 + a] = -(max > z ? max : z);
             }
         }
     }
 
     /** Twice the centre of triangle {@code i}'s box. */
-    float centre(int i, int a) {
+    float doubledCenter(int i, int a) {
         return boxes[6 * i + a] - boxes[6 * i + 3 + a];
     }
 
@@ -78,16 +78,16 @@ final class TriangleBoxes {
     }
 
     /** A box that holds nothing. */
-    static float[] empty() {
+    static float[] emptyBox() {
         float[] box = new float[6];
         Arrays.fill(box, Float.POSITIVE_INFINITY);
         return box;
     }
 
     /** Makes the box at {@code box[at]} hold that at {@code by[i]}. */
-    static void grow(float[] box, int at, float[] by, int i) {
+    static void grow(float[] box, int at, float[] other, int i) {
         for (int k = 0; k < 6; k++) {
-            box[at + k] = by[i + k] < box[at + k] ? by[i + k] : box[at + k];
+            box[at + k] = other[i + k] < box[at + k] ? other[i + k] : box[at + k];
         }
     }
 

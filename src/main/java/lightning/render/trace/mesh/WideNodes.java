@@ -7,7 +7,7 @@ import java.util.Arrays;
  * full (Wald, Benthin and Boulos 2008, Getting Rid of Packets). As {@link MeshTree} has them.
  */
 final class WideNodes {
-    private float[] box = new float[MeshTree.NODE];
+    private float[] box = new float[MeshTree.NODE_FLOATS];
     private int[] child = new int[MeshTree.WIDTH];
     private int nodes;
     private TriangleSet[] leaves = new TriangleSet[1];
@@ -16,7 +16,7 @@ final class WideNodes {
 
     /** @param root the set of all triangles; null where there is none */
     WideNodes(TriangleSet root) {
-        node();
+        addNode();
         if (root != null) {
             collapse(root, 0, 1);
         }
@@ -24,7 +24,7 @@ final class WideNodes {
 
     /** The boxes of all children. */
     float[] boxes() {
-        return Arrays.copyOf(box, MeshTree.NODE * nodes);
+        return Arrays.copyOf(box, MeshTree.NODE_FLOATS * nodes);
     }
 
     int[] children() {
@@ -62,10 +62,10 @@ final class WideNodes {
         }
         for (int c = 0; c < n; c++) {
             for (int a = 0; a < 3; a++) {
-                box[MeshTree.NODE * node + 16 * a + c] = children[c].box[a];
-                box[MeshTree.NODE * node + 16 * a + 8 + c] = -children[c].box[3 + a];
+                box[MeshTree.NODE_FLOATS * node + 16 * a + c] = children[c].box[a];
+                box[MeshTree.NODE_FLOATS * node + 16 * a + 8 + c] = -children[c].box[3 + a];
             }
-            int next = children[c].isLeaf() ? ~leaf(children[c]) : node();
+            int next = children[c].isLeaf() ? ~addLeaf(children[c]) : addNode();
             child[MeshTree.WIDTH * node + c] = next;
             if (next >= 0) {
                 collapse(children[c], next, level + 1);
@@ -75,18 +75,18 @@ final class WideNodes {
 
     private static int largest(TriangleSet[] children, int n) {
         int largest = -1;
-        double most = -1;
+        double maxArea = -1;
         for (int c = 0; c < n; c++) {
             double area = children[c].isLeaf() ? -1 : TriangleBoxes.area(children[c].box);
-            if (area > most) {
-                most = area;
+            if (area > maxArea) {
+                maxArea = area;
                 largest = c;
             }
         }
         return largest;
     }
 
-    private int leaf(TriangleSet set) {
+    private int addLeaf(TriangleSet set) {
         if (leafCount == leaves.length) {
             leaves = Arrays.copyOf(leaves, 2 * leafCount);
         }
@@ -94,7 +94,7 @@ final class WideNodes {
         return leafCount++;
     }
 
-    private int node() {
+    private int addNode() {
         int node = nodes++;
         if (MeshTree.WIDTH * nodes > child.length) {
             child = Arrays.copyOf(child, 2 * child.length);
@@ -103,8 +103,8 @@ final class WideNodes {
         for (int c = 0; c < MeshTree.WIDTH; c++) {
             child[MeshTree.WIDTH * node + c] = MeshTree.NONE;
             for (int a = 0; a < 3; a++) {
-                box[MeshTree.NODE * node + 16 * a + c] = MeshTree.NOWHERE;
-                box[MeshTree.NODE * node + 16 * a + 8 + c] = -MeshTree.NOWHERE;
+                box[MeshTree.NODE_FLOATS * node + 16 * a + c] = MeshTree.EMPTY_BOUND;
+                box[MeshTree.NODE_FLOATS * node + 16 * a + 8 + c] = -MeshTree.EMPTY_BOUND;
             }
         }
         return node;

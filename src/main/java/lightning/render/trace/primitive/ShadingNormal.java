@@ -3,26 +3,26 @@ package lightning.render.trace.primitive;
 /** A normal by which a point is shaded though the surface there has another; of length 1. Reused for one after the other. */
 final class ShadingNormal {
     /** The sine of half a degree, about: as flat as a bent normal lets a mirrored ray leave. */
-    private static final double LOW = 0x1p-7;
+    private static final double MIN_SINE = 0x1p-7;
 
     double x;
     double y;
     double z;
 
     /** Makes a direction of any length the normal; whether it is one. */
-    boolean take(double toX, double toY, double toZ) {
+    boolean setNormalized(double toX, double toY, double toZ) {
         double length = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-        boolean any = length > 0 && length < Double.POSITIVE_INFINITY;
-        if (any) {
+        boolean valid = length > 0 && length < Double.POSITIVE_INFINITY;
+        if (valid) {
             x = toX / length;
             y = toY / length;
             z = toZ / length;
         }
-        return any;
+        return valid;
     }
 
     /**
-     * Bends it towards the viewer until the mirrored ray rises by at least {@link #LOW} from the surface, or as steeply as the
+     * Bends it towards the viewer until the mirrored ray rises by at least {@link #MIN_SINE} from the surface, or as steeply as the
      * viewer's own ray where that is flatter (after Keller et al. 2017, The Iray Light Transport Simulation and Rendering System,
      * appendix A.3). So it faces the viewer, too.
      *
@@ -38,23 +38,23 @@ final class ShadingNormal {
         double rx = twice * x - vx;
         double ry = twice * y - vy;
         double rz = twice * z - vz;
-        double rises = rx * gx + ry * gy + rz * gz;
-        double seen = vx * gx + vy * gy + vz * gz;
-        double least = Math.min(LOW, seen);
-        if (twice < 0 && rises >= least) {
+        double reflectedHeight = rx * gx + ry * gy + rz * gz;
+        double viewerHeight = vx * gx + vy * gy + vz * gz;
+        double minHeight = Math.min(MIN_SINE, viewerHeight);
+        if (twice < 0 && reflectedHeight >= minHeight) {
             // It leads into the surface, and mirrors as its opposite does. Bent on from where it is seen from its side.
             rx = -vx;
             ry = -vy;
             rz = -vz;
-            rises = -seen;
+            reflectedHeight = -viewerHeight;
         }
-        if (rises < least) {
-            rx += (least - rises) * gx;
-            ry += (least - rises) * gy;
-            rz += (least - rises) * gz;
+        if (reflectedHeight < minHeight) {
+            rx += (minHeight - reflectedHeight) * gx;
+            ry += (minHeight - reflectedHeight) * gy;
+            rz += (minHeight - reflectedHeight) * gz;
             double unit = 1 / Math.sqrt(rx * rx + ry * ry + rz * rz);
-            if (!take(vx + rx * unit, vy + ry * unit, vz + rz * unit)) {
-                take(gx, gy, gz);
+            if (!setNormalized(vx + rx * unit, vy + ry * unit, vz + rz * unit)) {
+                setNormalized(gx, gy, gz);
             }
         }
     }

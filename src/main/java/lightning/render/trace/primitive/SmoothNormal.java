@@ -1,6 +1,6 @@
 package lightning.render.trace.primitive;
 
-import lightning.render.trace.mesh.Facet;
+import lightning.render.trace.mesh.TrianglePoint;
 
 /**
  * How a flat triangle is shaded as a part of a smooth surface: by a normal between those of its vertices, from a point on a rounder
@@ -31,9 +31,9 @@ final class SmoothNormal {
      *
      * @param m  the map to the mesh's own space at {@code m[i …]}, by whose transpose normals come back
      * @param gx the triangle's normal, of length 1, on the side that is seen
-     * @param to gets the normal, not yet bent
+     * @param result gets the normal, not yet bent
      */
-    void at(Facet facet, double[] m, int i, double gx, double gy, double gz, ShadingNormal to) {
+    void compute(TrianglePoint facet, double[] m, int i, double gx, double gy, double gz, ShadingNormal result) {
         double sumX = 0;
         double sumY = 0;
         double sumZ = 0;
@@ -49,25 +49,25 @@ final class SmoothNormal {
             sumZ += facet.weight(v) * z[v];
         }
         side = sumX * gx + sumY * gy + sumZ * gz < 0 ? -1 : 1;
-        if (!to.take(side * sumX, side * sumY, side * sumZ)) {
-            to.take(gx, gy, gz);
+        if (!result.setNormalized(side * sumX, side * sumY, side * sumZ)) {
+            result.setNormalized(gx, gy, gz);
         }
     }
 
     /** Computes the lift at the point whose normal was computed last. */
-    void lift(Facet facet, double gx, double gy, double gz) {
+    void computeLift(TrianglePoint facet, double gx, double gy, double gz) {
         liftX = 0;
         liftY = 0;
         liftZ = 0;
         for (int v = 0; v < 3; v++) {
             double square = x[v] * x[v] + y[v] * y[v] + z[v] * z[v];
-            double below = -side * facet.before(v);
+            double below = -side * facet.tangentPlaneDistance(v);
             if (below > 0 && side * (x[v] * gx + y[v] * gy + z[v] * gz) > 0) {
                 // Once to measure the plane's distance in the scene, once to walk it.
-                double by = side * facet.weight(v) * below / square;
-                liftX += by * x[v];
-                liftY += by * y[v];
-                liftZ += by * z[v];
+                double scale = side * facet.weight(v) * below / square;
+                liftX += scale * x[v];
+                liftY += scale * y[v];
+                liftZ += scale * z[v];
             }
         }
     }

@@ -1,6 +1,6 @@
 package lightning.render.trace.primitive;
 
-import lightning.render.trace.mesh.Facet;
+import lightning.render.trace.mesh.TrianglePoint;
 
 /**
  * The frame of a normal map that a mesh's tangents make: T along the tangent and at a right angle to the normal N, B = N × T, or its
@@ -23,7 +23,7 @@ final class TangentFrame {
      * @param m  the map to the mesh's own space at {@code m[i …]}
      * @param nx the normal that points outwards, of length 1
      */
-    boolean at(Facet facet, double[] m, int i, double nx, double ny, double nz) {
+    boolean compute(TrianglePoint facet, double[] m, int i, double nx, double ny, double nz) {
         double t0 = facet.tangent(0);
         double t1 = facet.tangent(1);
         double t2 = facet.tangent(2);
@@ -37,15 +37,15 @@ final class TangentFrame {
         y = side * (y - along * ny);
         z = side * (z - along * nz);
         double unit = 1 / Math.sqrt(x * x + y * y + z * z);
-        boolean is = unit > 0 && unit < Double.POSITIVE_INFINITY;
-        double hand = facet.tangent(3) < 0 ? -side : side;
+        boolean valid = unit > 0 && unit < Double.POSITIVE_INFINITY;
+        double handedness = facet.tangent(3) < 0 ? -side : side;
         tx = x * unit;
         ty = y * unit;
         tz = z * unit;
-        bx = hand * (ny * tz - nz * ty);
-        by = hand * (nz * tx - nx * tz);
-        bz = hand * (nx * ty - ny * tx);
-        return is;
+        bx = handedness * (ny * tz - nz * ty);
+        by = handedness * (nz * tx - nx * tz);
+        bz = handedness * (nx * ty - ny * tx);
+        return valid;
     }
 
     /** One coordinate of the cross product of two rows. */

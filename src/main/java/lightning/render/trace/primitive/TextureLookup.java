@@ -1,8 +1,8 @@
 package lightning.render.trace.primitive;
 
 import java.util.Arrays;
-import lightning.render.trace.mesh.Facet;
 import lightning.render.trace.mesh.MeshSolid;
+import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.TextureMap;
 
 /**
@@ -12,8 +12,8 @@ import lightning.scene.TextureMap;
  * picture repeats endlessly; v runs upwards, from the picture's bottom row.
  */
 public final class TextureLookup {
-    private final PictureCell cell = new PictureCell();
-    private final Facet facet = new Facet();
+    private final BilinearLookup lookup = new BilinearLookup();
+    private final TrianglePoint facet = new TrianglePoint();
     private final double[] uv = new double[2];
 
     /**
@@ -22,19 +22,19 @@ public final class TextureLookup {
      * @param part the part that was hit
      * @param map  the texture of its material; null where it has none
      */
-    public void at(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
+    public void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
         MeshSolid mesh = primitives.mesh(s);
         if (mesh != null) {
-            facet.at(mesh.mesh(), part, x, y, z);
+            facet.setPoint(mesh.mesh(), part, x, y, z);
         }
         if (map == null) {
             Arrays.fill(rgb, 1);
         } else {
             coordinates(primitives, s, mesh, x, y, z);
-            cell.at(map, uv[0], uv[1]);
-            cell.color(rgb);
+            lookup.setCoordinates(map, uv[0], uv[1]);
+            lookup.readColor(rgb);
         }
-        if (primitives.isTinted(s)) {
+        if (primitives.hasVertexColors(s)) {
             for (int c = 0; c < 3; c++) {
                 rgb[c] *= (float) facet.color(c);
             }
@@ -43,10 +43,10 @@ public final class TextureLookup {
 
     private void coordinates(PrimitiveTable primitives, int s, MeshSolid mesh, double x, double y, double z) {
         if (mesh == null) {
-            primitives.kind(s).form().coordinates(primitives.data, primitives.at[s], x, y, z, uv);
+            primitives.kind(s).geometry().textureCoordinates(primitives.data, primitives.dataStart[s], x, y, z, uv);
         } else {
-            uv[0] = facet.coordinate(0);
-            uv[1] = facet.coordinate(1);
+            uv[0] = facet.textureCoordinate(0);
+            uv[1] = facet.textureCoordinate(1);
         }
     }
 }

@@ -8,7 +8,7 @@ final class Cylinder extends Frustum {
     /** The sphere's formula in two dimensions. */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
-            Touch touch, double margin) {
+            SurfaceContact touch, double margin) {
         double a = dx * dx + dz * dz;
         double b = -(ox * dx + oz * dz);
         double c = ox * ox + oz * oz - 1;
@@ -22,11 +22,11 @@ final class Cylinder extends Frustum {
         double far = c <= 0 ? MISS : -MISS;
         double sideIn = parallel ? -far : touches ? MISS : t0 < t1 ? t0 : t1;
         double sideOut = parallel ? far : t0 < t1 ? t1 : t0;
-        return met(data, at, sideIn, sideOut, oy, dy, touch, margin);
+        return hitDistance(data, at, sideIn, sideOut, oy, dy, touch, margin);
     }
 
     @Override
-    public double middle(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+    public double chordMidpoint(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
         double bottom = -oy / dy;
         double top = (1 - oy) / dy;
         double a = dx * dx + dz * dz;
@@ -40,7 +40,7 @@ final class Cylinder extends Frustum {
 
     /** What has no discs is met only where its side is crossed. */
     @Override
-    public double depth(double[] data, int at, double x, double y, double z) {
+    public double insideDepth(double[] data, int at, double x, double y, double z) {
         return data[at + CAPS] == 0 ? -MISS : Math.min(1 - Math.sqrt(x * x + z * z), Math.min(y, 1 - y));
     }
 }

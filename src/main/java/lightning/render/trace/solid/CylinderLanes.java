@@ -6,7 +6,7 @@ import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
-import static lightning.render.trace.solid.Lanes.SPECIES;
+import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -16,8 +16,8 @@ final class CylinderLanes {
     private CylinderLanes() {}
 
     /** Writes the intervals of the lanes {@code from … to − 1} inside the endless cylinder. */
-    static void side(double[] m, int i, Rays p, SlabLanes slab, int from, int to) {
-        for (int h = from; h < to; h += Lanes.COUNT) {
+    static void writeSideIntervals(double[] m, int i, RayBatch p, IntervalHitLanes slab, int from, int to) {
+        for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
             DoubleVector y = fromArray(SPECIES, p.oy, h);
             DoubleVector z = fromArray(SPECIES, p.oz, h);
@@ -32,7 +32,7 @@ final class CylinderLanes {
             DoubleVector dz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10]));
             oy.intoArray(slab.oy, h);
             dy.intoArray(slab.dy, h);
-            DoubleVector miss = broadcast(SPECIES, Form.MISS);
+            DoubleVector miss = broadcast(SPECIES, SolidGeometry.MISS);
             DoubleVector a = dx.mul(dx).add(dz.mul(dz));
             DoubleVector b = ox.mul(dx).add(oz.mul(dz)).neg();
             DoubleVector c = ox.mul(ox).add(oz.mul(oz)).sub(1);
@@ -51,24 +51,24 @@ final class CylinderLanes {
     }
 
     /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
-    static void outward(double[] m, int i, PointLanes p, int h) {
+    static void outwardNormals(double[] m, int i, PointLanes p, int h) {
         DoubleVector zero = broadcast(SPECIES, 0);
-        DoubleVector ox = fromArray(SPECIES, p.ownX, h);
-        DoubleVector oz = fromArray(SPECIES, p.ownZ, h);
+        DoubleVector ox = fromArray(SPECIES, p.localX, h);
+        DoubleVector oz = fromArray(SPECIES, p.localZ, h);
         if (m[i + Frustum.CAPS] == 0) {
-            ox.intoArray(p.outX, h);
-            zero.intoArray(p.outY, h);
-            oz.intoArray(p.outZ, h);
+            ox.intoArray(p.outwardX, h);
+            zero.intoArray(p.outwardY, h);
+            oz.intoArray(p.outwardZ, h);
             return;
         }
         DoubleVector one = broadcast(SPECIES, 1);
-        DoubleVector oy = fromArray(SPECIES, p.ownY, h);
+        DoubleVector oy = fromArray(SPECIES, p.localY, h);
         DoubleVector below = oy.abs();
         DoubleVector above = one.sub(oy).abs();
         DoubleVector disc = below.blend(above, above.compare(LE, below));
         VectorMask<Double> side = ox.mul(ox).add(oz.mul(oz)).sqrt().sub(1).abs().compare(LE, disc);
-        zero.blend(ox, side).intoArray(p.outX, h);
-        one.neg().blend(one, oy.compare(GT, 0.5)).blend(zero, side).intoArray(p.outY, h);
-        zero.blend(oz, side).intoArray(p.outZ, h);
+        zero.blend(ox, side).intoArray(p.outwardX, h);
+        one.neg().blend(one, oy.compare(GT, 0.5)).blend(zero, side).intoArray(p.outwardY, h);
+        zero.blend(oz, side).intoArray(p.outwardZ, h);
     }
 }

@@ -4,33 +4,33 @@ package lightning.render.trace.solid;
  * A cone cut parallel to its base: radius 1 at y = 0, its first own number at y = 1, closed by two discs where its second is not
  * 0. A cone's top has radius 0. With h = 1 − lean·y, the radius at height y, its side is x² + z² = h².
  */
-class Frustum extends Form {
+class Frustum extends SolidGeometry {
     /** The radius at y = 1. */
-    static final int TOP = MAP;
+    static final int TOP_RADIUS = MAP_SIZE;
     /** 1 where discs close it, else 0. */
-    static final int CAPS = MAP + 1;
+    static final int CAPS = MAP_SIZE + 1;
 
     @Override
     public final void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
         double base = Math.sqrt(mx * mx + mz * mz);
         double middle = t + my;
-        double top = data[at + TOP] * base;
+        double top = data[at + TOP_RADIUS] * base;
         box[i] = Math.min(t - base, middle - top);
         box[i + 3] = Math.max(t + base, middle + top);
     }
 
     /**
      * Above y = 1 and not falling, or below 0 and not rising. Both ends of the interval in which 0 ≤ y ≤ 1, −oy / dy and
-     * (1 − oy) / dy, are then 0 or less, or −∞ where dy is 0, and what is met lies at no more ({@link Crossing}).
+     * (1 − oy) / dy, are then 0 or less, or −∞ where dy is 0, and what is met lies at no more ({@link IntervalHit}).
      */
     @Override
-    public final boolean isPassed(double low, double high, double falling, double rising) {
-        return low > 1 && falling >= 0 || high < 0 && rising <= 0;
+    public final boolean isCertainMiss(double minY, double maxY, double minDirectionY, double maxDirectionY) {
+        return minY > 1 && minDirectionY >= 0 || maxY < 0 && maxDirectionY <= 0;
     }
 
     @Override
     public final double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
-        return distance(data, at, ox, oy, oz, dx, dy, dz, Touch.NEITHER, 0);
+        return distance(data, at, ox, oy, oz, dx, dy, dz, SurfaceContact.NONE, 0);
     }
 
     /**
@@ -42,10 +42,10 @@ class Frustum extends Form {
      */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
-            Touch touch, double margin) {
-        double lean = 1 - data[at + TOP];
-        double top = 1 - lean * oy;
-        double dh = -(lean * dy);
+            SurfaceContact touch, double margin) {
+        double taper = 1 - data[at + TOP_RADIUS];
+        double top = 1 - taper * oy;
+        double dh = -(taper * dy);
         double side = dx * dx + dz * dz;
         double up = dh * dh;
         double shift = -(ox * dx + oz * dz + top * dh) / (side + up);
@@ -68,57 +68,58 @@ class Frustum extends Form {
         // stays; along a generator (a = 0) only one root is left.
         boolean steep = a < 0;
         boolean generator = a == 0;
-        boolean forwards = steep ? dh > 0 : b >= 0;
+        boolean forward = steep ? dh > 0 : b >= 0;
         double bound = steep ? (dh > 0 ? high : low) : t0;
-        double sideIn = steep || generator ? (forwards ? bound : -MISS) : low;
-        double sideOut = steep || generator ? (forwards ? MISS : bound) : high;
+        double sideIn = steep || generator ? (forward ? bound : -MISS) : low;
+        double sideOut = steep || generator ? (forward ? MISS : bound) : high;
         // Where there is no real root, one end of the interval at least is NaN: a miss by itself.
-        boolean none = Math.abs(c * a) > 2 * q * q;
-        return met(data, at, none ? MISS : sideIn, none ? -MISS : sideOut, oy, dy, touch, margin);
+        boolean miss = Math.abs(c * a) > 2 * q * q;
+        return hitDistance(data, at, miss ? MISS : sideIn, miss ? -MISS : sideOut, oy, dy, touch, margin);
     }
 
     /** What is met of the interval within the endless side. */
-    static double met(double[] data, int at, double sideIn, double sideOut, double oy, double dy, Touch touch, double margin) {
-        return data[at + CAPS] != 0 ? Crossing.withinSlab(sideIn, sideOut, oy, dy, touch, margin)
-                : Crossing.betweenRims(sideIn, sideOut, oy, dy, touch, margin);
+    static double hitDistance(double[] data, int at, double sideIn, double sideOut, double oy, double dy, SurfaceContact touch,
+            double margin) {
+        return data[at + CAPS] != 0 ? IntervalHit.hitWithCaps(sideIn, sideOut, oy, dy, touch, margin)
+                : IntervalHit.hitWithoutCaps(sideIn, sideOut, oy, dy, touch, margin);
     }
 
     /** The rim at the wider end is the sharper, the more the side leans. */
     @Override
-    public final double tip(double[] data, int at) {
-        return 4 * steepness(data[at + TOP]);
+    public final double edgeMarginFactor(double[] data, int at) {
+        return 4 * steepness(data[at + TOP_RADIUS]);
     }
 
     /** From the side within its height, or from a disc: each distance changes by no more than the point moves. */
     @Override
-    public final double gap(double[] data, int at, double x, double y, double z, double rate) {
-        double top = data[at + TOP];
-        double lean = 1 - top;
+    public final double surfaceDistance(double[] data, int at, double x, double y, double z, double maxScale) {
+        double top = data[at + TOP_RADIUS];
+        double taper = 1 - top;
         double ring = Math.sqrt(x * x + z * z);
-        double off = Math.abs(ring - (1 - lean * y)) * Math.sqrt(1 / (1 + lean * lean));
+        double sideDistance = Math.abs(ring - (1 - taper * y)) * Math.sqrt(1 / (1 + taper * taper));
         double base = Math.max(Math.abs(y), ring - 1);
-        double side = Math.max(off, Math.max(-y, y - 1));
+        double side = Math.max(sideDistance, Math.max(-y, y - 1));
         if (data[at + CAPS] == 0) {
-            return side / rate;
+            return side / maxScale;
         }
         if (top == 0) {
-            return Math.min(Math.max(off, -y), base) / rate;
+            return Math.min(Math.max(sideDistance, -y), base) / maxScale;
         }
-        return Math.min(side, Math.min(base, Math.max(Math.abs(1 - y), ring - top))) / rate;
+        return Math.min(side, Math.min(base, Math.max(Math.abs(1 - y), ring - top))) / maxScale;
     }
 
     @Override
-    public final void outward(double[] data, int at, double x, double y, double z, double[] out) {
-        double lean = 1 - data[at + TOP];
+    public final void outwardNormal(double[] data, int at, double x, double y, double z, double[] out) {
+        double taper = 1 - data[at + TOP_RADIUS];
         boolean side = isSide(data, at, x, y, z);
         out[0] = side ? x : 0;
-        out[1] = side ? lean * (1 - lean * y) : data[at + TOP] > 0 && y > 0.5 ? 1 : -1;
+        out[1] = side ? taper * (1 - taper * y) : data[at + TOP_RADIUS] > 0 && y > 0.5 ? 1 : -1;
         out[2] = side ? z : 0;
     }
 
     /** Whether a point of the surface belongs to the side rather than to a disc: the nearest of them. */
     private static boolean isSide(double[] data, int at, double x, double y, double z) {
-        double top = data[at + TOP];
+        double top = data[at + TOP_RADIUS];
         if (data[at + CAPS] == 0) {
             return true;
         }
@@ -132,14 +133,14 @@ class Frustum extends Form {
     }
 
     @Override
-    public final void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+    public final void textureCoordinates(double[] data, int at, double x, double y, double z, double[] uv) {
         boolean side = isSide(data, at, x, y, z);
         uv[0] = side ? longitude(x, z) : 0.5 * (x + 1);
         uv[1] = side ? y : 0.5 * (z + 1);
     }
 
     @Override
-    public final void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+    public final void textureGradients(double[] data, int at, double x, double y, double z, double[] to) {
         boolean side = isSide(data, at, x, y, z);
         if (side) {
             longitudeGradient(x, z, to);

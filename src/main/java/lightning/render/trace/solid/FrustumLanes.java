@@ -7,7 +7,7 @@ import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
-import static lightning.render.trace.solid.Lanes.SPECIES;
+import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -17,9 +17,9 @@ final class FrustumLanes {
     private FrustumLanes() {}
 
     /** Writes the intervals of the lanes {@code from … to − 1} inside the side. */
-    static void side(double[] m, int i, Rays p, SlabLanes slab, int from, int to) {
-        double lean = 1 - m[i + Frustum.TOP];
-        for (int h = from; h < to; h += Lanes.COUNT) {
+    static void writeSideIntervals(double[] m, int i, RayBatch p, IntervalHitLanes slab, int from, int to) {
+        double taper = 1 - m[i + Frustum.TOP_RADIUS];
+        for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
             DoubleVector y = fromArray(SPECIES, p.oy, h);
             DoubleVector z = fromArray(SPECIES, p.oz, h);
@@ -32,11 +32,11 @@ final class FrustumLanes {
             DoubleVector dx = x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2]));
             DoubleVector dy = x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6]));
             DoubleVector dz = x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10]));
-            DoubleVector miss = broadcast(SPECIES, Form.MISS);
+            DoubleVector miss = broadcast(SPECIES, SolidGeometry.MISS);
             oy.intoArray(slab.oy, h);
             dy.intoArray(slab.dy, h);
-            DoubleVector top = broadcast(SPECIES, 1).sub(oy.mul(lean));
-            DoubleVector dh = dy.mul(lean).neg();
+            DoubleVector top = broadcast(SPECIES, 1).sub(oy.mul(taper));
+            DoubleVector dh = dy.mul(taper).neg();
             DoubleVector side = dx.mul(dx).add(dz.mul(dz));
             DoubleVector up = dh.mul(dh);
             DoubleVector shift = ox.mul(dx).add(oz.mul(dz)).add(top.mul(dh)).neg().div(side.add(up));
@@ -50,53 +50,53 @@ final class FrustumLanes {
             DoubleVector v = z.mul(dh).sub(height.mul(dz));
             DoubleVector w = x.mul(dz).sub(z.mul(dx));
             DoubleVector root = u.mul(u).add(v.mul(v)).sub(w.mul(w)).sqrt();
-            VectorMask<Double> ahead = b.compare(GE, 0);
-            DoubleVector q = b.sub(root).blend(b.add(root), ahead);
+            VectorMask<Double> positiveB = b.compare(GE, 0);
+            DoubleVector q = b.sub(root).blend(b.add(root), positiveB);
             DoubleVector t1 = shift.add(q.div(a));
             DoubleVector t0 = shift.add(c.div(q)).blend(t1, q.compare(EQ, 0));
             VectorMask<Double> less = t0.compare(LT, t1);
             DoubleVector low = t1.blend(t0, less);
             DoubleVector high = t0.blend(t1, less);
             VectorMask<Double> steep = a.compare(LT, 0);
-            VectorMask<Double> open = steep.or(a.compare(EQ, 0));
+            VectorMask<Double> unbounded = steep.or(a.compare(EQ, 0));
             VectorMask<Double> down = dh.compare(GT, 0);
-            VectorMask<Double> forwards = ahead.andNot(steep).or(steep.and(down));
+            VectorMask<Double> forward = positiveB.andNot(steep).or(steep.and(down));
             DoubleVector bound = t0.blend(low.blend(high, down), steep);
-            DoubleVector in = low.blend(miss.neg().blend(bound, forwards), open);
-            DoubleVector out = high.blend(bound.blend(miss, forwards), open);
-            VectorMask<Double> none = c.mul(a).abs().compare(GT, q.mul(2).mul(q));
-            in.blend(miss, none).intoArray(slab.sideIn, h);
-            out.blend(miss.neg(), none).intoArray(slab.sideOut, h);
+            DoubleVector in = low.blend(miss.neg().blend(bound, forward), unbounded);
+            DoubleVector out = high.blend(bound.blend(miss, forward), unbounded);
+            VectorMask<Double> missed = c.mul(a).abs().compare(GT, q.mul(2).mul(q));
+            in.blend(miss, missed).intoArray(slab.sideIn, h);
+            out.blend(miss.neg(), missed).intoArray(slab.sideOut, h);
         }
     }
 
     /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
-    static void outward(double[] m, int i, PointLanes p, int h) {
-        double top = m[i + Frustum.TOP];
-        double lean = 1 - top;
+    static void outwardNormals(double[] m, int i, PointLanes p, int h) {
+        double top = m[i + Frustum.TOP_RADIUS];
+        double taper = 1 - top;
         DoubleVector one = broadcast(SPECIES, 1);
-        DoubleVector ox = fromArray(SPECIES, p.ownX, h);
-        DoubleVector oy = fromArray(SPECIES, p.ownY, h);
-        DoubleVector oz = fromArray(SPECIES, p.ownZ, h);
-        DoubleVector radius = one.sub(oy.mul(lean));
-        DoubleVector up = radius.mul(lean);
+        DoubleVector ox = fromArray(SPECIES, p.localX, h);
+        DoubleVector oy = fromArray(SPECIES, p.localY, h);
+        DoubleVector oz = fromArray(SPECIES, p.localZ, h);
+        DoubleVector radius = one.sub(oy.mul(taper));
+        DoubleVector up = radius.mul(taper);
         if (m[i + Frustum.CAPS] == 0) {
-            ox.intoArray(p.outX, h);
-            up.intoArray(p.outY, h);
-            oz.intoArray(p.outZ, h);
+            ox.intoArray(p.outwardX, h);
+            up.intoArray(p.outwardY, h);
+            oz.intoArray(p.outwardZ, h);
             return;
         }
         DoubleVector zero = broadcast(SPECIES, 0);
         DoubleVector disc = oy.abs();
-        DoubleVector through = one.neg();
+        DoubleVector capNormal = one.neg();
         if (top > 0) {
             DoubleVector above = one.sub(oy).abs();
             disc = disc.blend(above, above.compare(LE, disc));
-            through = through.blend(one, oy.compare(GT, 0.5));
+            capNormal = capNormal.blend(one, oy.compare(GT, 0.5));
         }
         VectorMask<Double> side = ox.mul(ox).add(oz.mul(oz)).sqrt().sub(radius).abs().compare(LE, disc.mul(Frustum.steepness(top)));
-        zero.blend(ox, side).intoArray(p.outX, h);
-        through.blend(up, side).intoArray(p.outY, h);
-        zero.blend(oz, side).intoArray(p.outZ, h);
+        zero.blend(ox, side).intoArray(p.outwardX, h);
+        capNormal.blend(up, side).intoArray(p.outwardY, h);
+        zero.blend(oz, side).intoArray(p.outwardZ, h);
     }
 }

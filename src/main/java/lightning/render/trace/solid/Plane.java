@@ -1,7 +1,7 @@
 package lightning.render.trace.solid;
 
 /** The unit square about the origin in the plane y = 0, which has no inside. */
-final class Plane extends Form {
+final class Plane extends SolidGeometry {
     @Override
     public void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
         double half = 0.5 * (Math.abs(mx) + Math.abs(mz));
@@ -21,44 +21,44 @@ final class Plane extends Form {
     /** A way crosses it at that end or nowhere. */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
-            Touch touch, double margin) {
-        return touch == Touch.NEITHER ? distance(data, at, ox, oy, oz, dx, dy, dz) : MISS;
+            SurfaceContact touch, double margin) {
+        return touch == SurfaceContact.NONE ? distance(data, at, ox, oy, oz, dx, dy, dz) : MISS;
     }
 
     /** The distance is −oy / dy: below 0, or 0, or without a number, unless one of them is above 0 and the other below. */
     @Override
-    public boolean isPassed(double low, double high, double falling, double rising) {
-        return low >= 0 && falling >= 0 || high <= 0 && rising <= 0;
+    public boolean isCertainMiss(double minY, double maxY, double minDirectionY, double maxDirectionY) {
+        return minY >= 0 && minDirectionY >= 0 || maxY <= 0 && maxDirectionY <= 0;
     }
 
     @Override
-    public double tip(double[] data, int at) {
+    public double edgeMarginFactor(double[] data, int at) {
         return 4;
     }
 
     /** On each axis by itself: along y from the square, along x and z from its edges. */
     @Override
-    public double gap(double[] m, int i, double x, double y, double z, double rate) {
+    public double surfaceDistance(double[] m, int i, double x, double y, double z, double maxScale) {
         return Math.max(Math.abs(y) / (Math.abs(m[i + 4]) + Math.abs(m[i + 5]) + Math.abs(m[i + 6])),
                 Math.max((Math.abs(x) - 0.5) / (Math.abs(m[i]) + Math.abs(m[i + 1]) + Math.abs(m[i + 2])),
                         (Math.abs(z) - 0.5) / (Math.abs(m[i + 8]) + Math.abs(m[i + 9]) + Math.abs(m[i + 10]))));
     }
 
     @Override
-    public void outward(double[] data, int at, double x, double y, double z, double[] out) {
+    public void outwardNormal(double[] data, int at, double x, double y, double z, double[] out) {
         out[0] = 0;
         out[1] = 1;
         out[2] = 0;
     }
 
     @Override
-    public void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+    public void textureCoordinates(double[] data, int at, double x, double y, double z, double[] uv) {
         uv[0] = x + 0.5;
         uv[1] = z + 0.5;
     }
 
     @Override
-    public void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+    public void textureGradients(double[] data, int at, double x, double y, double z, double[] to) {
         to[0] = 1;
         to[1] = 0;
         to[2] = 0;

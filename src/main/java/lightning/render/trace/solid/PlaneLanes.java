@@ -5,7 +5,7 @@ import static jdk.incubator.vector.DoubleVector.fromArray;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
-import static lightning.render.trace.solid.Lanes.SPECIES;
+import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -15,8 +15,8 @@ final class PlaneLanes {
     private PlaneLanes() {}
 
     /** Writes the distances of the lanes {@code from … to − 1} to {@code out}. */
-    static void distances(double[] m, int i, Rays p, double[] out, int from, int to) {
-        for (int h = from; h < to; h += Lanes.COUNT) {
+    static void distances(double[] m, int i, RayBatch p, double[] out, int from, int to) {
+        for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
             DoubleVector y = fromArray(SPECIES, p.oy, h);
             DoubleVector z = fromArray(SPECIES, p.oz, h);
@@ -32,16 +32,16 @@ final class PlaneLanes {
             DoubleVector t = oy.neg().div(dy);
             x = ox.add(t.mul(dx));
             z = oz.add(t.mul(dz));
-            VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, Form.MISS))
+            VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, SolidGeometry.MISS))
                     .and(x.abs().compare(LE, 0.5)).and(z.abs().compare(LE, 0.5));
-            broadcast(SPECIES, Form.MISS).blend(t, hit).intoArray(out, h);
+            broadcast(SPECIES, SolidGeometry.MISS).blend(t, hit).intoArray(out, h);
         }
     }
 
     /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
-    static void outward(PointLanes p, int h) {
-        broadcast(SPECIES, 0).intoArray(p.outX, h);
-        broadcast(SPECIES, 1).intoArray(p.outY, h);
-        broadcast(SPECIES, 0).intoArray(p.outZ, h);
+    static void outwardNormals(PointLanes p, int h) {
+        broadcast(SPECIES, 0).intoArray(p.outwardX, h);
+        broadcast(SPECIES, 1).intoArray(p.outwardY, h);
+        broadcast(SPECIES, 0).intoArray(p.outwardZ, h);
     }
 }

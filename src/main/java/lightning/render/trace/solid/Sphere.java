@@ -1,7 +1,7 @@
 package lightning.render.trace.solid;
 
 /** Radius 1 about the origin. Texture coordinates are longitude and latitude. */
-final class Sphere extends Form {
+final class Sphere extends SolidGeometry {
     @Override
     public void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
         double radius = Math.sqrt(mx * mx + my * my + mz * mz);
@@ -33,7 +33,7 @@ final class Sphere extends Form {
 
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
-            Touch touch, double margin) {
+            SurfaceContact touch, double margin) {
         double a = dx * dx + dy * dy + dz * dz;
         double b = -(ox * dx + oy * dy + oz * dz);
         double c = ox * ox + oy * oy + oz * oz - 1;
@@ -44,52 +44,52 @@ final class Sphere extends Form {
         double q = b >= 0 ? b + root : b - root;
         double t0 = c / q;
         double t1 = q / a;
-        return Math.abs(c * a) <= 2 * q * q ? Crossing.met(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0, touch, margin) : MISS;
+        return Math.abs(c * a) <= 2 * q * q ? IntervalHit.hitDistance(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0, touch, margin) : MISS;
     }
 
     /** Heights alone tell nothing that rounding may not spoil. */
     @Override
-    public boolean isPassed(double low, double high, double falling, double rising) {
+    public boolean isCertainMiss(double minY, double maxY, double minDirectionY, double maxDirectionY) {
         return false;
     }
 
     @Override
-    public double middle(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
+    public double chordMidpoint(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
         return -(ox * dx + oy * dy + oz * dz) / (dx * dx + dy * dy + dz * dz);
     }
 
     @Override
-    public double depth(double[] data, int at, double x, double y, double z) {
+    public double insideDepth(double[] data, int at, double x, double y, double z) {
         return 1 - Math.sqrt(x * x + y * y + z * z);
     }
 
     /** It has no edge. */
     @Override
-    public double tip(double[] data, int at) {
+    public double edgeMarginFactor(double[] data, int at) {
         return 4;
     }
 
     @Override
-    public double gap(double[] data, int at, double x, double y, double z, double rate) {
-        return Math.abs(Math.sqrt(x * x + y * y + z * z) - 1) / rate;
+    public double surfaceDistance(double[] data, int at, double x, double y, double z, double maxScale) {
+        return Math.abs(Math.sqrt(x * x + y * y + z * z) - 1) / maxScale;
     }
 
     @Override
-    public void outward(double[] data, int at, double x, double y, double z, double[] out) {
+    public void outwardNormal(double[] data, int at, double x, double y, double z, double[] out) {
         out[0] = x;
         out[1] = y;
         out[2] = z;
     }
 
     @Override
-    public void coordinates(double[] data, int at, double x, double y, double z, double[] uv) {
+    public void textureCoordinates(double[] data, int at, double x, double y, double z, double[] uv) {
         uv[0] = longitude(x, z);
         uv[1] = StrictMath.asin(y < -1 ? -1 : y > 1 ? 1 : y) / Math.PI + 0.5;
     }
 
     /** Along the surface, latitude rises as y / (π·cosine of the latitude) does. */
     @Override
-    public void gradients(double[] data, int at, double x, double y, double z, double[] to) {
+    public void textureGradients(double[] data, int at, double x, double y, double z, double[] to) {
         double ring = Math.PI * Math.sqrt(x * x + z * z);
         longitudeGradient(x, z, to);
         to[3] = 0;

@@ -6,7 +6,7 @@ import static jdk.incubator.vector.VectorOperators.GE;
 import static jdk.incubator.vector.VectorOperators.GT;
 import static jdk.incubator.vector.VectorOperators.LE;
 import static jdk.incubator.vector.VectorOperators.LT;
-import static lightning.render.trace.solid.Lanes.SPECIES;
+import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -16,8 +16,8 @@ final class SphereLanes {
     private SphereLanes() {}
 
     /** Writes the distances of the lanes {@code from … to − 1} to {@code out}. */
-    static void distances(double[] m, int i, Rays p, double[] out, int from, int to) {
-        for (int h = from; h < to; h += Lanes.COUNT) {
+    static void distances(double[] m, int i, RayBatch p, double[] out, int from, int to) {
+        for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
             DoubleVector y = fromArray(SPECIES, p.oy, h);
             DoubleVector z = fromArray(SPECIES, p.oz, h);
@@ -37,20 +37,20 @@ final class SphereLanes {
             DoubleVector v = oz.mul(dx).sub(ox.mul(dz));
             DoubleVector w = ox.mul(dy).sub(oy.mul(dx));
             DoubleVector root = a.sub(u.mul(u).add(v.mul(v)).add(w.mul(w))).sqrt();
-            VectorMask<Double> ahead = b.compare(GE, 0);
-            DoubleVector q = b.sub(root).blend(b.add(root), ahead);
-            VectorMask<Double> leaves = c.compare(LE, 0).and(ahead);
+            VectorMask<Double> positiveB = b.compare(GE, 0);
+            DoubleVector q = b.sub(root).blend(b.add(root), positiveB);
+            VectorMask<Double> leaves = c.compare(LE, 0).and(positiveB);
             DoubleVector t = c.blend(q, leaves).div(q.blend(a, leaves));
-            VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, Form.MISS))
+            VectorMask<Double> hit = t.compare(GT, 0).and(t.compare(LT, SolidGeometry.MISS))
                     .and(c.mul(a).abs().compare(LE, q.mul(2).mul(q)));
-            broadcast(SPECIES, Form.MISS).blend(t, hit).intoArray(out, h);
+            broadcast(SPECIES, SolidGeometry.MISS).blend(t, hit).intoArray(out, h);
         }
     }
 
     /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
-    static void outward(PointLanes p, int h) {
-        fromArray(SPECIES, p.ownX, h).intoArray(p.outX, h);
-        fromArray(SPECIES, p.ownY, h).intoArray(p.outY, h);
-        fromArray(SPECIES, p.ownZ, h).intoArray(p.outZ, h);
+    static void outwardNormals(PointLanes p, int h) {
+        fromArray(SPECIES, p.localX, h).intoArray(p.outwardX, h);
+        fromArray(SPECIES, p.localY, h).intoArray(p.outwardY, h);
+        fromArray(SPECIES, p.localZ, h).intoArray(p.outwardZ, h);
     }
 }

@@ -3,7 +3,7 @@ package lightning.render.trace.tree;
 /** A ray to be tested against padded boxes, in double; one after the other. */
 public final class BoxRay {
     /** Finite, so that a ray within a box's plane makes no NaN. */
-    private static final double STEEPEST = 0x1p900;
+    private static final double MAX_INVERSE = 0x1p900;
 
     private double ox;
     private double oy;
@@ -13,7 +13,7 @@ public final class BoxRay {
     private double inverseZ;
 
     /** Takes a ray. */
-    public void enter(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+    public void setRay(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
         ox = originX;
         oy = originY;
         oz = originZ;
@@ -24,11 +24,11 @@ public final class BoxRay {
 
     private static double inverse(double d) {
         double inverse = 1 / d;
-        return inverse < -STEEPEST ? -STEEPEST : inverse > STEEPEST ? STEEPEST : inverse;
+        return inverse < -MAX_INVERSE ? -MAX_INVERSE : inverse > MAX_INVERSE ? MAX_INVERSE : inverse;
     }
 
     /** Whether the ray goes towards greater coordinates on the axis. */
-    boolean forwards(int axis) {
+    boolean isForward(int axis) {
         return (axis == 0 ? inverseX : axis == 1 ? inverseY : inverseZ) > 0;
     }
 
@@ -38,25 +38,25 @@ public final class BoxRay {
         double out = limit;
         double a = (boxes[at] - ox) * inverseX;
         double b = (boxes[at + 3] - ox) * inverseX;
-        in = least(a, b) > in ? least(a, b) : in;
-        out = most(a, b) < out ? most(a, b) : out;
+        in = min(a, b) > in ? min(a, b) : in;
+        out = max(a, b) < out ? max(a, b) : out;
         a = (boxes[at + 1] - oy) * inverseY;
         b = (boxes[at + 4] - oy) * inverseY;
-        in = least(a, b) > in ? least(a, b) : in;
-        out = most(a, b) < out ? most(a, b) : out;
+        in = min(a, b) > in ? min(a, b) : in;
+        out = max(a, b) < out ? max(a, b) : out;
         a = (boxes[at + 2] - oz) * inverseZ;
         b = (boxes[at + 5] - oz) * inverseZ;
-        in = least(a, b) > in ? least(a, b) : in;
-        out = most(a, b) < out ? most(a, b) : out;
+        in = min(a, b) > in ? min(a, b) : in;
+        out = max(a, b) < out ? max(a, b) : out;
         return in <= out;
     }
 
     /** Math.min but for the order of ±0, on which nothing depends here, and for NaN, of which there is none. */
-    private static double least(double a, double b) {
+    private static double min(double a, double b) {
         return a < b ? a : b;
     }
 
-    private static double most(double a, double b) {
+    private static double max(double a, double b) {
         return a < b ? b : a;
     }
 }

@@ -12,19 +12,19 @@ import lightning.render.trace.primitive.PrimitiveBoxes;
 public final class BoxSet {
     public static final BoxSet NONE = new BoxSet(new float[0]);
     /** So many boxes lie in one around them, which is asked first. */
-    private static final int TOGETHER = 16;
+    private static final int GROUP_SIZE = 16;
 
     private final float[] boxes;
-    private final float[] around;
+    private final float[] groupBoxes;
 
     /** @param boxes {@code float[6 * count]}: min x y z, max x y z of each */
     private BoxSet(float[] boxes) {
         this.boxes = boxes;
-        around = new float[(boxes.length / 6 + TOGETHER - 1) / TOGETHER * 6];
-        for (int a = 0; a < around.length; a += 6) {
-            BvhBuilder.empty(around, a);
-            for (int i = a * TOGETHER; i < end(a); i += 6) {
-                BvhBuilder.grow(around, a, boxes, i);
+        groupBoxes = new float[(boxes.length / 6 + GROUP_SIZE - 1) / GROUP_SIZE * 6];
+        for (int a = 0; a < groupBoxes.length; a += 6) {
+            BvhBuilder.setEmpty(groupBoxes, a);
+            for (int i = a * GROUP_SIZE; i < groupEnd(a); i += 6) {
+                BvhBuilder.grow(groupBoxes, a, boxes, i);
             }
         }
     }
@@ -33,16 +33,16 @@ public final class BoxSet {
     public static BoxSet of(Bvh bvh, int[] primitives, int count) {
         float[] boxes = new float[6 * count];
         for (int i = 0; i < count; i++) {
-            System.arraycopy(bvh.boxes, bvh.leaf[primitives[i]], boxes, 6 * i, 6);
+            System.arraycopy(bvh.boxes, bvh.leafBox[primitives[i]], boxes, 6 * i, 6);
         }
         return count == 0 ? NONE : new BoxSet(boxes);
     }
 
     /** Of this one's boxes and those of another. */
-    public BoxSet and(BoxSet o) {
-        float[] all = Arrays.copyOf(boxes, boxes.length + o.boxes.length);
-        System.arraycopy(o.boxes, 0, all, boxes.length, o.boxes.length);
-        return new BoxSet(all);
+    public BoxSet union(BoxSet other) {
+        float[] merged = Arrays.copyOf(boxes, boxes.length + other.boxes.length);
+        System.arraycopy(other.boxes, 0, merged, boxes.length, other.boxes.length);
+        return new BoxSet(merged);
     }
 
     public boolean isEmpty() {
@@ -50,11 +50,11 @@ public final class BoxSet {
     }
 
     /** Whether any ray of a bundle can meet any of the boxes. */
-    public boolean touches(Beam beam) {
-        for (int a = 0; a < around.length; a += 6) {
-            if (beam.touches(around, a) < Double.POSITIVE_INFINITY) {
-                for (int i = a * TOGETHER; i < end(a); i += 6) {
-                    if (beam.touches(boxes, i) < Double.POSITIVE_INFINITY) {
+    public boolean intersects(RayBeam beam) {
+        for (int a = 0; a < groupBoxes.length; a += 6) {
+            if (beam.entryTime(groupBoxes, a) < Double.POSITIVE_INFINITY) {
+                for (int i = a * GROUP_SIZE; i < groupEnd(a); i += 6) {
+                    if (beam.entryTime(boxes, i) < Double.POSITIVE_INFINITY) {
                         return true;
                     }
                 }
@@ -64,10 +64,10 @@ public final class BoxSet {
     }
 
     /** Whether a ray can meet any of the boxes at a distance up to {@code limit}. */
-    public boolean touches(BoxRay ray, double limit) {
-        for (int a = 0; a < around.length; a += 6) {
-            if (ray.hits(around, a, limit)) {
-                for (int i = a * TOGETHER; i < end(a); i += 6) {
+    public boolean intersects(BoxRay ray, double limit) {
+        for (int a = 0; a < groupBoxes.length; a += 6) {
+            if (ray.hits(groupBoxes, a, limit)) {
+                for (int i = a * GROUP_SIZE; i < groupEnd(a); i += 6) {
                     if (ray.hits(boxes, i, limit)) {
                         return true;
                     }
@@ -77,7 +77,7 @@ public final class BoxSet {
         return false;
     }
 
-    private int end(int around) {
-        return Math.min(boxes.length, (around + 6) * TOGETHER);
+    private int groupEnd(int group) {
+        return Math.min(boxes.length, (group + 6) * GROUP_SIZE);
     }
 }

@@ -23,7 +23,7 @@ final class BvhBuilder {
     private final int[] binCount = new int[3 * BINS];
     private final float[] binBox = new float[3 * BINS * 6];
     private final float[] box = new float[6];
-    private final float[] centres = new float[6];
+    private final float[] centers = new float[6];
     private final double[] areaAbove = new double[BINS];
 
     BvhBuilder(float[] primitiveBoxes) {
@@ -60,12 +60,12 @@ final class BvhBuilder {
 
     /** Moves the primitives of one side before those of the other and returns where the other begins. */
     private int split(int from, int to, int node) {
-        empty(centres, 0);
+        setEmpty(centers, 0);
         for (int i = from; i < to; i++) {
             for (int a = 0; a < 3; a++) {
-                float c = centre(order[i], a);
-                centres[a] = Math.min(centres[a], c);
-                centres[3 + a] = Math.max(centres[3 + a], c);
+                float c = center(order[i], a);
+                centers[a] = Math.min(centers[a], c);
+                centers[3 + a] = Math.max(centers[3 + a], c);
             }
         }
         fillBins(from, to);
@@ -73,14 +73,14 @@ final class BvhBuilder {
         int bestAxis = -1;
         int bestBin = 0;
         for (int a = 0; a < 3; a++) {
-            empty(box, 0);
+            setEmpty(box, 0);
             int count = 0;
             for (int b = BINS - 1; b > 0; b--) {
                 grow(box, 0, binBox, 6 * (a * BINS + b));
                 count += binCount[a * BINS + b];
                 areaAbove[b] = count * area(box);
             }
-            empty(box, 0);
+            setEmpty(box, 0);
             count = 0;
             for (int b = 1; b < BINS; b++) {
                 grow(box, 0, binBox, 6 * (a * BINS + b - 1));
@@ -114,7 +114,7 @@ final class BvhBuilder {
     private void fillBins(int from, int to) {
         Arrays.fill(binCount, 0);
         for (int b = 0; b < 3 * BINS; b++) {
-            empty(binBox, 6 * b);
+            setEmpty(binBox, 6 * b);
         }
         for (int i = from; i < to; i++) {
             for (int a = 0; a < 3; a++) {
@@ -125,34 +125,34 @@ final class BvhBuilder {
         }
     }
 
-    private float centre(int primitive, int a) {
+    private float center(int primitive, int a) {
         return 0.5f * primitiveBoxes[6 * primitive + a] + 0.5f * primitiveBoxes[6 * primitive + 3 + a];
     }
 
     /** All in bin 0 where the centres do not differ, or are NaN because boxes are infinite. */
     private int bin(int primitive, int a) {
-        float from = centres[a];
-        float range = centres[3 + a] - from;
-        return range > 0 ? Math.min(BINS - 1, (int) ((centre(primitive, a) - from) / range * BINS)) : 0;
+        float from = centers[a];
+        float range = centers[3 + a] - from;
+        return range > 0 ? Math.min(BINS - 1, (int) ((center(primitive, a) - from) / range * BINS)) : 0;
     }
 
     private void bound(int from, int to, float[] into, int at) {
-        empty(into, at);
+        setEmpty(into, at);
         for (int i = from; i < to; i++) {
             grow(into, at, primitiveBoxes, 6 * order[i]);
         }
     }
 
-    static void empty(float[] b, int at) {
+    static void setEmpty(float[] b, int at) {
         Arrays.fill(b, at, at + 3, Float.POSITIVE_INFINITY);
         Arrays.fill(b, at + 3, at + 6, Float.NEGATIVE_INFINITY);
     }
 
-    static void grow(float[] b, int at, float[] by, int i) {
+    static void grow(float[] b, int at, float[] other, int i) {
         for (int a = 0; a < 3; a++) {
             // Not Math.min and max, whose order of ±0 and NaN costs half of the building time.
-            b[at + a] = by[i + a] < b[at + a] ? by[i + a] : b[at + a];
-            b[at + 3 + a] = by[i + 3 + a] > b[at + 3 + a] ? by[i + 3 + a] : b[at + 3 + a];
+            b[at + a] = other[i + a] < b[at + a] ? other[i + a] : b[at + a];
+            b[at + 3 + a] = other[i + 3 + a] > b[at + 3 + a] ? other[i + 3 + a] : b[at + 3 + a];
         }
     }
 

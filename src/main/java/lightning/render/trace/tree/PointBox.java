@@ -5,9 +5,9 @@ public final class PointBox {
     private final float[] low = new float[3];
     private final float[] high = new float[3];
 
-    public void set(int axis, float least, float most) {
-        low[axis] = least;
-        high[axis] = most;
+    public void set(int axis, float min, float max) {
+        low[axis] = min;
+        high[axis] = max;
     }
 
     /** The lower side across axis 0, 1 or 2. */

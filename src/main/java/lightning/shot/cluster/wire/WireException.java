@@ -1,9 +1,9 @@
 package lightning.shot.cluster.wire;
 
-import lightning.base.text.Told;
+import lightning.base.text.UserFacingException;
 
 /** Bytes that are no message; the sentence tells where, what was expected and what was found. */
-public final class WireException extends Exception implements Told {
+public final class WireException extends Exception implements UserFacingException {
     private static final long serialVersionUID = 1;
 
     WireException(String message) {

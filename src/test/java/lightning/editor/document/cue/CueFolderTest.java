@@ -11,8 +11,8 @@ import lightning.format.jen.JenReader;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Light;
-import lightning.scene.Links;
 import lightning.scene.Scene;
+import lightning.scene.ShapeLinks;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,8 +39,8 @@ class CueFolderTest {
         cues = new CueFolder(file);
     }
 
-    private void keep(String name) throws IOException {
-        cues.keep(name, Lighting.of(scene), Film.black(4, 3), ViewTransform.DEFAULT);
+    private void save(String name) throws IOException {
+        cues.save(name, Lighting.of(scene), Film.black(4, 3), ViewTransform.DEFAULT);
     }
 
     private List<Cue> list() throws IOException {
@@ -48,26 +48,26 @@ class CueFolderTest {
     }
 
     @Test
-    void keptCue_isReadBackWithItsLinksAndItsPicture() throws IOException {
-        keep("warm evening");
+    void savedCue_roundTripsWithLinksAndPicture() throws IOException {
+        save("warm evening");
         Cue cue = list().getFirst();
         assertThat(cue.name()).isEqualTo("warm evening");
         assertThat(cue.lighting()).hasValue(Lighting.of(scene));
-        assertThat(cue.picture().orElseThrow().sameBits(Film.black(4, 3))).isTrue();
+        assertThat(cue.picture().orElseThrow().hasSameBits(Film.black(4, 3))).isTrue();
         assertThat(folder.resolve("room.cues/warm evening.jen")).content().startsWith("jen 1\n").contains("light key spot")
                 .doesNotContain("sphere");
         assertThat(folder.resolve("room.cues/warm evening.png")).exists();
     }
 
     @Test
-    void sceneWithoutCues_hasNone() throws IOException {
+    void sceneWithoutCues_hasEmptyList() throws IOException {
         assertThat(list()).isEmpty();
         assertThat(cues.path()).doesNotExist();
     }
 
     @Test
-    void brokenCue_isListedWithItsProblemAndTheOthersStay() throws IOException {
-        keep("good");
+    void brokenCue_isListedWithProblem() throws IOException {
+        save("good");
         Files.writeString(cues.path().resolve("bad.jen"), "jen 1\nlight key spot { bank none }\n");
         assertThat(list()).extracting(Cue::name).containsExactly("bad", "good");
         assertThat(list().getFirst().lighting()).isEmpty();
@@ -75,16 +75,16 @@ class CueFolderTest {
     }
 
     @Test
-    void damagedPicture_leavesTheLights() throws IOException {
-        keep("dusk");
+    void damagedPicture_keepsLights() throws IOException {
+        save("dusk");
         Files.writeString(cues.path().resolve("dusk.png"), "no picture");
         assertThat(list().getFirst().picture()).isEmpty();
         assertThat(list().getFirst().lighting()).isPresent();
     }
 
     @Test
-    void linkOutOfTheScenesFolder_isRefused(@TempDir Path elsewhere) throws IOException {
-        keep("dusk");
+    void linkOutsideSceneFolder_isRejected(@TempDir Path elsewhere) throws IOException {
+        save("dusk");
         Path secret = Files.writeString(elsewhere.resolve("secret.jen"), "jen 1\n");
         Files.createSymbolicLink(cues.path().resolve("out.jen"), secret);
         assertThat(list()).filteredOn(c -> c.name().equals("out")).first()
@@ -92,9 +92,9 @@ class CueFolderTest {
     }
 
     @Test
-    void renamedCue_keepsBothFilesAndTakesNoNameThatIsThere() throws IOException {
-        keep("a");
-        keep("b");
+    void rename_movesBothFilesAndRejectsTakenName() throws IOException {
+        save("a");
+        save("b");
         assertThatThrownBy(() -> cues.rename("a", "b")).isInstanceOf(IOException.class);
         cues.rename("a", "c");
         assertThat(list()).extracting(Cue::name).containsExactly("b", "c");
@@ -102,37 +102,37 @@ class CueFolderTest {
     }
 
     @Test
-    void removedCue_comesBack() throws IOException {
-        keep("a");
+    void removedCue_canBeRestored() throws IOException {
+        save("a");
         cues.remove("a");
         assertThat(list()).isEmpty();
-        cues.bringBack("a");
+        cues.restore("a");
         assertThat(list().getFirst().lighting()).hasValue(Lighting.of(scene));
         assertThat(list().getFirst().picture()).isPresent();
     }
 
     @Test
-    void namesThatAreNoFiles_areRefused() {
+    void invalidFileNames_areRejected() {
         for (String name : List.of("", " ", "../x", "a/b", "a\\b", ".hidden", "end.", "a\nb", "x".repeat(61), "a:b")) {
-            assertThat(CueFolder.refusal(name)).as(name).isPresent();
-            assertThatThrownBy(() -> keep(name)).isInstanceOf(IOException.class);
+            assertThat(CueFolder.nameProblem(name)).as(name).isPresent();
+            assertThatThrownBy(() -> save(name)).isInstanceOf(IOException.class);
         }
-        assertThat(CueFolder.refusal("Über Nacht 2")).isEmpty();
+        assertThat(CueFolder.nameProblem("Über Nacht 2")).isEmpty();
     }
 
     @Test
-    void lighting_leavesOutLinksToShapesThatAreNotThere() throws IOException {
+    void lighting_dropsLinksToMissingShapes() throws IOException {
         Scene other = scene.withNodes(List.of());
-        Scene lit = Lighting.of(scene).on(other).or(null);
-        assertThat(lit.light("key").orElseThrow().illuminates()).isEqualTo(Links.NONE);
+        Scene lit = Lighting.of(scene).applyTo(other).sceneOr(null);
+        assertThat(lit.light("key").orElseThrow().illuminates()).isEqualTo(ShapeLinks.NONE);
         assertThat(lit.stage()).isEqualTo(other.stage());
     }
 
     @Test
-    void addedRig_takesFreeNames() {
-        Scene more = Lighting.of(scene).addedTo(scene).or(null);
+    void addedRig_getsFreeNames() {
+        Scene more = Lighting.of(scene).addTo(scene).sceneOr(null);
         assertThat(more.lights()).extracting(Light::name).containsExactly("key", "fill", "key2", "fill2");
-        assertThat(more.lights().get(2).bank()).isEqualTo("rims2");
+        assertThat(more.lights().get(2).lightGroup()).isEqualTo("rims2");
         assertThat(more.world()).isEqualTo(scene.world());
     }
 }

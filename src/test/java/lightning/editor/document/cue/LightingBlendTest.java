@@ -6,11 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.sample.Session;
-import lightning.scene.Bank;
+import lightning.sample.EditSession;
 import lightning.scene.Light;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
 import lightning.scene.LightType;
-import lightning.scene.Rig;
 import lightning.scene.World;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.EdgeCasesMode;
@@ -23,50 +23,50 @@ import org.junit.jupiter.api.Test;
 class LightingBlendTest {
     private static final Light KEY = Light.of("key", LightType.SPOT);
 
-    private static Lighting of(Light... lights) {
-        return new Lighting(World.DEFAULT, Rig.of(List.of(lights)));
+    private static Lighting lightingOf(Light... lights) {
+        return new Lighting(World.DEFAULT, LightRig.of(List.of(lights)));
     }
 
-    private static Light blended(Light a, Light b, double t) {
-        return LightingBlend.at(of(a), of(b), t).rig().lights().getFirst();
+    private static Light blend(Light a, Light b, double t) {
+        return LightingBlend.blend(lightingOf(a), lightingOf(b), t).rig().lights().getFirst();
     }
 
     @Provide
-    Arbitrary<Session> sessions() {
-        return Session.sessions();
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
     }
 
     @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-    void anyTwo_areThemselvesAtTheEndsAndLightTheSceneBetween(@ForAll("sessions") Session session,
+    void anyTwo_areThemselvesAtTheEndsAndLightTheSceneBetween(@ForAll("sessions") EditSession session,
             @ForAll @DoubleRange(min = 0, max = 1) double t) {
         Lighting a = Lighting.of(session.scenes().getFirst());
         Lighting b = Lighting.of(session.scenes().getLast());
-        assertThat(LightingBlend.at(a, b, 0)).isEqualTo(a);
-        assertThat(LightingBlend.at(a, b, 1)).isEqualTo(b);
+        assertThat(LightingBlend.blend(a, b, 0)).isEqualTo(a);
+        assertThat(LightingBlend.blend(a, b, 1)).isEqualTo(b);
         // A scene checks all of its limits when it is made; what the blend adds beside are names of shapes.
-        Lighting blend = LightingBlend.at(a, b, t);
+        Lighting blend = LightingBlend.blend(a, b, t);
         assertThat(blend.rig().lights().size()).isLessThanOrEqualTo(a.rig().lights().size() + b.rig().lights().size());
-        assertThat(LightingBlend.at(a, a, t).rig().lights()).hasSameSizeAs(a.rig().lights());
+        assertThat(LightingBlend.blend(a, a, t).rig().lights()).hasSameSizeAs(a.rig().lights());
     }
 
     @Test
-    void weight_goesLinearly() {
-        Light light = blended(KEY.withColor(new Rgb(1, 1, 1)).withIntensity(1), KEY.withColor(new Rgb(1, 0, 0)).withIntensity(3), 0.25);
+    void weight_isLinear() {
+        Light light = blend(KEY.withColor(new Rgb(1, 1, 1)).withIntensity(1), KEY.withColor(new Rgb(1, 0, 0)).withIntensity(3), 0.25);
         assertThat(light.intensity()).isEqualTo(1.5);
         assertThat(light.weight().r()).isCloseTo(0.75 * 1 + 0.25 * 3, within(1e-15));
         assertThat(light.weight().g()).isCloseTo(0.75, within(1e-15));
     }
 
     @Test
-    void lightThatIsOff_countsAsNoLight() {
-        Light light = blended(KEY.withColor(new Rgb(0, 1, 0)).withIntensity(8).withOn(false), KEY.withIntensity(2), 0.5);
+    void lightThatIsOff_hasZeroWeight() {
+        Light light = blend(KEY.withColor(new Rgb(0, 1, 0)).withIntensity(8).withOn(false), KEY.withIntensity(2), 0.5);
         assertThat(light.on()).isTrue();
         assertThat(light.weight()).isEqualTo(new Rgb(1, 1, 1));
     }
 
     @Test
-    void placeAndAngle_goLinearlyAndDirectionsTurn() {
-        Light light = blended(KEY.withPosition(new Vec3(0, 0, 0)).withAngle(10).withDirection(new Vec3(2, 0, 0)),
+    void positionAndAngle_areLinearAndDirectionsRotate() {
+        Light light = blend(KEY.withPosition(new Vec3(0, 0, 0)).withAngle(10).withDirection(new Vec3(2, 0, 0)),
                 KEY.withPosition(new Vec3(4, 8, 0)).withAngle(30).withDirection(new Vec3(0, 5, 0)), 0.5);
         assertThat(light.position()).isEqualTo(new Vec3(2, 4, 0));
         assertThat(light.angle()).isEqualTo(20);
@@ -74,49 +74,50 @@ class LightingBlendTest {
     }
 
     @Test
-    void oppositeDirections_turnAndNeverVanish() {
-        Light light = blended(KEY.withDirection(new Vec3(0, -1, 0)), KEY.withDirection(new Vec3(0, 1, 0)), 0.5);
+    void oppositeDirections_rotateAtFullLength() {
+        Light light = blend(KEY.withDirection(new Vec3(0, -1, 0)), KEY.withDirection(new Vec3(0, 1, 0)), 0.5);
         assertThat(light.direction().length()).isCloseTo(1, within(1e-12));
         assertThat(light.direction().y()).isCloseTo(0, within(1e-12));
     }
 
     @Test
-    void lightOfAnotherType_fadesOutAndTheOtherInUnderAFreeName() {
-        Rig rig = LightingBlend.at(of(KEY), of(KEY.withType(LightType.POINT)), 0.25).rig();
+    void lightOfOtherType_isCrossFadedUnderFreeName() {
+        LightRig rig = LightingBlend.blend(lightingOf(KEY), lightingOf(KEY.withType(LightType.POINT)), 0.25).rig();
         assertThat(rig.lights()).extracting(Light::name).containsExactly("key", "key2");
         assertThat(rig.lights()).extracting(Light::type).containsExactly(LightType.SPOT, LightType.POINT);
         assertThat(rig.lights()).extracting(Light::intensity).containsExactly(0.75, 0.25);
     }
 
     @Test
-    void lightsOfOneEndAlone_fade() {
-        Rig rig = LightingBlend.at(of(KEY), of(KEY.withName("rim")), 0.25).rig();
+    void lightsOfOneEnd_fade() {
+        LightRig rig = LightingBlend.blend(lightingOf(KEY), lightingOf(KEY.withName("rim")), 0.25).rig();
         assertThat(rig.lights()).extracting(Light::name).containsExactly("key", "rim");
         assertThat(rig.lights()).extracting(Light::intensity).containsExactly(0.75, 0.25);
     }
 
     @Test
-    void otherBanks_areFoldedIntoTheirLights() {
-        Light member = KEY.withBank("rims");
-        var a = new Lighting(World.DEFAULT, Rig.of(List.of(member), List.of(Bank.of("rims").withIntensity(4))));
-        var b = new Lighting(World.DEFAULT, Rig.of(List.of(member), List.of(Bank.of("rims").withIntensity(2))));
-        Rig rig = LightingBlend.at(a, b, 0.5).rig();
-        assertThat(rig.banks()).isEmpty();
+    void differentLightGroups_areFoldedIntoLights() {
+        Light member = KEY.withLightGroup("rims");
+        var a = new Lighting(World.DEFAULT, LightRig.of(List.of(member), List.of(LightGroup.of("rims").withIntensity(4))));
+        var b = new Lighting(World.DEFAULT, LightRig.of(List.of(member), List.of(LightGroup.of("rims").withIntensity(2))));
+        LightRig rig = LightingBlend.blend(a, b, 0.5).rig();
+        assertThat(rig.lightGroups()).isEmpty();
         assertThat(rig.lights().getFirst().intensity()).isEqualTo(3);
-        assertThat(LightingBlend.at(a, a, 0.5).rig()).isEqualTo(a.rig());
+        assertThat(LightingBlend.blend(a, a, 0.5).rig()).isEqualTo(a.rig());
     }
 
     @Test
-    void silencedBySolo_countsAsNoLight() {
-        Rig rig = LightingBlend.at(of(KEY, KEY.withName("fill").withSolo(true)), of(KEY, KEY.withName("fill")), 0.5).rig();
+    void lightMutedBySolo_hasZeroWeight() {
+        LightRig rig =
+                LightingBlend.blend(lightingOf(KEY, KEY.withName("fill").withSolo(true)), lightingOf(KEY, KEY.withName("fill")), 0.5).rig();
         assertThat(rig.lights()).extracting(Light::intensity).containsExactly(0.5, 1.0);
         assertThat(rig.lights()).noneMatch(Light::solo);
     }
 
     @Test
-    void ambience_goesLinearly() {
-        var a = new Lighting(World.DEFAULT.withAmbience(1), Rig.DARK);
-        var b = new Lighting(World.DEFAULT.withAmbience(0.5), Rig.DARK);
-        assertThat(LightingBlend.at(a, b, 0.5).world().ambience()).isEqualTo(0.75);
+    void ambience_isLinear() {
+        var a = new Lighting(World.DEFAULT.withAmbience(1), LightRig.EMPTY);
+        var b = new Lighting(World.DEFAULT.withAmbience(0.5), LightRig.EMPTY);
+        assertThat(LightingBlend.blend(a, b, 0.5).world().ambience()).isEqualTo(0.75);
     }
 }

@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
-import lightning.editor.document.Desk;
-import lightning.format.picture.PictureFile;
+import lightning.base.work.WorkerPool;
+import lightning.editor.document.DeskScene;
+import lightning.format.image.ImageFile;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Light;
@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class MotionExportTest {
-    private final RecordedShot recorded = RecordedShot.of(10, List.of(light(0), light(4)));
+    private final RecordedShot recordedShot = RecordedShot.of(10, List.of(light(0), light(4)));
 
     @TempDir
     private Path folder;
@@ -30,48 +30,48 @@ class MotionExportTest {
     /** Stops after so many pictures. */
     private record StopAfter(int most, List<Integer> written) implements MotionExport.Listener {
         @Override
-        public void written(int pictures) {
+        public void pictureWritten(int pictures) {
             written.add(pictures);
         }
 
         @Override
-        public boolean isCancelled() {
+        public boolean isCanceled() {
             return written.size() >= most;
         }
     }
 
     @Test
-    void pictures_areEvenlySpacedFromBeginToEnd() {
+    void pictures_areEvenlySpaced() {
         MotionExport export = export(3);
-        assertThat(List.of(0, 1, 2)).extracting(i -> Desk.light(export.scene(i), "key").position().x())
+        assertThat(List.of(0, 1, 2)).extracting(i -> DeskScene.light(export.scene(i), "key").position().x())
                 .containsExactly(0.0, 2.0, 4.0);
     }
 
     @Test
-    void onePicture_showsTheBegin() {
-        assertThat(Desk.light(export(1).scene(0), "key").position().x()).isZero();
+    void onePicture_showsStart() {
+        assertThat(DeskScene.light(export(1).scene(0), "key").position().x()).isZero();
     }
 
     @Test
-    void files_sortAsTheyAreNumbered() {
+    void fileNames_sortByNumber() {
         assertThat(export(3).file("a", 1)).isEqualTo("a-0002.png");
         assertThat(export(12_345).file("a", 1)).isEqualTo("a-00002.png");
     }
 
     @Test
-    void everyPicture_isTheFullTraceWithItsMirrors() throws Exception {
+    void everyPicture_equalsFullTrace() throws Exception {
         MotionExport export = export(3);
         export.write(folder, "desk", new StopAfter(Integer.MAX_VALUE, new ArrayList<>()));
         Scene last = export.scene(2);
-        try (var workers = new Workers(1)) {
-            PictureFile.write(folder.resolve("full.png"), new TraditionalTracer(last).trace(workers, Progress.NONE).film(),
+        try (var workers = new WorkerPool(1)) {
+            ImageFile.write(folder.resolve("full.png"), new TraditionalTracer(last).trace(workers, Progress.NONE).film(),
                     ViewTransform.DEFAULT);
         }
         assertThat(folder.resolve("desk-0003.png")).hasSameBinaryContentAs(folder.resolve("full.png"));
     }
 
     @Test
-    void cancelled_keepsTheFinishedPictures() {
+    void canceled_keepsFinishedPictures() {
         var listener = new StopAfter(1, new ArrayList<>());
         assertThatThrownBy(() -> export(3).write(folder, "desk", listener)).isInstanceOf(CancellationException.class);
         assertThat(listener.written()).containsExactly(1);
@@ -80,7 +80,7 @@ class MotionExportTest {
     }
 
     @Test
-    void noPictureAtAll_isRefused() {
+    void zeroPictures_areRejected() {
         assertThatThrownBy(() -> export(0)).hasMessage("the number of pictures must be from 1 to 100000, was 0");
     }
 
@@ -89,6 +89,6 @@ class MotionExportTest {
     }
 
     private MotionExport export(int pictures) {
-        return new MotionExport(Desk.scene(), recorded, pictures, ViewTransform.DEFAULT);
+        return new MotionExport(DeskScene.scene(), recordedShot, pictures, ViewTransform.DEFAULT);
     }
 }

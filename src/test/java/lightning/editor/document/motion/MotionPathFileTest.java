@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import lightning.base.math.Vec3;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.shot.Setting;
+import lightning.scene.shot.KeyframeValue;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -50,7 +50,7 @@ class MotionPathFileTest {
 
     @Test
     @DisabledOnOs(OS.WINDOWS)
-    void pipeAsPath_isRefusedAtOnce() throws Exception {
+    void pipe_isRejectedImmediately() throws Exception {
         Path pipe = folder.resolve("pipe.path");
         assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
         assertThatIOException().isThrownBy(() -> MotionPathFile.load(pipe, "key"))
@@ -58,61 +58,61 @@ class MotionPathFileTest {
     }
 
     @Property
-    void writtenAndRead_thePathIsEqual(@ForAll("paths") RecordedShot path) throws IOException {
+    void path_roundTrips(@ForAll("paths") RecordedShot path) throws IOException {
         assertThat(MotionPathFile.read(MotionPathFile.write(path), "a.path", "key")).isEqualTo(path);
     }
 
     @Test
-    void savedFile_isLoadedAgain() throws IOException {
+    void savedFile_canBeLoaded() throws IOException {
         RecordedShot path = RecordedShot.of(7, List.of(key(-0.0), key(1e-300)));
         MotionPathFile.save(path, folder.resolve("a.path"));
         assertThat(MotionPathFile.load(folder.resolve("a.path"), "key")).isEqualTo(path);
     }
 
     @Test
-    void exampleOfThePage_isRead() throws IOException {
+    void documentedExample_isRead() throws IOException {
         String page = Files.readString(Path.of("docs/motion-path.md"));
         var example = Pattern.compile("```path\n(.*?)```", Pattern.DOTALL).matcher(page);
         assertThat(example.find()).isTrue();
         RecordedShot path = MotionPathFile.read(example.group(1), "docs/motion-path.md", "key");
-        assertThat(path.every()).isEqualTo(10);
-        assertThat(path.frames()).isEqualTo(21);
-        assertThat(path.shot().tracks().stream().map(t -> t.keys().getFirst().setting()))
-                .containsExactly(new Setting.Numbers(List.of(-2.3, 3.6, 2.6)), new Setting.Numbers(List.of(0.0, -1.0, 0.0)));
-        assertThat(page).contains("1 to " + RecordedShot.MAX_EVERY, "1 to " + RecordedShot.MAX_KEYS);
+        assertThat(path.interval()).isEqualTo(10);
+        assertThat(path.frameCount()).isEqualTo(21);
+        assertThat(path.shot().tracks().stream().map(t -> t.keys().getFirst().value()))
+                .containsExactly(new KeyframeValue.Numbers(List.of(-2.3, 3.6, 2.6)), new KeyframeValue.Numbers(List.of(0.0, -1.0, 0.0)));
+        assertThat(page).contains("1 to " + RecordedShot.MAX_INTERVAL, "1 to " + RecordedShot.MAX_KEYS);
         assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\n\nat high", "sunset.path", "key"))
                 .withMessageStartingWith("sunset.path:3: expected ");
     }
 
     @Test
-    void withoutEvery_itIsTen() throws IOException {
-        assertThat(MotionPathFile.read("lightning-path 1\nat 0 0 0 direction 0 -1 0", "a", "key").every()).isEqualTo(10);
+    void missingInterval_isTen() throws IOException {
+        assertThat(MotionPathFile.read("lightning-path 1\nat 0 0 0 direction 0 -1 0", "a", "key").interval()).isEqualTo(10);
     }
 
     @Test
-    void whatIsNoPath_isRefusedWithPlaceAndReason() {
-        refuses("", "a.path: expected lightning-path 1, found 'nothing'");
-        refuses("jen 1", "a.path:1: expected lightning-path 1, found 'jen 1'");
-        refuses("lightning-path 1", "a.path: expected at least one key, as in 'at 0 3 2  direction 0 -1 0', found 'none'");
-        refuses("lightning-path 1\nevery 0", "a.path:2: expected a whole number from 1 to 10000, found '0'");
-        refuses("lightning-path 1\nevery 1.5", "a.path:2: expected a whole number from 1 to 10000, found '1.5'");
-        refuses("lightning-path 1\nevery", "a.path:2: expected every and a whole number, found 'every'");
-        refuses("lightning-path 1\nat 0 high 0 direction 0 -1 0", "a.path:2: expected a number, found 'high'");
-        refuses("lightning-path 1\nat 0 0 0", "a.path:2: expected at x y z direction x y z, found 'at 0 0 0'");
-        refuses("lightning-path 1\nat 0 0 0 direction 0 0 0", "a.path:2: direction must not be zero, was 0 0 0");
+    void invalidText_isRejectedWithLocationAndReason() {
+        assertRejected("", "a.path: expected lightning-path 1, found 'nothing'");
+        assertRejected("jen 1", "a.path:1: expected lightning-path 1, found 'jen 1'");
+        assertRejected("lightning-path 1", "a.path: expected at least one key, as in 'at 0 3 2  direction 0 -1 0', found 'none'");
+        assertRejected("lightning-path 1\nevery 0", "a.path:2: expected a whole number from 1 to 10000, found '0'");
+        assertRejected("lightning-path 1\nevery 1.5", "a.path:2: expected a whole number from 1 to 10000, found '1.5'");
+        assertRejected("lightning-path 1\nevery", "a.path:2: expected every and a whole number, found 'every'");
+        assertRejected("lightning-path 1\nat 0 high 0 direction 0 -1 0", "a.path:2: expected a number, found 'high'");
+        assertRejected("lightning-path 1\nat 0 0 0", "a.path:2: expected at x y z direction x y z, found 'at 0 0 0'");
+        assertRejected("lightning-path 1\nat 0 0 0 direction 0 0 0", "a.path:2: direction must not be zero, was 0 0 0");
         assertThatIOException().isThrownBy(() -> MotionPathFile.read("lightning-path 1\nat 2e12 0 0 direction 0 1 0", "a.path", "key"))
                 .withMessageStartingWith("a.path:2: position x must be from ").withMessageEndingWith(", was 2e12");
     }
 
-    private static void refuses(String text, String sentence) {
+    private static void assertRejected(String text, String sentence) {
         String told = assertThrows(IOException.class, () -> MotionPathFile.read(text, "a.path", "key")).getMessage();
         assertThat(told.substring(0, Math.min(told.length(), 1000))).isEqualTo(sentence);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"1d", "1f", "0x1p3", "NaN", "Infinity", "1_0", "١", "1e"})
-    void numbers_areThoseOfSceneFiles(String word) {
-        refuses("lightning-path 1\nat 0 " + word + " 0 direction 0 1 0", "a.path:2: expected a number, found '" + word + "'");
+    void numbers_followSceneFileSyntax(String word) {
+        assertRejected("lightning-path 1\nat 0 " + word + " 0 direction 0 1 0", "a.path:2: expected a number, found '" + word + "'");
     }
 
     @ParameterizedTest
@@ -127,16 +127,16 @@ class MotionPathFileTest {
 
     @Test
     void lineOfMegabytes_isQuotedByItsFirstCharacters() {
-        refuses("lightning-path 1\n" + "a".repeat(30 << 20),
+        assertRejected("lightning-path 1\n" + "a".repeat(30 << 20),
                 "a.path:2: expected at x y z direction x y z, found '" + "a".repeat(99) + "…'");
-        refuses("lightning-path 1\n" + "1 ".repeat(15 << 20),
+        assertRejected("lightning-path 1\n" + "1 ".repeat(15 << 20),
                 "a.path:2: expected at x y z direction x y z, found '" + "1 ".repeat(49) + "1…'");
-        refuses("lightning-path 1\nat 0 " + "𝟏".repeat(1 << 20) + " 0 direction 0 1 0",
+        assertRejected("lightning-path 1\nat 0 " + "𝟏".repeat(1 << 20) + " 0 direction 0 1 0",
                 "a.path:2: expected a number, found '" + "𝟏".repeat(99) + "…'");
     }
 
     @Test
-    void fileThatIsTooLarge_isRefused() throws IOException {
+    void tooLargeFile_isRejected() throws IOException {
         Path file = folder.resolve("large.path");
         try (var sparse = new RandomAccessFile(file.toFile(), "rw")) {
             sparse.setLength((32 << 20) + 1);
@@ -146,7 +146,7 @@ class MotionPathFileTest {
     }
 
     @Test
-    void deviceThatNeverEnds_isRefused() {
+    void endlessDevice_isRejected() {
         Path zeros = Path.of("/dev/zero");
         assumeTrue(Files.exists(zeros));
         assertThatIOException().isThrownBy(() -> MotionPathFile.load(zeros, "key"))
@@ -154,12 +154,12 @@ class MotionPathFileTest {
     }
 
     @Test
-    void byteOrderMark_isPassedOver() throws IOException {
-        assertThat(MotionPathFile.read("\uFEFFlightning-path 1\nat 0 0 0 direction 0 1 0", "a.path", "key").keys()).isEqualTo(1);
+    void byteOrderMark_isSkipped() throws IOException {
+        assertThat(MotionPathFile.read("\uFEFFlightning-path 1\nat 0 0 0 direction 0 1 0", "a.path", "key").keyCount()).isEqualTo(1);
     }
 
     @Test
-    void bytesThatAreNoText_areRefused() throws IOException {
+    void invalidUtf8_isRejected() throws IOException {
         Path file = Files.write(folder.resolve("a.path"), new byte[] {(byte) 0xC3, 0x28});
         assertThatIOException().isThrownBy(() -> MotionPathFile.load(file, "key")).withMessage(file + ": must be UTF-8 text");
     }

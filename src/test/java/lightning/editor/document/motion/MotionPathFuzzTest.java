@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import lightning.base.text.Visible;
-import lightning.sample.Fuzz;
+import lightning.base.text.PrintableText;
+import lightning.sample.ByteFuzzer;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Motion paths with a few mistakes: each gives a path that can be written, or a refusal in one visible line. */
 @Slow
 class MotionPathFuzzTest {
-    private static final int TRIES = Fuzz.tries(15_000);
+    private static final int TRIES = ByteFuzzer.tryCount(15_000);
     private static final List<byte[]> PATHS =
             bytes("lightning-path 1\nat 0 4 2  direction 0 -1 -1\nat 2.3 3.6 1.4 direction -1 -1 0 # last\n",
                     "\uFEFFlightning-path 1\r\nevery 7\r\n\r\n# one\r\n\tat -1e-3 .5 +6. direction 1e3 0 0\r\n");
@@ -29,18 +29,18 @@ class MotionPathFuzzTest {
     private Path folder;
 
     @Test
-    void text_givesAPathOrARefusal() throws IOException {
+    void anyText_isPathOrRejected() throws IOException {
         Path file = folder.resolve("a.path");
         int right = 0;
         for (int i = 0; i < TRIES; i++) {
-            byte[] bytes = Fuzz.mutated(PATHS, Fuzz.random(i), BITS);
+            byte[] bytes = ByteFuzzer.mutate(PATHS, ByteFuzzer.random(i), BITS);
             try {
                 RecordedShot path = i % 16 == 0 ? MotionPathFile.load(Files.write(file, bytes), "key")
                         : MotionPathFile.read(new String(bytes, StandardCharsets.UTF_8), file.toString(), "key");
                 assertThat(MotionPathFile.read(MotionPathFile.write(path), "again", "key")).isEqualTo(path);
                 right++;
             } catch (IOException e) {
-                assertThat(e.getMessage()).startsWith(file + ":").matches(Visible::is, "is visible").hasSizeLessThan(1000);
+                assertThat(e.getMessage()).startsWith(file + ":").matches(PrintableText::isPrintable, "is visible").hasSizeLessThan(1000);
             } catch (RuntimeException e) {
                 throw new AssertionError("try " + i + ": " + new String(bytes, StandardCharsets.UTF_8), e);
             }

@@ -15,15 +15,15 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.layout.Pane;
 import javafx.stage.Stage;
 import lightning.base.math.Vec3;
-import lightning.base.work.Wait;
-import lightning.editor.document.Change;
+import lightning.base.work.Await;
 import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
 import lightning.editor.document.motion.MotionPathFile;
 import lightning.editor.document.motion.RecordedShot;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
-import lightning.editor.window.OpenEditor;
-import lightning.editor.window.command.PathAsk;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
+import lightning.editor.window.TestEditors;
+import lightning.editor.window.command.PathPrompt;
 import lightning.editor.window.model.EditorModel;
 import lightning.sample.Slow;
 import lightning.scene.Light;
@@ -35,7 +35,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class AnimationWindowTest {
     @TempDir
@@ -45,7 +45,7 @@ class AnimationWindowTest {
     private Scene before;
 
     /** Answers every question with one file or folder. */
-    private record Answer(Path path) implements PathAsk {
+    private record Answer(Path path) implements PathPrompt {
         @Override
         public Optional<Path> fileToOpen(String title, String extension) {
             return Optional.of(path.resolve("way.path"));
@@ -64,8 +64,8 @@ class AnimationWindowTest {
 
     @Start
     private void start(Stage stage) throws Exception {
-        model = OpenEditor.model(folder);
-        OpenEditor.show(stage, new Pane());
+        model = TestEditors.model(folder);
+        TestEditors.show(stage, new Pane());
         before = model.editor().scene();
         window = new AnimationWindow(model, stage, new Answer(folder));
         window.show();
@@ -78,7 +78,7 @@ class AnimationWindowTest {
     }
 
     @Test
-    void opening_disablesWhatWouldEditTheDocument() {
+    void openWindow_disablesDocumentEdits() {
         assertThat(model.editor().isAnimating()).isTrue();
         assertThat(model.commands().isEnabled(Command.MAKE_ANIMATION)).isFalse();
         assertThat(model.commands().isEnabled(Command.DELETE_LIGHT)).isFalse();
@@ -91,19 +91,19 @@ class AnimationWindowTest {
     }
 
     @Test
-    void movingTheLightWhileRecording_makesAPath(FxRobot robot) throws Exception {
+    void movingLight_whileRecording_recordsPath(FxRobot robot) throws Exception {
         type(robot, "resolution", "2");
         record(robot, 5);
         robot.clickOn("#save-animation");
-        OpenEditor.await(() -> status(robot).startsWith("Saved to "));
+        TestEditors.await(() -> status(robot).startsWith("Saved to "));
         RecordedShot recorded = MotionPathFile.load(folder.resolve("way.path"), "key");
-        assertThat(recorded.every()).isEqualTo(2);
-        assertThat(recorded.keys()).isEqualTo(3);
-        assertThat(Stream.of(0, 2, 4).map(frame -> x(recorded.shot().at(before, frame)))).containsExactly(3.0, 5.0, 7.0);
+        assertThat(recorded.interval()).isEqualTo(2);
+        assertThat(recorded.keyCount()).isEqualTo(3);
+        assertThat(Stream.of(0, 2, 4).map(frame -> x(recorded.shot().sceneAt(before, frame)))).containsExactly(3.0, 5.0, 7.0);
     }
 
     @Test
-    void resolution_isTenUnlessTheArtistSaysOtherwise(FxRobot robot) {
+    void resolution_defaultsToTen(FxRobot robot) {
         assertThat(field(robot, "resolution").getText()).isEqualTo("10");
         type(robot, "resolution", "0");
         assertThat(robot.lookup("#resolution .refusal").queryAs(Label.class).getText())
@@ -111,10 +111,10 @@ class AnimationWindowTest {
     }
 
     @Test
-    void play_rendersFrameByFrameUntilStop(FxRobot robot) throws Exception {
+    void play_rendersFramesUntilStop(FxRobot robot) throws Exception {
         load(robot, 0, 8);
         robot.clickOn("#play");
-        OpenEditor.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) > 1);
+        TestEditors.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) > 1);
         robot.clickOn("#stop");
         assertThat(robot.lookup("#play").query().isDisabled()).isFalse();
         assertThat(robot.lookup("#stop").query().isDisabled()).isTrue();
@@ -123,10 +123,10 @@ class AnimationWindowTest {
     }
 
     @Test
-    void windowsThatAsk_openAtTheScene(FxRobot robot) {
+    void fileDialogs_openInSceneFolder(FxRobot robot) {
         robot.interact(() -> {
-            assertThat(PathAsk.folders("Export", folder).getInitialDirectory()).isEqualTo(folder.toFile());
-            assertThat(PathAsk.chooser("Save", "path", folder).getInitialDirectory()).isEqualTo(folder.toFile());
+            assertThat(PathPrompt.folderChooser("Export", folder).getInitialDirectory()).isEqualTo(folder.toFile());
+            assertThat(PathPrompt.fileChooser("Save", "path", folder).getInitialDirectory()).isEqualTo(folder.toFile());
         });
     }
 
@@ -135,18 +135,18 @@ class AnimationWindowTest {
         load(robot, 0, 8);
         robot.interact(() -> robot.lookup("#scrub").queryAs(Slider.class).setValue(5));
         assertThat(x(model.editor().scene())).isEqualTo(5);
-        OpenEditor.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) == 5);
+        TestEditors.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) == 5);
     }
 
     @Test
-    void close_restoresTheSceneAndItsPicture(FxRobot robot) throws Exception {
+    void close_restoresSceneAndPicture(FxRobot robot) throws Exception {
         load(robot, 0, 8);
-        OpenEditor.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) == 0);
+        TestEditors.await(() -> model.picture().frame() != null && x(model.picture().frame().scene()) == 0);
         robot.clickOn("#close-animation");
         assertThat(model.editor().isAnimating()).isFalse();
         assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
-        OpenEditor.await(() -> model.picture().frame().scene().equals(before));
+        TestEditors.await(() -> model.picture().frame().scene().equals(before));
     }
 
     @Test
@@ -157,10 +157,10 @@ class AnimationWindowTest {
     }
 
     @Test
-    void fileThatIsNoPath_isRefusedWithItsPlaceAndNothingChanges(FxRobot robot) throws Exception {
+    void invalidPathFile_showsErrorAndChangesNothing(FxRobot robot) throws Exception {
         Files.writeString(folder.resolve("way.path"), "lightning-path 1\nat 1 2\n");
         robot.clickOn("#load-animation");
-        OpenEditor.await(() -> status(robot).startsWith("Not loaded: "));
+        TestEditors.await(() -> status(robot).startsWith("Not loaded: "));
         assertThat(status(robot)).contains("way.path:2");
         assertThat(robot.lookup("#play").query().isDisabled()).isTrue();
     }
@@ -170,7 +170,7 @@ class AnimationWindowTest {
         load(robot, 0, 8);
         type(robot, "pictures", "3");
         robot.clickOn("#export");
-        OpenEditor.await(() -> status(robot).startsWith("Exported 3 pictures"));
+        TestEditors.await(() -> status(robot).startsWith("Exported 3 pictures"));
         try (var files = Files.list(folder)) {
             assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".png")))
                     .containsExactlyInAnyOrder("desk-key-0001.png", "desk-key-0002.png", "desk-key-0003.png");
@@ -178,14 +178,14 @@ class AnimationWindowTest {
     }
 
     @Test
-    void cancelledExport_saysHowManyPicturesThereAre(FxRobot robot) throws Exception {
+    void canceledExport_showsNumberOfPictures(FxRobot robot) throws Exception {
         load(robot, 0, 8);
         type(robot, "pictures", "100000");
         robot.clickOn("#export").clickOn("#cancel-export");
-        OpenEditor.await(() -> status(robot).startsWith("Export cancelled after "));
+        TestEditors.await(() -> status(robot).startsWith("Export cancelled after "));
         assertThat(robot.lookup("#export").query().isDisabled()).isFalse();
         // It ends with the picture that it is writing; the test's folder goes only then.
-        Wait.untilEnded("lightning-export");
+        Await.untilThreadEnded("lightning-export");
     }
 
     /** The preview draws so many frames, the light one unit further along x before each. */
@@ -193,8 +193,8 @@ class AnimationWindowTest {
         robot.clickOn("#record");
         for (int i = 0; i < frames; i++) {
             robot.interact(() -> {
-                model.editor().edit(scene -> new Change.To(moved(scene)));
-                model.previewLook().framesProperty().set(model.previewLook().framesProperty().get() + 1);
+                model.editor().edit(scene -> new EditOutcome.Applied(moved(scene)));
+                model.previewSettings().framesProperty().set(model.previewSettings().framesProperty().get() + 1);
             });
         }
         robot.clickOn("#stop");
@@ -210,7 +210,7 @@ class AnimationWindowTest {
         Files.writeString(folder.resolve("way.path"), "lightning-path 1\nevery " + (to - from) + "\nat " + from
                 + " 5 2 direction -3 -4 -2\nat " + to + " 5 2 direction -3 -4 -2\n");
         robot.clickOn("#load-animation");
-        OpenEditor.await(() -> status(robot).equals("2 keys over " + (to - from + 1) + " frames"));
+        TestEditors.await(() -> status(robot).equals("2 keys over " + (to - from + 1) + " frames"));
     }
 
     private static double x(Scene scene) {

@@ -9,17 +9,17 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.image.Film;
-import lightning.render.relight.Contribution;
+import lightning.render.relight.LightContribution;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-class ContributionPaneTest extends EditorDesk {
+class ContributionPaneTest extends EditorFixture {
 
     /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */
     private Scene openWith(Light more) {
@@ -32,17 +32,17 @@ class ContributionPaneTest extends EditorDesk {
         return model().editor().scene();
     }
 
-    private List<Contribution> rows() {
-        return List.copyOf(robot.lookup("#contribution-table").<TableView<Contribution>>query().getItems());
+    private List<LightContribution> rows() {
+        return List.copyOf(robot.lookup("#contribution-table").<TableView<LightContribution>>query().getItems());
     }
 
     @Test
-    void lightThatChangesNothing_isSwitchedOffAndProvedInEveryBit() {
+    void idleLight_switchedOff_leavesPictureBitEqual() {
         Scene before = openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
         Film old = model().picture().frame().film();
         assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
-        assertThat(rows()).extracting(Contribution::light).containsExactly("lamp", "sun", "stage", "below");
-        assertThat(ContributionPane.without(rows().getLast())).isEqualTo("equal in every bit");
+        assertThat(rows()).extracting(LightContribution::light).containsExactly("lamp", "sun", "stage", "below");
+        assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("equal in every bit");
         click("switch-off-idle");
         waitFor("it is proved", () -> text("contribution-proof").contains("equal to the old one in every bit"));
         assertThat(light("below").on()).isFalse();
@@ -54,7 +54,7 @@ class ContributionPaneTest extends EditorDesk {
     }
 
     @Test
-    void lightThatNobodySees_isProvedByHowMuchItWasOff() {
+    void invisibleLight_switchedOff_reportsLargestDifference() {
         openWith(light("lamp").withName("dim").withIntensity(1e-6));
         click("switch-off-idle");
         waitFor("it is proved", () -> text("contribution-proof").contains("every pixel is displayed as before"));
@@ -62,18 +62,18 @@ class ContributionPaneTest extends EditorDesk {
     }
 
     @Test
-    void regionAndPointer_haveSharesOfTheirOwn() {
+    void regionAndPointer_haveOwnShares() {
         openWith(Light.of("below", LightType.POINT).withPosition(new lightning.base.math.Vec3(0, -50, 0)));
-        double whole = rows().get(1).region();
+        double whole = rows().get(1).regionShare();
         click("contribution-region");
-        assertThat(model().part().askProperty().get()).isNotNull();
+        assertThat(model().picturePointer().regionRequestProperty().get()).isNotNull();
         PictureView picture = robot.lookup("#traced-picture").query();
         Bounds at = picture.localToScreen(picture.getBoundsInLocal());
         robot.interact(() -> picture.getScene().getWindow().requestFocus());
         robot.moveTo(at.getMinX() + 12, at.getCenterY() - 20).press(MouseButton.PRIMARY).moveBy(40, 30).release(MouseButton.PRIMARY);
         waitFor("the region is asked", () -> text("contribution-region-text").contains("pixels at"));
-        waitFor("its shares are there", () -> rows().get(1).region() != whole);
-        assertThat(rows().get(1).picture()).isEqualTo(whole);
+        waitFor("its shares are there", () -> rows().get(1).regionShare() != whole);
+        assertThat(rows().get(1).imageShare()).isEqualTo(whole);
         robot.moveTo(at.getMinX() + 30, at.getCenterY());
         waitFor("the pixel is told", () -> robot.lookup(".table-cell").queryAll().stream()
                 .filter(c -> c instanceof javafx.scene.control.TableCell<?, ?> t && t.getTableColumn() != null
@@ -81,6 +81,6 @@ class ContributionPaneTest extends EditorDesk {
                 .anyMatch(c -> ((javafx.scene.control.TableCell<?, ?>) c).getText() != null
                         && ((javafx.scene.control.TableCell<?, ?>) c).getText().endsWith("%")));
         click("contribution-whole");
-        waitFor("the whole is asked", () -> rows().get(1).region() == whole);
+        waitFor("the whole is asked", () -> rows().get(1).regionShare() == whole);
     }
 }

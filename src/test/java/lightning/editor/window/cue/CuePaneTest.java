@@ -11,18 +11,18 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.cue.Lighting;
 import lightning.editor.document.cue.LightingBlend;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-class CuePaneTest extends EditorDesk {
+class CuePaneTest extends EditorFixture {
     private Scene day;
     private Scene night;
 
-    private void keep(String name) {
+    private void saveCue(String name) {
         robot.interact(() -> robot.lookup("#cue-new-name").<TextField>query().setText(name));
         click("cue-keep");
         waitFor("the cue is kept", () -> robot.lookup("#cue-" + name).tryQuery().isPresent());
@@ -34,18 +34,18 @@ class CuePaneTest extends EditorDesk {
     }
 
     /** Two cues, of which the second is lit now. */
-    private void keepTwo() {
+    private void saveTwoCues() {
         day = model().editor().scene();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
-        keep("day");
-        robot.interact(() -> model().editor().edit(s -> LightEdits.with(s, "lamp", l -> l.withColor(new Rgb(0.1, 0.1, 0.5)))));
-        robot.interact(() -> model().editor().edit(s -> LightEdits.on(s, "sun", false)));
+        saveCue("day");
+        robot.interact(() -> model().editor().edit(s -> LightEdits.edit(s, "lamp", l -> l.withColor(new Rgb(0.1, 0.1, 0.5)))));
+        robot.interact(() -> model().editor().edit(s -> LightEdits.setOn(s, "sun", false)));
         go();
         night = model().editor().scene();
-        keep("night");
+        saveCue("night");
     }
 
-    private int[] shown() {
+    private int[] shownPixels() {
         return robot.lookup("#cue-picture").<PictureView>query().pixels();
     }
 
@@ -54,8 +54,8 @@ class CuePaneTest extends EditorDesk {
     }
 
     @Test
-    void cues_areKeptRestoredRenamedAndBroughtBack() throws Exception {
-        keepTwo();
+    void cues_areSavedRestoredRenamedAndRecovered() throws Exception {
+        saveTwoCues();
         assertThat(JenReader.read(folder.resolve("desk.cues/night.jen")).scene().lights()).isEqualTo(night.lights());
         click("cue-restore-day");
         assertThat(model().editor().scene()).isEqualTo(day);
@@ -77,13 +77,13 @@ class CuePaneTest extends EditorDesk {
     }
 
     @Test
-    void blend_isExactBetweenTwoCuesAndOneStep() {
-        keepTwo();
+    void blend_betweenTwoCues_isExactInOneUndoStep() {
+        saveTwoCues();
         click("cue-a-day");
         click("cue-b-night");
         Slider slider = robot.lookup("#cue-blend").query();
         robot.interact(() -> slider.setValue(30));
-        Lighting expected = LightingBlend.at(Lighting.of(day), Lighting.of(night), 0.3);
+        Lighting expected = LightingBlend.blend(Lighting.of(day), Lighting.of(night), 0.3);
         assertThat(Lighting.of(model().editor().scene())).isEqualTo(expected);
         waitForPicture();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
@@ -99,20 +99,20 @@ class CuePaneTest extends EditorDesk {
     }
 
     @Test
-    void comparedCues_areWipedFlippedAndTheirDifferenceIsShown() {
-        keepTwo();
+    void comparedCues_showWipeFlipAndDifference() {
+        saveTwoCues();
         click("cue-a-day");
         click("cue-b-night");
         assertThat(robot.lookup("#cue-picture").<PictureView>query().wipe().isVisible()).isTrue();
-        assertThat(shown()).isEqualTo(pixels(night));
+        assertThat(shownPixels()).isEqualTo(pixels(night));
         click("cue-flip");
-        assertThat(shown()).isEqualTo(pixels(day));
+        assertThat(shownPixels()).isEqualTo(pixels(day));
         assertThat(text("cue-note")).isEqualTo("A: day");
         robot.clickOn("#cue-picture");
-        assertThat(shown()).isEqualTo(pixels(night));
+        assertThat(shownPixels()).isEqualTo(pixels(night));
         assertThat(text("cue-note")).isEqualTo("B: night");
         click("cue-difference");
-        int[] difference = shown();
+        int[] difference = shownPixels();
         int[] a = pixels(day);
         int[] b = pixels(night);
         for (int i = 0; i < a.length; i++) {
@@ -123,14 +123,14 @@ class CuePaneTest extends EditorDesk {
     }
 
     @Test
-    void pictureThatIsBehind_isNotKept() {
-        robot.interact(() -> model().editor().edit(s -> LightEdits.on(s, "sun", false)));
+    void stalePicture_isNotSaved() {
+        robot.interact(() -> model().editor().edit(s -> LightEdits.setOn(s, "sun", false)));
         robot.push(KeyCode.SHIFT, KeyCode.F4);
         assertThat(robot.lookup("#cue-keep").query().isDisabled()).isTrue();
     }
 
     @Test
-    void lightRig_isSavedAndLoadedAndAdded() throws Exception {
+    void lightRig_isSavedLoadedAndAdded() throws Exception {
         Scene before = model().editor().scene();
         answer = folder.resolve("three.jen");
         robot.interact(() -> model().commands().run(Command.SAVE_RIG));

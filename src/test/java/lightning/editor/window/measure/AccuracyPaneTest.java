@@ -6,24 +6,24 @@ import java.util.EnumSet;
 import javafx.scene.Node;
 import javafx.scene.control.TableView;
 import javafx.scene.input.KeyCode;
-import lightning.bench.accuracy.Grade;
-import lightning.bench.accuracy.Rung;
-import lightning.editor.document.Change;
+import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.accuracy.SweepPoint;
 import lightning.editor.document.Command;
-import lightning.editor.document.Desk;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.document.DeskScene;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
-import lightning.render.image.DifferencePicture;
+import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-class AccuracyPaneTest extends EditorDesk {
+class AccuracyPaneTest extends EditorFixture {
 
     private void dim() {
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
     private void measure() {
@@ -31,7 +31,7 @@ class AccuracyPaneTest extends EditorDesk {
         waitFor("it is measured", () -> !table().getItems().isEmpty());
     }
 
-    private TableView<Rung> table() {
+    private TableView<SweepPoint> table() {
         return robot.lookup("#ladder").query();
     }
 
@@ -39,12 +39,12 @@ class AccuracyPaneTest extends EditorDesk {
         return robot.lookup("#" + id).<Node>query().isDisabled();
     }
 
-    private int[] shown() {
+    private int[] shownPixels() {
         return robot.lookup("#grade-picture").<PictureView>query().pixels();
     }
 
     @Test
-    void withoutAnEdit_thereIsNothingToMeasure() {
+    void withoutEdit_measureIsDisabled() {
         robot.push(KeyCode.F9);
         assertThat(isDisabled("measure")).isTrue();
         assertThat(isDisabled("cancel-measure")).isTrue();
@@ -52,40 +52,41 @@ class AccuracyPaneTest extends EditorDesk {
     }
 
     @Test
-    void eachLevel_isMeasuredForTheEditsThatAreNotRenderedYet() {
+    void everyLevel_isMeasuredForPendingEdits() {
         Scene before = model().editor().scene();
         dim();
         robot.push(KeyCode.F9);
         assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
         measure();
-        assertThat(table().getItems()).extracting(Rung::grade)
-                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(Grade.FEW_SAMPLES, Grade.NO_ANTIALIASING)));
+        assertThat(table().getItems()).extracting(SweepPoint::setting)
+                .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(AccuracySetting.FEW_SAMPLES, AccuracySetting.NO_ANTIALIASING)));
         assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
-        Rung exact = rung(Grade.EXACT);
-        assertThat(exact.film().sameBits(new ReferenceTracer(model().editor().scene(), before).trace())).isTrue();
+        SweepPoint exact = sweepPoint(AccuracySetting.EXACT);
+        assertThat(exact.film().hasSameBits(new ReferenceTracer(model().editor().scene(), before).trace())).isTrue();
         assertThat(model().commands().isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
     }
 
     @Test
-    void chosenLevel_showsItsDifferenceFromTheFullTraceOrItself() {
+    void selectedLevel_showsPictureOrDifference() {
         dim();
         click("go");
         waitForPicture();
         robot.push(KeyCode.F9);
         measure();
         Film full = new ReferenceTracer(model().editor().scene()).trace();
-        Rung fast = rung(Grade.FAST_SHADING);
+        SweepPoint fast = sweepPoint(AccuracySetting.FAST_SHADING);
         robot.interact(() -> table().getSelectionModel().select(fast));
-        assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(DifferencePicture.of(fast.film(), full)));
+        assertThat(shownPixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(DifferenceImage.of(fast.film(), full)));
         click("grade-difference");
-        assertThat(shown()).isEqualTo(ViewTransform.DEFAULT.toPixels(fast.film()));
+        assertThat(shownPixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(fast.film()));
         assertThat(text("grade-note")).startsWith("fast shading: ");
     }
 
     @Test
-    void cancelledMeasuring_showsNothingAndCanBeginAgain() {
+    void canceledMeasurement_showsNothingAndCanRestart() {
         // So large that it is not done before the click.
-        robot.interact(() -> model().editor().edit(scene -> new Change.To(scene.withPicture(scene.picture().withSize(800, 600)))));
+        robot.interact(
+                () -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSize(800, 600)))));
         click("go");
         waitForPicture();
         dim();
@@ -98,7 +99,7 @@ class AccuracyPaneTest extends EditorDesk {
         assertThat(isDisabled("measure")).isFalse();
     }
 
-    private Rung rung(Grade grade) {
-        return table().getItems().stream().filter(r -> r.grade() == grade).findFirst().orElseThrow();
+    private SweepPoint sweepPoint(AccuracySetting grade) {
+        return table().getItems().stream().filter(r -> r.setting() == grade).findFirst().orElseThrow();
     }
 }

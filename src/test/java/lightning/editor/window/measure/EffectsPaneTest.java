@@ -5,20 +5,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 import javafx.scene.Node;
 import javafx.scene.input.KeyCode;
 import lightning.editor.document.Command;
-import lightning.editor.document.Desk;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.document.DeskScene;
+import lightning.editor.window.EditorFixture;
 import lightning.render.shading.ReferenceTracer;
-import lightning.scene.effects.Effect;
+import lightning.scene.effects.RenderEffect;
 import org.junit.jupiter.api.Test;
 
-class EffectsPaneTest extends EditorDesk {
+class EffectsPaneTest extends EditorFixture {
 
     private boolean isListed(String id) {
         return robot.lookup("#" + id).tryQuery().isPresent();
     }
 
     @Test
-    void effects_areToldWithWhoCallsForThem() {
+    void effects_listTheirUsers() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(text("effects-summary")).startsWith("desk.jen calls for ");
         assertThat(isListed("effect-reflection")).isTrue();
@@ -28,7 +28,7 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     @Test
-    void editThatEndsAnEffect_takesItFromTheList() {
+    void editRemovingEffect_removesItFromList() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(isListed("effect-spot-cone")).isTrue();
         robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
@@ -36,14 +36,14 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     @Test
-    void hiddenEffect_isGoneFromTheViewAloneUntilAllIsShown() {
+    void hiddenEffect_affectsOnlyViewUntilShowAll() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(robot.lookup("#show-all-effects").<Node>query().isDisabled()).isTrue();
         click("effect-specular");
         waitFor("it is hidden", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No specular highlights");
-        assertCanvasShows(new ReferenceTracer(model().look().effectsProperty().get().of(model().editor().scene())).trace());
-        assertThat(model().look().effectsProperty().get().shows(Effect.SPECULAR)).isFalse();
+        assertCanvasShows(new ReferenceTracer(model().pictureDisplay().effectsProperty().get().apply(model().editor().scene())).trace());
+        assertThat(model().pictureDisplay().effectsProperty().get().shows(RenderEffect.SPECULAR)).isFalse();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isEnabled(Command.GO)).isFalse();
         click("show-all-effects");
@@ -62,7 +62,7 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     @Test
-    void measured_effectsInUseTellWhatTheyTake() {
+    void measuredEffects_inUse_showCost() {
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: full recompute");
         // No columns of their own: states that tiles in part in shadow cannot share, a byte for each row.
@@ -73,7 +73,7 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     @Test
-    void measured_absentEffectsTellWhatTheirAbsenceSaves() {
+    void measuredEffects_absent_showSavings() {
         openAndMeasure();
         assertThat(row("bytes-textures").getChildren().getFirst()).isNotInstanceOf(javafx.scene.control.CheckBox.class);
         assertThat(text("bytes-textures")).endsWith("kB");
@@ -81,29 +81,29 @@ class EffectsPaneTest extends EditorDesk {
     }
 
     @Test
-    void editMadeLast_isTheOneMeasured() {
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+    void lastEdit_isMeasured() {
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: weight");
         assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
     }
 
     @Test
-    void editAfterMeasuring_marksTheCostsAsOlder() {
+    void edit_afterMeasurement_marksCostsOutdated() {
         openAndMeasure();
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 0.25)));
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
         assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
     }
 
     @Test
-    void editThatEndedAnEffect_isNotTheOneMeasured() {
+    void editRemovingEffect_isNotMeasured() {
         robot.interact(() -> model().editor().edit(scene -> lightning.editor.document.LightEdits.delete(scene, "stage")));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: full recompute");
     }
 
     @Test
-    void cancelledMeasuring_tellsNothing() {
+    void canceledMeasurement_showsNothing() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         // In one go: a quick machine would have measured before the second click.
         robot.interact(() -> {

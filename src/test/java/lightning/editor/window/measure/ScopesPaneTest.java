@@ -8,11 +8,11 @@ import javafx.scene.image.Image;
 import javafx.scene.image.ImageView;
 import javafx.scene.image.PixelFormat;
 import lightning.editor.document.Command;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.render.image.Scopes;
 import org.junit.jupiter.api.Test;
 
-class ScopesPaneTest extends EditorDesk {
+class ScopesPaneTest extends EditorFixture {
     private int[] pixels(String id) {
         Image image = robot.lookup("#" + id).<ImageView>query().getImage();
         if (image == null) {
@@ -29,7 +29,7 @@ class ScopesPaneTest extends EditorDesk {
     }
 
     @Test
-    void scopes_followThePictureAndItsExposure() {
+    void scopes_followPictureAndExposure() {
         robot.interact(() -> model().commands().run(Command.SCOPES));
         waitFor("they are counted", () -> Arrays.equals(pixels("waveform"), expected().waveformPixels()));
         assertThat(pixels("histogram")).isEqualTo(expected().histogramPixels(160));

@@ -18,20 +18,20 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.base.math.Rgb;
-import lightning.editor.document.BankEdits;
-import lightning.editor.document.ChannelEdits;
 import lightning.editor.document.Command;
-import lightning.editor.window.EditorDesk;
-import lightning.editor.window.widget.Percent;
+import lightning.editor.document.LightGroupEdits;
+import lightning.editor.document.MixerEdits;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.widget.PercentText;
 import lightning.render.image.Film;
-import lightning.render.relight.LightShare;
+import lightning.render.relight.LightImage;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-class MixerPaneTest extends EditorDesk {
+class MixerPaneTest extends EditorFixture {
     private Scene first;
 
     @BeforeEach
@@ -46,14 +46,14 @@ class MixerPaneTest extends EditorDesk {
     }
 
     /** Where the middle of a fader's cap is for so many stops. */
-    private Point2D place(String name, double stops) {
+    private Point2D faderPoint(String name, double stops) {
         Fader fader = fader(name);
         Bounds at = fader.localToScreen(fader.getBoundsInLocal());
-        return new Point2D(at.getCenterX(), at.getMinY() + fader.place(stops));
+        return new Point2D(at.getCenterX(), at.getMinY() + fader.capY(stops));
     }
 
     private void press(String name, double from, double to) {
-        robot.moveTo(place(name, from)).press(MouseButton.PRIMARY).moveTo(place(name, to));
+        robot.moveTo(faderPoint(name, from)).press(MouseButton.PRIMARY).moveTo(faderPoint(name, to));
     }
 
     private void drag(String name, double from, double to) {
@@ -74,8 +74,8 @@ class MixerPaneTest extends EditorDesk {
     }
 
     private List<String> strips() {
-        return robot.lookup(".strip").queryAllAs(Node.class).stream().filter(n -> n instanceof Strip)
-                .sorted((a, b) -> Double.compare(a.getLayoutX(), b.getLayoutX())).map(n -> ((Strip) n).channel().title()).toList();
+        return robot.lookup(".strip").queryAllAs(Node.class).stream().filter(n -> n instanceof MixerStrip)
+                .sorted((a, b) -> Double.compare(a.getLayoutX(), b.getLayoutX())).map(n -> ((MixerStrip) n).channel().title()).toList();
     }
 
     private Node head(String name) {
@@ -90,8 +90,8 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void strip_showsItsLightsShareAndPart() {
-        Film share = new ReferenceTracer(LightShare.scene(first, "stage")).trace();
+    void strip_showsContributionAndPercentage() {
+        Film share = new ReferenceTracer(LightImage.scene(first, "stage")).trace();
         int[] all = model().picture().viewProperty().get().toPixels(share);
         var image = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
         int[] shown = new int[64 * 48];
@@ -99,7 +99,7 @@ class MixerPaneTest extends EditorDesk {
         assertThat(shown).isEqualTo(all);
         double part = brightness(share) / brightness(model().picture().frame().film());
         assertThat(part).isBetween(0.01, 0.99);
-        assertThat(robot.lookup("#part-stage").<Labeled>query().getText()).isEqualTo(Percent.text(part));
+        assertThat(robot.lookup("#part-stage").<Labeled>query().getText()).isEqualTo(PercentText.format(part));
     }
 
     private static double brightness(Film film) {
@@ -112,12 +112,12 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void draggedFader_changesThePictureWhileItMovesAndIsOneStep() {
+    void draggedFader_updatesPictureLiveInOneUndoStep() {
         press("lamp", 0, 1);
         double half = light("lamp").intensity();
         assertThat(half).isBetween(1.8, 2.2);
         assertPictureShowsTheScene();
-        robot.moveTo(place("lamp", 2));
+        robot.moveTo(faderPoint("lamp", 2));
         assertPictureShowsTheScene();
         robot.release(MouseButton.PRIMARY);
         assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
@@ -126,7 +126,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void undoInTheMixer_isInThePictureAtOnce() {
+    void undoInMixer_updatesPictureImmediately() {
         drag("lamp", 0, 1);
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.Z);
@@ -135,13 +135,13 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void refusedText_isToldInTheMixer() {
+    void refusedText_showsMessageInMixer() {
         type("intensity-lamp", "abc");
         assertThat(robot.lookup("#mixer-message").<Labeled>query().getText()).contains("'abc'");
     }
 
     @Test
-    void longNumberThatWasSet_showsItsBegin() {
+    void longNumber_afterCommit_showsItsStart() {
         type("intensity-lamp", "1/3");
         TextField field = robot.lookup("#intensity-lamp").query();
         assertThat(field.getText()).isEqualTo("0.3333333333333333");
@@ -150,16 +150,16 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void draggedFaderOfTheSelectedLight_leavesTheMaterialInFront() {
+    void draggedFader_ofSelectedLight_keepsMaterialTab() {
         drag("lamp", 0, 1);
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
         drag("lamp", 1, 2);
         assertThat(light("lamp").intensity()).isBetween(3.7, 4.3);
-        assertThat(model().editor().materialInFrontProperty().get()).isTrue();
+        assertThat(model().editor().materialShownProperty().get()).isTrue();
     }
 
     @Test
-    void pressSoonAfterADrag_isNoDoubleClick() {
+    void pressAfterDrag_isNoDoubleClick() {
         mouse("lamp", MouseEvent.MOUSE_PRESSED, 0, 1);
         mouse("lamp", MouseEvent.MOUSE_DRAGGED, 1, 1);
         mouse("lamp", MouseEvent.MOUSE_RELEASED, 1, 1);
@@ -174,12 +174,12 @@ class MixerPaneTest extends EditorDesk {
 
     private void mouse(String name, EventType<MouseEvent> type, double stops, int clicks) {
         Fader fader = fader(name);
-        robot.interact(() -> Event.fireEvent(fader, new MouseEvent(type, fader.getWidth() / 2, fader.place(stops), 0, 0,
+        robot.interact(() -> Event.fireEvent(fader, new MouseEvent(type, fader.getWidth() / 2, fader.capY(stops), 0, 0,
                 MouseButton.PRIMARY, clicks, false, false, false, false, true, false, false, true, false, true, null)));
     }
 
     @Test
-    void editOfOneLight_leavesTheImagesOfOthers() {
+    void editOfOneLight_keepsOtherImages() {
         var ofStage = robot.lookup("#thumbnail-stage").<ImageView>query().getImage();
         var ofLamp = robot.lookup("#thumbnail-lamp").<ImageView>query().getImage();
         drag("lamp", 0, 1);
@@ -189,7 +189,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void escapeInADrag_takesItBack() {
+    void escape_duringDrag_cancelsIt() {
         press("lamp", 0, 3);
         robot.push(KeyCode.ESCAPE);
         robot.release(MouseButton.PRIMARY);
@@ -198,13 +198,13 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void faderAtItsLowerEnd_isDarkAndComesBack() {
+    void faderAtLowerEnd_turnsLightOffAndBackOn() {
         drag("lamp", 0, -14);
         assertThat(light("lamp").intensity()).isZero();
         assertThat(robot.lookup("#stops-lamp").<TextField>query().isDisabled()).isTrue();
         robot.interact(() -> fader("lamp").requestFocus());
         robot.push(KeyCode.UP);
-        assertThat(light("lamp").intensity()).isEqualTo(ChannelEdits.ofStops(-9.9));
+        assertThat(light("lamp").intensity()).isEqualTo(MixerEdits.intensityOfStops(-9.9));
     }
 
     @Test
@@ -217,7 +217,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void severalStrips_keepTheirRatiosOrGetTheSame() {
+    void severalStrips_changeRelativelyOrAbsolutely() {
         robot.clickOn(head("lamp"));
         ctrlClick("sun");
         type("stops-lamp", "2");
@@ -233,7 +233,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void relativeEditFromADarkStrip_saysWhatToDo() {
+    void relativeEdit_ofDarkStrip_explainsAlternatives() {
         type("intensity-lamp", "0");
         robot.clickOn(head("lamp"));
         ctrlClick("sun");
@@ -243,7 +243,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void master_scalesEveryLightAndStandsAtZeroAgain() {
+    void master_scalesEveryLightAndResetsToZero() {
         drag("master", 0, 1);
         double factor = light("lamp").intensity();
         assertThat(factor).isBetween(1.8, 2.2);
@@ -258,7 +258,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void soloAndMute_switchAllThatAreSelected() {
+    void soloAndMute_applyToSelection() {
         click("mute-lamp");
         assertThat(light("lamp").on()).isFalse();
         robot.clickOn(head("sun"));
@@ -271,15 +271,15 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void draggedHead_putsTheLightToAnotherPlaceOfTheScene() {
+    void draggedHead_reordersLights() {
         assertThat(strips()).containsExactly("lamp", "sun", "stage");
         Bounds to = head("lamp").localToScreen(head("lamp").getBoundsInLocal());
         robot.moveTo(head("stage")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(model().editor().scene().lights().stream().map(Light::name)).containsExactly("stage", "lamp", "sun");
         assertThat(strips()).containsExactly("stage", "lamp", "sun");
-        assertThat(model().commands().reason(Command.UNDO)).isEmpty();
-        assertThat(model().editor().situationProperty().get().undo()).hasValue("order of lights");
+        assertThat(model().commands().disabledReason(Command.UNDO)).isEmpty();
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).hasValue("order of lights");
         String text = model().editor().document().text(model().editor().document().content());
         assertThat(text.indexOf("light stage")).isLessThan(text.indexOf("light lamp"));
         assertPictureShowsTheScene();
@@ -288,17 +288,17 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void draggedHeadOfABank_putsItBeforeAnotherWithItsLights() {
+    void draggedGroupHead_reordersGroups() {
         robot.interact(() -> {
-            model().editor().edit(scene -> BankEdits.add(scene, "sun"));
-            model().editor().edit(scene -> BankEdits.add(scene, "stage"));
+            model().editor().edit(scene -> LightGroupEdits.create(scene, "sun"));
+            model().editor().edit(scene -> LightGroupEdits.create(scene, "stage"));
         });
         assertThat(strips()).containsExactly("lamp", "bank", "sun", "bank2", "stage");
         Bounds to = head("bank").localToScreen(head("bank").getBoundsInLocal());
         robot.moveTo(head("bank2")).press(MouseButton.PRIMARY).moveBy(-20, 0).moveTo(to.getMinX() + 2, to.getCenterY())
                 .release(MouseButton.PRIMARY);
         assertThat(strips()).containsExactly("lamp", "bank2", "stage", "bank", "sun");
-        assertThat(model().editor().situationProperty().get().undo()).hasValue("order of banks");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).hasValue("order of banks");
         String text = model().editor().document().text(model().editor().document().content());
         assertThat(text.indexOf("\nbank bank2")).isPositive().isLessThan(text.indexOf("\nbank bank "));
         assertPictureShowsTheScene();
@@ -307,22 +307,22 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void bank_hasAStripWhoseFaderIsItsMasterAndTakesLights() {
-        robot.interact(() -> model().editor().edit(scene -> BankEdits.add(scene, "stage")));
+    void lightGroup_hasMasterStripAndAcceptsLights() {
+        robot.interact(() -> model().editor().edit(scene -> LightGroupEdits.create(scene, "stage")));
         assertThat(strips()).containsExactly("lamp", "sun", "bank", "stage");
         type("stops-bank", "1");
-        assertThat(model().editor().scene().rig().bank("bank").orElseThrow().intensity()).isEqualTo(2);
+        assertThat(model().editor().scene().rig().lightGroup("bank").orElseThrow().intensity()).isEqualTo(2);
         assertThat(light("stage").intensity()).isEqualTo(1.5);
         assertPictureShowsTheScene();
         Bounds to = head("stage").localToScreen(head("stage").getBoundsInLocal());
         robot.moveTo(head("lamp")).press(MouseButton.PRIMARY).moveBy(20, 0).moveTo(to.getMaxX() - 4, to.getCenterY())
                 .release(MouseButton.PRIMARY);
-        assertThat(light("lamp").bank()).isEqualTo("bank");
+        assertThat(light("lamp").lightGroup()).isEqualTo("bank");
         assertThat(strips()).containsExactly("sun", "bank", "stage", "lamp");
     }
 
     @Test
-    void colour_isSetForAllThatAreSelected() {
+    void color_appliesToSelection() {
         robot.clickOn(head("lamp"));
         ctrlClick("sun");
         click("color-sun");
@@ -337,7 +337,7 @@ class MixerPaneTest extends EditorDesk {
     }
 
     @Test
-    void searchAndFilter_leaveWhatIsWanted() {
+    void searchAndFilter_showMatchingStrips() {
         robot.clickOn("#mixer-search").write("spot");
         assertThat(strips()).containsExactly("stage");
         assertThat(text("mixer-count")).isEqualTo("1 of 3 strips");

@@ -9,9 +9,9 @@ import java.util.function.LongPredicate;
 import javafx.scene.layout.Pane;
 import javafx.stage.Stage;
 import lightning.base.math.Vec3;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
-import lightning.editor.window.OpenEditor;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
+import lightning.editor.window.TestEditors;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
@@ -21,7 +21,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 class FramePlayerTest {
     @TempDir
     private Path folder;
@@ -29,13 +29,13 @@ class FramePlayerTest {
     /** What was shown, and what the traced picture showed when the next frame was asked for. */
     private final List<Scene> shown = new ArrayList<>();
     private final List<Scene> traced = new ArrayList<>();
-    private volatile int asked;
-    private volatile boolean ends;
+    private volatile int requestCount;
+    private volatile boolean isFinished;
 
     @Start
     private void start(Stage stage) throws Exception {
-        model = OpenEditor.model(folder);
-        OpenEditor.show(stage, new Pane());
+        model = TestEditors.model(folder);
+        TestEditors.show(stage, new Pane());
         model.editor().beginAnimation();
     }
 
@@ -45,46 +45,46 @@ class FramePlayerTest {
     }
 
     private FramePlayer play(FxRobot robot, LongPredicate next) {
-        var player = new FramePlayer(model.editor(), model.picture(), () -> ends, next);
+        var player = new FramePlayer(model.editor(), model.picture(), () -> isFinished, next);
         robot.interact(player::play);
         return player;
     }
 
     private boolean showNext() {
         traced.add(model.picture().frame().scene());
-        Light key = OpenEditor.light(model, "key");
-        model.editor().animate(model.editor().scene().withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0)))));
+        Light key = TestEditors.light(model, "key");
+        model.editor().showAnimationScene(model.editor().scene().withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0)))));
         shown.add(model.editor().scene());
-        asked++;
+        requestCount++;
         return true;
     }
 
     @Test
-    void nextFrame_isShownWhenThePictureOfTheLastIsFinished(FxRobot robot) throws Exception {
+    void nextFrame_isShownWhenLastPictureIsFinished(FxRobot robot) throws Exception {
         Scene first = model.editor().scene();
         FramePlayer player = play(robot, _ -> showNext());
-        OpenEditor.await(() -> asked > 3);
+        TestEditors.await(() -> requestCount > 3);
         robot.interact(player::stop);
         assertThat(traced.getFirst()).isEqualTo(first);
         assertThat(traced.subList(1, traced.size())).isEqualTo(shown.subList(0, shown.size() - 1));
         assertThat(player.isPlaying()).isFalse();
-        int stopped = asked;
-        OpenEditor.await(() -> model.picture().frame().scene().equals(shown.getLast()));
-        assertThat(asked).isEqualTo(stopped);
+        int stopped = requestCount;
+        TestEditors.await(() -> model.picture().frame().scene().equals(shown.getLast()));
+        assertThat(requestCount).isEqualTo(stopped);
     }
 
     @Test
-    void whereNoFrameIsDue_itIsAskedAgainUntilItEnds(FxRobot robot) throws Exception {
+    void noFrameDue_isRequestedAgainUntilEnd(FxRobot robot) throws Exception {
         FramePlayer player = play(robot, _ -> {
-            asked++;
+            requestCount++;
             return false;
         });
-        OpenEditor.await(() -> asked > 3);
-        ends = true;
-        OpenEditor.await(() -> !player.isPlaying());
-        int stopped = asked;
-        ends = false;
+        TestEditors.await(() -> requestCount > 3);
+        isFinished = true;
+        TestEditors.await(() -> !player.isPlaying());
+        int stopped = requestCount;
+        isFinished = false;
         robot.interact(() -> {});
-        assertThat(asked).isEqualTo(stopped);
+        assertThat(requestCount).isEqualTo(stopped);
     }
 }

@@ -9,8 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import lightning.editor.window.widget.Looks;
-import lightning.sample.Fuzz;
+import lightning.editor.window.widget.ColorTheme;
+import lightning.sample.ByteFuzzer;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Preferences with a few mistakes: whatever the file holds, it is read, and written again. */
 @Slow
 class PreferencesFuzzTest {
-    private static final int TRIES = Fuzz.tries(1_000);
+    private static final int TRIES = ByteFuzzer.tryCount(1_000);
     private static final List<byte[]> PREFERENCES =
             bytes("#Lightning\nwidth=1280.0\nheight=800\nrecent.0=/scenes/a b.jen\nrecent.1=/scenes/b.jen\ntheme=DARK\n",
                     "precision=EXACT\ncurve=LINEAR\nrecent.0=\\u00e4.jen\n");
@@ -29,17 +29,17 @@ class PreferencesFuzzTest {
     private Path folder;
 
     @Test
-    void anyFile_isReadAndWrittenAgain() throws IOException {
+    void anyFile_canBeReadAndWritten() throws IOException {
         Path file = folder.resolve("preferences.properties");
         int recent = 0;
         for (int i = 0; i < TRIES; i++) {
-            byte[] bytes = Fuzz.mutated(PREFERENCES, Fuzz.random(i), BITS);
+            byte[] bytes = ByteFuzzer.mutate(PREFERENCES, ByteFuzzer.random(i), BITS);
             Files.write(file, bytes);
             assertThatCode(() -> {
                 var preferences = new Preferences(folder, Runnable::run);
                 assertThat(preferences.number("width", 200, 32_768, 1)).isFinite();
                 assertThat(preferences.number("height", 200, 32_768, 1)).isFinite();
-                preferences.choice("theme", Looks.DARK);
+                preferences.enumValue("theme", ColorTheme.DARK);
                 List<Path> files = preferences.recent();
                 preferences.set("width", 7);
                 preferences.save();

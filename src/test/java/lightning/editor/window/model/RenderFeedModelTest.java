@@ -1,18 +1,18 @@
 package lightning.editor.window.model;
 
-import static lightning.model.Schedules.explore;
-import static lightning.model.Schedules.law;
+import static lightning.modelcheck.ScheduleExplorer.check;
+import static lightning.modelcheck.ScheduleExplorer.explore;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
+import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.editor.loop.Look;
 import lightning.editor.loop.RenderFeed;
 import lightning.editor.loop.RenderState;
-import lightning.model.Schedules;
+import lightning.modelcheck.ScheduleExplorer;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import org.junit.jupiter.api.BeforeAll;
@@ -32,17 +32,17 @@ class RenderFeedModelTest {
 
     /** The window's thread, which runs what it is told when it has time. */
     private static final class Window implements Executor {
-        private final ArrayDeque<Runnable> told = new ArrayDeque<>();
-        private int hops;
+        private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
+        private int executedCount;
 
         @Override
         public synchronized void execute(Runnable task) {
-            told.add(task);
-            hops++;
+            tasks.add(task);
+            executedCount++;
         }
 
         private synchronized Runnable next() {
-            return told.poll();
+            return tasks.poll();
         }
 
         void runAll() {
@@ -53,44 +53,44 @@ class RenderFeedModelTest {
     }
 
     @Test
-    void whateverIsTold_theNewestIsHeardAndNothingOlderAfterIt() {
+    void updates_deliverNewestStateLast() {
         explore(() -> {
             var window = new Window();
             List<RenderState> heard = new ArrayList<>();
             var feeds = new RenderFeed[1];
             var feed = new RenderFeed(window, new TracedRaster(), () -> heard.add(feeds[0].state()));
             feeds[0] = feed;
-            Schedules.Beside loop = Schedules.beside(() -> {
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 feed.progress(1, 2);
                 feed.progress(2, 2);
-                feed.goesOn();
+                feed.workRemaining();
             });
-            Schedules.Beside verifier = Schedules.beside(() -> feed.verifying(3, 3));
+            ScheduleExplorer.ConcurrentRun verifier = ScheduleExplorer.startConcurrently(() -> feed.verificationProgress(3, 3));
             window.runAll();
             loop.end();
             verifier.end();
             window.runAll();
             RenderState last = heard.getLast();
-            law(last.done() == 2 && last.checked() == 3, "the end of either work is heard");
+            check(last.done() == 2 && last.verifiedTiles() == 3, "the end of either work is heard");
             for (int i = 1; i < heard.size(); i++) {
-                law(heard.get(i).done() >= heard.get(i - 1).done(), "nothing older is heard after something newer");
+                check(heard.get(i).done() >= heard.get(i - 1).done(), "nothing older is heard after something newer");
             }
-            law(window.hops == heard.size(), "each hop is heard once");
+            check(window.executedCount == heard.size(), "each hop is heard once");
         });
     }
 
     @Test
-    void frameThatIsHeard_isInTheRaster() {
+    void reportedFrame_isInRaster() {
         explore(() -> {
             var window = new Window();
             var raster = new TracedRaster();
             var feeds = new RenderFeed[1];
             var feed = new RenderFeed(window, raster,
-                    () -> law(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
+                    () -> check(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
             feeds[0] = feed;
-            Schedules.Beside loop = Schedules.beside(() -> {
-                feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true));
-                feed.goesOn();
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
+                feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, true));
+                feed.workRemaining();
             });
             window.runAll();
             loop.end();
@@ -99,14 +99,14 @@ class RenderFeedModelTest {
     }
 
     @Test
-    void pictureAndWhetherMoreIsToBeDone_areHeardAtOnce() {
-        Frame frame = new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true);
+    void pictureAndRemainingWork_areReportedTogether() {
+        Frame frame = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, true);
         explore(() -> {
             var window = new Window();
             var feeds = new RenderFeed[1];
-            var feed = new RenderFeed(window, new TracedRaster(), () -> law(feeds[0].state().frame() == frame, "the picture is heard"));
+            var feed = new RenderFeed(window, new TracedRaster(), () -> check(feeds[0].state().frame() == frame, "the picture is heard"));
             feeds[0] = feed;
-            Schedules.Beside loop = Schedules.beside(() -> {
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 feed.progress(2, 2);
                 feed.rendered(frame);
                 feed.idle();
@@ -114,39 +114,39 @@ class RenderFeedModelTest {
             window.runAll();
             loop.end();
             window.runAll();
-            law(window.hops == 1, "the window is called once");
+            check(window.executedCount == 1, "the window is called once");
         });
     }
 
     @Test
-    void pictureBeforeMoreWork_isHeard() {
+    void pictureBeforeMoreWork_isReported() {
         var window = new Window();
         var feed = new RenderFeed(window, new TracedRaster(), () -> {});
-        feed.rendered(new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true));
-        feed.goesOn();
-        assertThat(window.hops).isEqualTo(1);
+        feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, true));
+        feed.workRemaining();
+        assertThat(window.executedCount).isEqualTo(1);
     }
 
     @Test
-    void pictureOfADocumentThatWasLeft_isNeitherHeardNorShown() {
+    void pictureOfClosedDocument_isNeitherReportedNorShown() {
         Film large = Film.black(2, 1);
-        Frame old = new Frame(FILM, FILM, Look.PLAIN, null, null, null, null, true);
-        Frame fresh = new Frame(large, large, Look.PLAIN, null, null, null, null, true);
+        Frame old = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, true);
+        Frame fresh = new Frame(large, large, DisplayMode.FULL_PICTURE, null, null, null, null, true);
         explore(() -> {
             var window = new Window();
             var raster = new TracedRaster();
             var feed = new RenderFeed(window, raster, () -> {});
-            Schedules.Beside before = Schedules.beside(() -> feed.rendered(old));
+            ScheduleExplorer.ConcurrentRun before = ScheduleExplorer.startConcurrently(() -> feed.rendered(old));
             feed.open(1);
-            Schedules.Beside loop = Schedules.beside(() -> {
+            ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 before.end();
-                feed.forgotten(1);
+                feed.pictureDropped(1);
                 feed.rendered(fresh);
             });
-            law(feed.state().frame() != old, "no picture of the document that was left is told");
-            law(raster.pixels() == null || raster.pixels().width() == 2, "none of it is shown");
+            check(feed.state().frame() != old, "no picture of the document that was left is told");
+            check(raster.pixels() == null || raster.pixels().width() == 2, "none of it is shown");
             loop.end();
-            law(feed.state().frame() == fresh && raster.pixels().width() == 2, "that of the open one is told and shown");
+            check(feed.state().frame() == fresh && raster.pixels().width() == 2, "that of the open one is told and shown");
         });
     }
 }

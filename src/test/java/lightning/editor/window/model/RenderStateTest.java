@@ -6,15 +6,15 @@ import java.util.List;
 import java.util.Optional;
 import lightning.bench.accuracy.Timing;
 import lightning.bench.accuracy.WarmSaving;
+import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.editor.loop.Look;
 import lightning.editor.loop.RenderState;
 import lightning.render.image.Film;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.LevelPlan;
 import lightning.render.relight.plan.MaterialUpdate;
 import lightning.render.relight.plan.UpdatePlan;
-import lightning.render.shading.TraceCounts;
+import lightning.render.shading.RayCounts;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.ShapeChange;
@@ -32,7 +32,8 @@ class RenderStateTest {
 
     /** Took 60 ms in cold code. */
     private static Frame frame(UpdatePlan plan) {
-        return new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, new Update(plan, 0, 0, 0, TraceCounts.NONE, 60_000_000, 0, false), null,
+        return new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE,
+                new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null,
                 true);
     }
 
@@ -45,42 +46,42 @@ class RenderStateTest {
     }
 
     @Test
-    void saving_isToldOfTheUpdateThatItWasMeasuredOf() {
+    void saving_isShownForItsUpdate() {
         Frame edit = frame(SAMPLES);
-        RenderState state = RenderState.NONE.rendered(edit);
+        RenderState state = RenderState.NONE.withFrame(edit);
         assertThat(text(state)).contains("60 ms (what it saves is being measured)").doesNotContain("%");
-        assertThat(text(state.measured(saving(edit)))).contains("60 ms · made again 2.0 ms of 29 ms for a full trace · 93.1 % saved");
+        assertThat(text(state.withSaving(saving(edit)))).contains("60 ms · made again 2.0 ms of 29 ms for a full trace · 93.1 % saved");
     }
 
     @Test
-    void pictureOfCentres_isToldToLackItsSamples() {
+    void pictureOfCenters_isShownAsUnfinished() {
         Frame edit = frame(SAMPLES);
-        var centers = new Frame(FILM, FILM, Look.PLAIN, SCENE, SCENE, edit.update(), null, false);
-        assertThat(text(RenderState.NONE.rendered(centers))).endsWith("60 ms · without finer samples yet").doesNotContain("exact");
+        var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, false);
+        assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · without finer samples yet").doesNotContain("exact");
     }
 
     @Test
-    void savingOfAnOlderUpdate_isToldOfNoOther() {
+    void savingOfOlderUpdate_isNotShown() {
         Frame older = frame(SAMPLES);
         Frame newer = frame(SAMPLES);
-        RenderState behind = RenderState.NONE.rendered(older).measured(saving(older)).started(SAMPLES).rendered(newer);
+        RenderState behind = RenderState.NONE.withFrame(older).withSaving(saving(older)).withPlan(SAMPLES).withFrame(newer);
         assertThat(behind.saving()).isEmpty();
         assertThat(text(behind)).doesNotContain("%", "slower");
-        RenderState late = RenderState.NONE.rendered(newer).measured(saving(older));
+        RenderState late = RenderState.NONE.withFrame(newer).withSaving(saving(older));
         assertThat(late.saving()).as("of an edit that is over").isEmpty();
     }
 
     @Test
-    void anotherLook_isStillThePictureThatWasMeasured() {
+    void otherDisplayMode_keepsMeasuredSaving() {
         Frame edit = frame(SAMPLES);
-        Frame look = new Frame(FILM, FILM, Look.PLAIN.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null, true);
-        assertThat(RenderState.NONE.rendered(edit).measured(saving(edit)).rendered(look).saving()).isPresent();
+        Frame look = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE.withLight(Optional.of("key")), SCENE, SCENE, edit.update(), null, true);
+        assertThat(RenderState.NONE.withFrame(edit).withSaving(saving(edit)).withFrame(look).saving()).isPresent();
     }
 
     @Test
-    void firstPassAndNothing_waitForNoSaving() {
+    void firstPassAndNoUpdate_showNoPendingSaving() {
         for (UpdatePlan plan : List.of(new UpdatePlan.FirstPass("another size"), new UpdatePlan.Nothing())) {
-            assertThat(text(RenderState.NONE.rendered(frame(plan)))).contains("60 ms · exact");
+            assertThat(text(RenderState.NONE.withFrame(frame(plan)))).contains("60 ms · exact");
         }
     }
 }

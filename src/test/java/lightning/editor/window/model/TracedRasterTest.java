@@ -3,12 +3,12 @@ package lightning.editor.window.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import lightning.editor.loop.DisplayMode;
 import lightning.editor.loop.Frame;
-import lightning.editor.loop.Look;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Camera;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.api.BeforeEach;
@@ -59,15 +59,15 @@ class TracedRasterTest {
     }
 
     @Test
-    void changedTile_isAllThatIsDirty() {
+    void changedTile_isOnlyDirtyArea() {
         Film next = withTile(4, 0.9f);
         raster.show(next);
-        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(32, 32, 64, 40));
+        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.DirtyRect(32, 32, 64, 40));
         assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(next));
     }
 
     @Test
-    void dirt_isTakenOnce() {
+    void dirtyArea_isReturnedOnce() {
         raster.show(filled(0.1f));
         assertThat(raster.takeDirty().isEmpty()).isFalse();
         assertThat(raster.takeDirty().isEmpty()).isTrue();
@@ -81,7 +81,7 @@ class TracedRasterTest {
     }
 
     private static Scene scene(int width, int height) {
-        return new Scene(Picture.DEFAULT.withSize(width, height), Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of());
+        return new Scene(PictureSettings.DEFAULT.withSize(width, height), Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of());
     }
 
     private static float[][] tile(float value) {
@@ -90,17 +90,17 @@ class TracedRasterTest {
     }
 
     @Test
-    void tileOfAPictureThatIsNotWhole_comesIntoTheCoarseOne() {
-        raster.coarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+    void tileOfUnfinishedPicture_isDrawnOverCoarsePicture() {
+        raster.showCoarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
         raster.takeDirty();
-        raster.tile(scene(WIDTH, HEIGHT), 4, tile(0.9f));
-        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(32, 32, 64, 40));
+        raster.tileRendered(scene(WIDTH, HEIGHT), 4, tile(0.9f));
+        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.DirtyRect(32, 32, 64, 40));
         assertThat(pixels()[32 * WIDTH + 32]).isEqualTo(ViewTransform.DEFAULT.toPixels(filled(0.9f))[0]);
         assertThat(pixels()[31 * WIDTH + 32]).isEqualTo(ViewTransform.DEFAULT.toPixels(filled(0.2f))[0]);
     }
 
     private static Frame frame(Film film, Scene scene, boolean finished) {
-        return new Frame(film, film, Look.PLAIN, scene, scene, null, null, finished);
+        return new Frame(film, film, DisplayMode.FULL_PICTURE, scene, scene, null, null, finished);
     }
 
     private void assertShows(Film film) {
@@ -108,13 +108,13 @@ class TracedRasterTest {
     }
 
     @Test
-    void filmFromElsewhere_staysWhileItsSceneIsTraced() {
+    void remoteFilm_staysWhileSceneIsTraced() {
         Scene scene = scene(WIDTH, HEIGHT);
         Film elsewhere = filled(0.7f);
-        raster.coarse(filled(4, 2, 0.2f), scene);
-        raster.ahead(elsewhere, scene);
-        raster.coarse(filled(4, 2, 0.3f), scene);
-        raster.tile(scene, 4, tile(0.9f));
+        raster.coarseRendered(filled(4, 2, 0.2f), scene);
+        raster.showRemote(elsewhere, scene);
+        raster.coarseRendered(filled(4, 2, 0.3f), scene);
+        raster.tileRendered(scene, 4, tile(0.9f));
         raster.rendered(frame(filled(0.1f), scene, false));
         assertShows(elsewhere);
         raster.rendered(frame(filled(0.7f), scene, true));
@@ -124,77 +124,77 @@ class TracedRasterTest {
     }
 
     @Test
-    void filmFromElsewhere_givesWayToAnotherScene_andGoesWhereItsOwnIsGivenUp() {
+    void remoteFilm_isReplacedByOtherSceneAndRemovedOnCancel() {
         Film elsewhere = filled(0.7f);
-        raster.ahead(elsewhere, scene(WIDTH, HEIGHT));
+        raster.showRemote(elsewhere, scene(WIDTH, HEIGHT));
         raster.setView(ViewTransform.DEFAULT.withExposure(1));
         assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.withExposure(1).toPixels(elsewhere));
         raster.setView(ViewTransform.DEFAULT);
         raster.idle();
         assertShows(first);
-        raster.ahead(elsewhere, scene(WIDTH, HEIGHT));
+        raster.showRemote(elsewhere, scene(WIDTH, HEIGHT));
         raster.rendered(frame(filled(0.1f), scene(WIDTH, HEIGHT), false));
         assertShows(filled(0.1f));
     }
 
     @Test
-    void filmFromElsewhere_comesTooLateForAPictureThatIsFinished() {
+    void remoteFilm_isIgnoredForFinishedPicture() {
         Scene scene = scene(WIDTH, HEIGHT);
         raster.rendered(frame(filled(0.1f), scene, true));
-        raster.ahead(filled(0.7f), scene);
+        raster.showRemote(filled(0.7f), scene);
         assertShows(filled(0.1f));
     }
 
     @Test
-    void tilesThatFollowAtOnce_areToldWithThePicture() {
+    void rapidTiles_areReportedWithPicture() {
         for (int tile = 0; tile < 6; tile++) {
-            raster.tile(scene(WIDTH, HEIGHT), tile, tile(0.9f));
+            raster.tileRendered(scene(WIDTH, HEIGHT), tile, tile(0.9f));
         }
         raster.show(withTile(4, 0.1f));
-        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.Dirty(0, 0, WIDTH, HEIGHT));
+        assertThat(raster.takeDirty()).isEqualTo(new TracedRaster.DirtyRect(0, 0, WIDTH, HEIGHT));
         assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(withTile(4, 0.1f)));
     }
 
     @Test
     void tileOfAnotherSize_isNotShown() {
-        raster.tile(scene(WIDTH, HEIGHT + 1), 0, tile(0.9f));
+        raster.tileRendered(scene(WIDTH, HEIGHT + 1), 0, tile(0.9f));
         assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
     }
 
     @Test
-    void pictureThatWasGivenUp_givesWayToTheOneBefore() {
-        raster.coarse(filled(4, 2, 0.2f), 100, 50);
-        raster.tile(scene(100, 50), 0, tile(0.9f));
+    void canceledPicture_isReplacedByPreviousPicture() {
+        raster.showCoarse(filled(4, 2, 0.2f), 100, 50);
+        raster.tileRendered(scene(100, 50), 0, tile(0.9f));
         raster.idle();
         assertThat(raster.pixels().width()).isEqualTo(WIDTH);
         assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
     }
 
     @Test
-    void firstPictureThatWasGivenUp_leavesNone() {
-        raster.forgotten(1);
-        raster.coarse(filled(4, 2, 0.2f), 100, 50);
+    void canceledFirstPicture_leavesNone() {
+        raster.pictureDropped(1);
+        raster.showCoarse(filled(4, 2, 0.2f), 100, 50);
         raster.idle();
         assertThat(raster.pixels()).isNull();
     }
 
     @Test
-    void coarsePicture_fillsTheSizeThatComes() {
-        raster.coarse(filled(4, 2, 0.2f), 100, 50);
+    void coarsePicture_fillsFinalSize() {
+        raster.showCoarse(filled(4, 2, 0.2f), 100, 50);
         assertThat(raster.pixels().width()).isEqualTo(100);
         assertThat(pixels()).containsOnly(ViewTransform.DEFAULT.toPixels(filled(1, 1, 0.2f))[0]);
     }
 
     @Test
-    void pictureAfterACoarseOne_isPackedWhole() {
-        raster.coarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+    void pictureAfterCoarseOne_isPackedCompletely() {
+        raster.showCoarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
         raster.show(first);
         assertThat(pixels()).isEqualTo(ViewTransform.DEFAULT.toPixels(first));
     }
 
     @Test
-    void patch_showsOnlyItsPartUntilTheNextPicture() {
-        raster.patch(filled(0.9f), new TracedRaster.Dirty(10, 10, 20, 12));
+    void patch_showsOnlyItsPartUntilNextPicture() {
+        raster.patch(filled(0.9f), new TracedRaster.DirtyRect(10, 10, 20, 12));
         assertThat(raster.isPatched()).isTrue();
         assertThat(pixels()[10 * WIDTH + 10]).isNotEqualTo(pixels()[0]);
         assertThat(pixels()[12 * WIDTH + 10]).isEqualTo(pixels()[0]);
@@ -205,20 +205,20 @@ class TracedRasterTest {
 
     @Test
     void patchOfAnotherSize_isNotShown() {
-        raster.patch(filled(20, 20, 0.9f), new TracedRaster.Dirty(0, 0, 20, 20));
+        raster.patch(filled(20, 20, 0.9f), new TracedRaster.DirtyRect(0, 0, 20, 20));
         assertThat(raster.isPatched()).isFalse();
     }
 
     @Test
-    void exposure_packsEverythingAnew() {
+    void exposureChange_repacksAllPixels() {
         var brighter = new ViewTransform(1);
         raster.setView(brighter);
         assertThat(pixels()).isEqualTo(brighter.toPixels(first));
     }
 
     @Test
-    void exposureBesideACoarsePicture_keepsItCoarse() {
-        raster.coarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
+    void exposureChange_keepsCoarsePicture() {
+        raster.showCoarse(filled(4, 2, 0.2f), WIDTH, HEIGHT);
         var brighter = new ViewTransform(1);
         raster.setView(brighter);
         assertThat(pixels()).containsOnly(brighter.toPixels(filled(1, 1, 0.2f))[0]);

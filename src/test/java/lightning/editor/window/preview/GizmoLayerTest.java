@@ -12,7 +12,7 @@ import lightning.editor.document.Viewport;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
@@ -23,7 +23,7 @@ class GizmoLayerTest {
     private static final Light KEY = Light.of("key", LightType.SPOT).withPosition(new Vec3(1, 1, 0));
     private static final Light FILL = Light.of("fill", LightType.POINT).withPosition(new Vec3(-1, 1, 0));
     private static final Light SUN = Light.of("sun", LightType.DIRECTIONAL).withPosition(new Vec3(0, 2, 0));
-    private static final Scene SCENE = new Scene(new Picture(30, 20, 0), Camera.DEFAULT, World.DEFAULT,
+    private static final Scene SCENE = new Scene(new PictureSettings(30, 20, 0), Camera.DEFAULT, World.DEFAULT,
             List.of(), List.of(), List.of(KEY, FILL, SUN));
     private static final PreviewCamera CAMERA = PreviewCamera.of(SCENE);
 
@@ -36,21 +36,21 @@ class GizmoLayerTest {
     }
 
     @Test
-    void editOfTheSelectedLight_drawsItAlone() {
+    void editOfSelectedLight_redrawsOnlyIt() {
         assertThat(drawn(SCENE, KEY, CAMERA)).isEqualTo(3);
         Light moved = KEY.withPosition(new Vec3(1, 2, 0));
         assertThat(drawn(SCENE.withLight(moved), moved, CAMERA)).isEqualTo(1);
     }
 
     @Test
-    void editThatItsGizmoDoesNotShow_drawsNone() {
+    void editWithoutGizmoChange_redrawsNothing() {
         drawn(SCENE, KEY, CAMERA);
         Light brighter = KEY.withIntensity(2).withColor(new Rgb(1, 0.5, 0.2));
         assertThat(drawn(SCENE.withLight(brighter), brighter, CAMERA)).isZero();
     }
 
     @Test
-    void anotherLightThatIsEdited_drawsAllButTheSelectedOne() {
+    void editOfOtherLight_redrawsAllButSelected() {
         drawn(SCENE, KEY, CAMERA);
         assertThat(drawn(SCENE.withLight(FILL.withPosition(new Vec3(-1, 2, 0))), KEY, CAMERA)).isEqualTo(2);
     }
@@ -63,7 +63,7 @@ class GizmoLayerTest {
     }
 
     @Test
-    void otherMarks_areDrawnWithTheSelectedLight() {
+    void newMarks_redrawSelectedLight() {
         drawn(SCENE, KEY, CAMERA);
         int before = layer.gizmosDrawn();
         var box = List.of(new LightGizmo.Stroke(new Viewport.Pixel(1, 1), new Viewport.Pixel(2, 2)));
@@ -72,9 +72,9 @@ class GizmoLayerTest {
     }
 
     @Test
-    void otherSelectionAndOtherView_drawAll() {
+    void newSelectionOrView_redrawsAll() {
         drawn(SCENE, KEY, CAMERA);
         assertThat(drawn(SCENE, FILL, CAMERA)).isEqualTo(3);
-        assertThat(drawn(SCENE, FILL, CAMERA.zoomed(10, CANVAS))).isEqualTo(3);
+        assertThat(drawn(SCENE, FILL, CAMERA.zoom(10, CANVAS))).isEqualTo(3);
     }
 }

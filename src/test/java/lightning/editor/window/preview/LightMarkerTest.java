@@ -24,72 +24,72 @@ class LightMarkerTest {
     private static final PreviewCamera VIEW = new PreviewCamera(new Camera(new Vec3(0, 0, 10), Vec3.ZERO, Vec3.Y, 40));
     private static final Viewport CANVAS = new Viewport(400, 300);
 
-    private static Light at(double x, double y, double z) {
+    private static Light lightAt(double x, double y, double z) {
         return Light.of("light", LightType.POINT).withPosition(new Vec3(x, y, z));
     }
 
     @Test
-    void lightInView_hasNone() {
-        assertThat(LightMarker.of(List.of(at(0, 0, 0)), VIEW, CANVAS)).isEmpty();
+    void lightInView_hasNoMarker() {
+        assertThat(LightMarker.of(List.of(lightAt(0, 0, 0)), VIEW, CANVAS)).isEmpty();
     }
 
     @Test
-    void lightOnTheRight_isPointedToAtTheRightBorder() {
-        LightMarker marker = LightMarker.of(List.of(at(50, 0, 0)), VIEW, CANVAS).getFirst();
-        assertThat(marker.at().x()).isGreaterThan(380);
-        assertThat(marker.at().y()).isEqualTo(150);
+    void lightOnRight_hasMarkerAtRightEdge() {
+        LightMarker marker = LightMarker.of(List.of(lightAt(50, 0, 0)), VIEW, CANVAS).getFirst();
+        assertThat(marker.tip().x()).isGreaterThan(380);
+        assertThat(marker.tip().y()).isEqualTo(150);
         assertThat(marker.angle()).isZero();
     }
 
     @Test
-    void lightBehindTheEyeAndAbove_isPointedToAtTheUpperBorder() {
-        LightMarker marker = LightMarker.of(List.of(at(0, 5, 30)), VIEW, CANVAS).getFirst();
-        assertThat(marker.at().y()).isLessThan(20);
+    void lightBehindAndAbove_hasMarkerAtTopEdge() {
+        LightMarker marker = LightMarker.of(List.of(lightAt(0, 5, 30)), VIEW, CANVAS).getFirst();
+        assertThat(marker.tip().y()).isLessThan(20);
     }
 
     @Test
-    void lightWhereTheEyeIs_hasNone() {
-        assertThat(LightMarker.of(List.of(at(0, 0, 10)), VIEW, CANVAS)).isEmpty();
+    void lightAtCamera_hasNoMarker() {
+        assertThat(LightMarker.of(List.of(lightAt(0, 0, 10)), VIEW, CANVAS)).isEmpty();
     }
 
     @Test
-    void marker_isPickedAsItsLight() {
-        Light light = at(50, 0, 0);
+    void marker_picksItsLight() {
+        Light light = lightAt(50, 0, 0);
         LightMarker marker = LightMarker.of(List.of(light), VIEW, CANVAS).getFirst();
-        assertThat(LightMarker.pick(List.of(light), VIEW, CANVAS, marker.at())).isEqualTo(Optional.of(light));
+        assertThat(LightMarker.pick(List.of(light), VIEW, CANVAS, marker.tip())).isEqualTo(Optional.of(light));
         assertThat(LightMarker.pick(List.of(light), VIEW, CANVAS, new Viewport.Pixel(200, 150))).isEmpty();
     }
 
     @Property
     void everyLight_isInViewOrHasAMarkerInsideTheCanvas(@ForAll @DoubleRange(min = -99, max = 99) double x,
             @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
-        List<LightMarker> markers = LightMarker.of(List.of(at(x, y, z)), VIEW, CANVAS);
+        List<LightMarker> markers = LightMarker.of(List.of(lightAt(x, y, z)), VIEW, CANVAS);
         if (markers.isEmpty()) {
-            Viewport.Pixel seen = CANVAS.pixel(VIEW, new Vec3(x, y, z));
+            Viewport.Pixel seen = CANVAS.project(VIEW, new Vec3(x, y, z));
             assertThat(seen.x()).isBetween(0.0, 400.0);
             assertThat(seen.y()).isBetween(0.0, 300.0);
         } else {
-            assertThat(markers.getFirst().at().x()).isBetween(0.0, 400.0);
-            assertThat(markers.getFirst().at().y()).isBetween(0.0, 300.0);
+            assertThat(markers.getFirst().tip().x()).isBetween(0.0, 400.0);
+            assertThat(markers.getFirst().tip().y()).isBetween(0.0, 300.0);
         }
     }
 
     @Property
     void framing_bringsEveryLightIntoView(@ForAll @DoubleRange(min = -99, max = 99) double x,
             @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
-        List<Light> lights = List.of(at(x, y, z), at(0, 1, 0));
-        assertThat(LightMarker.of(lights, LightMarker.framing(lights, VIEW, CANVAS), CANVAS)).isEmpty();
+        List<Light> lights = List.of(lightAt(x, y, z), lightAt(0, 1, 0));
+        assertThat(LightMarker.of(lights, LightMarker.frameLights(lights, VIEW, CANVAS), CANVAS)).isEmpty();
     }
 
     @Test
-    void framing_ofLightsInView_keepsTheView() {
-        assertThat(LightMarker.framing(List.of(at(0, 0, 0)), VIEW, CANVAS)).isEqualTo(VIEW);
-        assertThat(LightMarker.framing(List.of(), VIEW, CANVAS)).isEqualTo(VIEW);
+    void framing_lightsInView_keepsView() {
+        assertThat(LightMarker.frameLights(List.of(lightAt(0, 0, 0)), VIEW, CANVAS)).isEqualTo(VIEW);
+        assertThat(LightMarker.frameLights(List.of(), VIEW, CANVAS)).isEqualTo(VIEW);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"balls", "bird", "desk", "house", "night", "orange", "spaceship"})
-    void firstView_ofEverySceneThatComesAlong_showsAllItsLights(String name) throws Exception {
+    void firstView_ofShippedScenes_showsAllLights(String name) throws Exception {
         Scene scene = OpenDocument.open(Path.of("scenes", name + ".jen")).scene();
         var canvas = new Viewport(400.0 * scene.picture().width() / scene.picture().height(), 400);
         PreviewCamera first = LightMarker.firstView(scene.lights(), PreviewCamera.of(scene), canvas);
@@ -97,9 +97,9 @@ class LightMarkerTest {
     }
 
     @Test
-    void lightAbsurdlyFarAway_doesNotMakeTheFirstViewTiny() {
-        Light lamp = at(4, 3, 0);
-        Light star = at(1e6, 1e6, 0);
+    void veryDistantLight_doesNotShrinkFirstView() {
+        Light lamp = lightAt(4, 3, 0);
+        Light star = lightAt(1e6, 1e6, 0);
         PreviewCamera withoutStar = LightMarker.firstView(List.of(lamp), VIEW, CANVAS);
         assertThat(LightMarker.of(List.of(lamp), withoutStar, CANVAS)).isEmpty();
         assertThat(LightMarker.firstView(List.of(lamp, star), VIEW, CANVAS)).isEqualTo(withoutStar);
@@ -109,7 +109,7 @@ class LightMarkerTest {
     @Property
     void firstView_isFromAtMostFourTimesTheDistanceAndAStep(@ForAll @DoubleRange(min = -99, max = 99) double x,
             @ForAll @DoubleRange(min = -99, max = 99) double y, @ForAll @DoubleRange(min = -99, max = 99) double z) {
-        PreviewCamera first = LightMarker.firstView(List.of(at(x, y, z), at(0, 1, 0)), VIEW, CANVAS);
+        PreviewCamera first = LightMarker.firstView(List.of(lightAt(x, y, z), lightAt(0, 1, 0)), VIEW, CANVAS);
         assertThat(first.distance()).isBetween(10.0, 4 * 10 * Math.exp(0.1));
         assertThat(first.forward()).isEqualTo(VIEW.forward());
     }

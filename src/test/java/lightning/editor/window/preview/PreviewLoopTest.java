@@ -8,15 +8,15 @@ import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.base.work.Wait;
-import lightning.editor.document.Desk;
+import lightning.editor.document.DeskScene;
 import lightning.editor.document.PreviewCamera;
 import lightning.format.jen.JenException;
 import lightning.format.jen.JenReader;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.Texture;
 import lightning.scene.TextureMap;
@@ -55,16 +55,16 @@ class PreviewLoopTest {
         assertThat(problems).isEmpty();
     }
 
-    private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, boolean moving) {
-        return wish(scene, camera, ViewEffects.PREVIEW, moving);
+    private static PreviewLoop.Request request(Scene scene, PreviewCamera camera, boolean moving) {
+        return request(scene, camera, ViewEffects.PREVIEW, moving);
     }
 
-    private static PreviewLoop.Wish wish(Scene scene, PreviewCamera camera, ViewEffects effects, boolean moving) {
-        return new PreviewLoop.Wish(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving, null);
+    private static PreviewLoop.Request request(Scene scene, PreviewCamera camera, ViewEffects effects, boolean moving) {
+        return new PreviewLoop.Request(scene, camera, WIDTH, HEIGHT, ViewTransform.DEFAULT, effects, moving, null);
     }
 
     private PreviewLoop.Picture next() throws InterruptedException {
-        PreviewLoop.Picture picture = pictures.poll(Wait.MOST_SECONDS, TimeUnit.SECONDS);
+        PreviewLoop.Picture picture = pictures.poll(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS);
         assertThat(picture).as("a picture").isNotNull();
         return picture;
     }
@@ -76,41 +76,41 @@ class PreviewLoopTest {
 
     private static int[] expected(Scene scene, PreviewCamera camera, ViewEffects effects) {
         Scene seen = scene.withCamera(camera.camera()).withPicture(scene.picture().withSize(WIDTH, HEIGHT));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withView(effects).withThreads(1))) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withView(effects).withThreads(1))) {
             renderer.render(seen, Progress.NONE);
             return ViewTransform.DEFAULT.toPixels(renderer.film());
         }
     }
 
     @Test
-    void restingView_isSharp() throws InterruptedException {
+    void stillView_isSharp() throws InterruptedException {
         PreviewCamera camera = PreviewCamera.of(SCENE);
-        loop.draw(wish(SCENE, camera, false));
+        loop.draw(request(SCENE, camera, false));
         PreviewLoop.Picture picture = next();
         assertThat(picture.isSharp()).isTrue();
         assertThat(picture.pixels()).isEqualTo(expected(SCENE, camera));
     }
 
     @Test
-    void editOfALight_isTheSamePictureAsANewOne() throws InterruptedException {
+    void lightEdit_equalsFreshRender() throws InterruptedException {
         PreviewCamera camera = PreviewCamera.alongX(SCENE);
-        loop.draw(wish(SCENE, camera, false));
+        loop.draw(request(SCENE, camera, false));
         next();
-        Scene edited = Desk.dial("angle").set(SCENE, "key", 40).or(SCENE);
-        loop.draw(wish(edited, camera, false));
+        Scene edited = DeskScene.parameter("angle").set(SCENE, "key", 40).sceneOr(SCENE);
+        loop.draw(request(edited, camera, false));
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
     }
 
     /** A floor of one colour under a spot: lit, its pool is on it; glowing, it is the same everywhere. */
     @Test
-    void texture_showsASpotsPoolUnlessItGlowsAsIn1998() throws InterruptedException {
+    void texture_isLitBySpotUnlessGlowing() throws InterruptedException {
         var texture = new TextureMap("one.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0.5f, 0.5f}));
         Scene floor = SCENE.withMaterials(SCENE.materials().stream().map(m -> m.withTexture(Optional.of(texture))).toList());
         PreviewCamera camera = PreviewCamera.of(floor);
-        loop.draw(wish(floor, camera, false));
+        loop.draw(request(floor, camera, false));
         int[] lit = next().pixels();
         assertThat(lit).isEqualTo(expected(floor, camera));
-        loop.draw(wish(floor, camera, ViewEffects.PREVIEW_1998, false));
+        loop.draw(request(floor, camera, ViewEffects.PREVIEW_1998, false));
         int[] glowing = next().pixels();
         assertThat(glowing).isEqualTo(expected(floor, camera, ViewEffects.PREVIEW_1998));
         int bottom = (HEIGHT - 1) * WIDTH;
@@ -119,26 +119,26 @@ class PreviewLoopTest {
     }
 
     @Test
-    void movingCamera_isCoarseAndSharpAtRest() throws InterruptedException {
+    void movingCamera_isCoarseThenSharp() throws InterruptedException {
         PreviewCamera camera = PreviewCamera.alongX(SCENE);
-        loop.draw(wish(SCENE, camera, true));
+        loop.draw(request(SCENE, camera, true));
         PreviewLoop.Picture moving = next();
         assertThat(moving.isSharp()).isFalse();
         assertThat(moving.pixels()).hasSize(moving.width() * moving.height());
-        loop.draw(wish(SCENE, camera, false));
+        loop.draw(request(SCENE, camera, false));
         assertThat(next().pixels()).isEqualTo(expected(SCENE, camera));
     }
 
     @Test
-    void manyWishes_endWithTheNewest() throws InterruptedException {
+    void manyRequests_endWithLatest() throws InterruptedException {
         PreviewCamera camera = PreviewCamera.of(SCENE);
         Scene last = SCENE;
         for (int i = 0; i < 50; i++) {
-            last = Desk.dial("intensity").set(SCENE, "key", i / 10.0).or(SCENE);
-            loop.draw(wish(last, camera, false));
+            last = DeskScene.parameter("intensity").set(SCENE, "key", i / 10.0).sceneOr(SCENE);
+            loop.draw(request(last, camera, false));
         }
         PreviewLoop.Picture picture = next();
-        while (picture.wish().scene() != last) {
+        while (picture.request().scene() != last) {
             picture = next();
         }
         assertThat(picture.pixels()).isEqualTo(expected(last, camera));

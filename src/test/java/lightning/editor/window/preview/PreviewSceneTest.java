@@ -9,19 +9,19 @@ import lightning.base.math.Vec3;
 import lightning.render.image.Film;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Camera;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
 import lightning.scene.Light;
+import lightning.scene.LightRig;
 import lightning.scene.LightType;
 import lightning.scene.Material;
-import lightning.scene.Panorama;
-import lightning.scene.Picture;
+import lightning.scene.PictureSettings;
 import lightning.scene.Placement;
-import lightning.scene.Rig;
 import lightning.scene.Scene;
+import lightning.scene.ShadingModel;
 import lightning.scene.Shape;
-import lightning.scene.Sky;
 import lightning.scene.Solid;
 import lightning.scene.Stage;
-import lightning.scene.SurfaceModel;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
@@ -30,24 +30,24 @@ class PreviewSceneTest {
     private static final Camera CAMERA = new Camera(new Vec3(0, 0, 6), Vec3.ZERO, Vec3.Y, 30);
 
     private static Scene ball(Material material, World world, Light... lights) {
-        return new Scene(new Picture(9, 9, 0), CAMERA, world, new Stage(List.of(material),
-                List.of(new Shape(Solid.SPHERE, "ball", material.name(), Placement.IDENTITY))), Rig.of(List.of(lights)));
+        return new Scene(new PictureSettings(9, 9, 0), CAMERA, world, new Stage(List.of(material),
+                List.of(new Shape(Solid.SPHERE, "ball", material.name(), Placement.IDENTITY))), LightRig.of(List.of(lights)));
     }
 
     private static Rgb middle(Scene scene) {
-        Film film = new ReferenceTracer(ViewEffects.PREVIEW.of(scene)).trace();
+        Film film = new ReferenceTracer(ViewEffects.PREVIEW.apply(scene)).trace();
         return new Rgb(film.red(4, 4), film.green(4, 4), film.blue(4, 4));
     }
 
-    private static Light lamp() {
+    private static Light environmentLight() {
         return Light.of("lamp", LightType.POINT).withPosition(new Vec3(3, 3, 6));
     }
 
     @Test
     void metal_hasItsColor() {
-        Material gold = Material.of("gold").withModel(SurfaceModel.METALLIC).withBase(new Rgb(1, 0.7, 0.3)).withMetalness(1)
+        Material gold = Material.of("gold").withModel(ShadingModel.METALLIC).withBase(new Rgb(1, 0.7, 0.3)).withMetalness(1)
                 .withRoughness(0.1);
-        Scene scene = ball(gold, World.DEFAULT.withAmbience(0), lamp());
+        Scene scene = ball(gold, World.DEFAULT.withAmbience(0), environmentLight());
         assertThat(middle(scene).g()).as("of the scene itself").isLessThan(0.05);
         Rgb shown = middle(new PreviewScene().of(scene));
         assertThat(shown.g()).isBetween(0.2, 0.7);
@@ -58,23 +58,24 @@ class PreviewSceneTest {
     @Test
     void mirror_isNotDark() {
         Material mirror = Material.of("mirror").withDiffuse(Rgb.BLACK).withReflective(new Rgb(0.8, 0.8, 0.8));
-        Scene scene = ball(mirror, World.DEFAULT.withAmbience(0), lamp());
+        Scene scene = ball(mirror, World.DEFAULT.withAmbience(0), environmentLight());
         assertThat(middle(new PreviewScene().of(scene)).g()).isGreaterThan(0.15);
     }
 
     @Test
-    void environment_neverBurnsWhitePaperOut() {
+    void environment_neverOverexposesWhite() {
         float[] rgb = new float[3 * 8 * 4];
         java.util.Arrays.fill(rgb, 40f);
-        World bright = World.DEFAULT.withAmbience(0).withEnvironment(Optional.of(new Panorama("sky.hdr", new Sky(8, 4, rgb))));
+        World bright =
+                World.DEFAULT.withAmbience(0).withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))));
         Scene scene = ball(Material.of("paper").withAmbient(Rgb.BLACK).withDiffuse(new Rgb(1, 1, 1)), bright);
         assertThat(middle(scene).g()).isGreaterThan(10);
         assertThat(middle(new PreviewScene().of(scene)).g()).isBetween(0.6, 1.0);
     }
 
     @Test
-    void sceneThatCallsForNone_isShownAsItIs() {
-        Scene scene = ball(Material.of("matt"), World.DEFAULT, lamp());
+    void sceneWithoutMirrorsOrEnvironment_isUnchanged() {
+        Scene scene = ball(Material.of("matt"), World.DEFAULT, environmentLight());
         assertThat(new PreviewScene().of(scene)).isEqualTo(scene);
         assertThat(new PreviewScene().of(scene).stage()).isSameAs(scene.stage());
     }

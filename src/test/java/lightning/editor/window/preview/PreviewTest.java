@@ -17,17 +17,17 @@ import lightning.editor.document.LightEdits;
 import lightning.editor.document.LightManipulation;
 import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
-import lightning.editor.window.EditorDesk;
-import lightning.editor.window.QuickRobot;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.FastRobot;
 import lightning.editor.window.model.GizmoSize;
 import lightning.scene.Light;
-import lightning.scene.Node;
+import lightning.scene.SceneNode;
 import org.junit.jupiter.api.Test;
 
-class PreviewTest extends EditorDesk {
+class PreviewTest extends EditorFixture {
 
     private void drag(Light light, MouseButton button, double right, double down) {
-        Point2D from = inPreview(light.position());
+        Point2D from = toScreen(light.position());
         robot.moveTo(from);
         robot.press(button);
         robot.moveTo(from.add(right / 2, down / 2));
@@ -36,39 +36,39 @@ class PreviewTest extends EditorDesk {
     }
 
     /** Holds a key. The platform without windows does not tell mouse events of keys, so these are told by hand. */
-    private void dragHolding(KeyCode held, Point2D from, double right, double down) {
-        tell(MouseEvent.MOUSE_PRESSED, held, from);
-        tell(MouseEvent.MOUSE_DRAGGED, held, from.add(right / 2, down / 2));
-        tell(MouseEvent.MOUSE_DRAGGED, held, from.add(right, down));
-        tell(MouseEvent.MOUSE_RELEASED, held, from.add(right, down));
+    private void dragHolding(KeyCode key, Point2D from, double right, double down) {
+        sendMouseEvent(MouseEvent.MOUSE_PRESSED, key, from);
+        sendMouseEvent(MouseEvent.MOUSE_DRAGGED, key, from.add(right / 2, down / 2));
+        sendMouseEvent(MouseEvent.MOUSE_DRAGGED, key, from.add(right, down));
+        sendMouseEvent(MouseEvent.MOUSE_RELEASED, key, from.add(right, down));
     }
 
-    private void tell(EventType<MouseEvent> type, KeyCode held, Point2D screen) {
+    private void sendMouseEvent(EventType<MouseEvent> type, KeyCode key, Point2D screen) {
         robot.interact(() -> {
             Point2D at = preview().localToScene(preview().screenToLocal(screen));
             Event.fireEvent(preview(), new MouseEvent(type, at.getX(), at.getY(), screen.getX(), screen.getY(),
-                    MouseButton.PRIMARY, 1, held == KeyCode.SHIFT, false, held == KeyCode.ALT, false, true, false, false, true,
+                    MouseButton.PRIMARY, 1, key == KeyCode.SHIFT, false, key == KeyCode.ALT, false, true, false, false, true,
                     false, false, null));
         });
     }
 
     @Test
     void clickOnAGizmo_selectsItsLight() {
-        robot.clickOn(inPreview(light("stage").position()));
+        robot.clickOn(toScreen(light("stage").position()));
         assertThat(model().editor().selection().light().name()).isEqualTo("stage");
-        robot.clickOn(inPreview(light("lamp").position()));
+        robot.clickOn(toScreen(light("lamp").position()));
         assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     private void addStage2AtStage() {
         model().editor().edit(scene -> LightEdits.duplicate(scene, "stage"));
-        model().editor().edit(scene -> LightEdits.with(scene, "stage2", l -> l.withPosition(light("stage").position())));
+        model().editor().edit(scene -> LightEdits.edit(scene, "stage2", l -> l.withPosition(light("stage").position())));
     }
 
     @Test
-    void clicksOnGizmosAtOnePlace_selectOneAfterTheOther() {
+    void repeatedClicks_onOverlappingGizmos_cycleSelection() {
         robot.interact(this::addStage2AtStage);
-        Point2D place = inPreview(light("stage").position());
+        Point2D place = toScreen(light("stage").position());
         robot.clickOn(place);
         String first = model().editor().selection().light().name();
         robot.clickOn(place);
@@ -78,7 +78,7 @@ class PreviewTest extends EditorDesk {
     }
 
     @Test
-    void dragOfTheSelectedLight_keepsItWhereOthersLieOverIt() {
+    void dragOfSelectedLight_underOthers_keepsSelection() {
         robot.interact(() -> {
             addStage2AtStage();
             model().editor().selection().selectLight("stage2");
@@ -90,10 +90,10 @@ class PreviewTest extends EditorDesk {
     }
 
     @Test
-    void leftDrag_turnsTheLightInOneStep() {
+    void leftDrag_rotatesLightInOneUndoStep() {
         Light before = light("stage");
         drag(before, MouseButton.PRIMARY, 40, 10);
-        Light expected = LightManipulation.rotate(before, model().previewLook().cameraProperty().get(), preview().viewport(), 40, -10);
+        Light expected = LightManipulation.rotate(before, model().previewSettings().cameraProperty().get(), preview().viewport(), 40, -10);
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
         click("undo");
         assertThat(light("stage")).isEqualTo(before);
@@ -108,26 +108,26 @@ class PreviewTest extends EditorDesk {
     }
 
     @Test
-    void rightDrag_movesTheLightUnderTheMouse() {
+    void rightDrag_movesLight() {
         Light before = light("lamp");
-        Point2D target = inPreview(before.position()).add(30, 20);
+        Point2D target = toScreen(before.position()).add(30, 20);
         drag(before, MouseButton.SECONDARY, 30, 20);
-        assertThat(inPreview(light("lamp").position()).distance(target)).isLessThan(0.01);
+        assertThat(toScreen(light("lamp").position()).distance(target)).isLessThan(0.01);
     }
 
     @Test
-    void middleDragUp_movesTheLightAway() {
+    void middleDragUp_movesLightAway() {
         Light before = light("lamp");
         drag(before, MouseButton.MIDDLE, 0, -40);
-        PreviewCamera view = model().previewLook().cameraProperty().get();
+        PreviewCamera view = model().previewSettings().cameraProperty().get();
         assertThat(view.depth(light("lamp").position())).isGreaterThan(view.depth(before.position()));
     }
 
     @Test
     void altAndLeftDrag_isAMiddleDrag() {
         Light before = light("stage");
-        dragHolding(KeyCode.ALT, inPreview(before.position()), 0, -40);
-        Light expected = LightManipulation.dolly(before, model().previewLook().cameraProperty().get(), preview().viewport(), 40);
+        dragHolding(KeyCode.ALT, toScreen(before.position()), 0, -40);
+        Light expected = LightManipulation.dolly(before, model().previewSettings().cameraProperty().get(), preview().viewport(), 40);
         assertThat(light("stage")).isEqualTo(expected).isNotEqualTo(before);
     }
 
@@ -142,38 +142,38 @@ class PreviewTest extends EditorDesk {
 
     @Test
     void shiftDragUp_zoomsAndResetRestores() {
-        PreviewCamera before = model().previewLook().cameraProperty().get();
-        dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 3, -60);
-        assertThat(model().previewLook().cameraProperty().get().distance()).isLessThan(before.distance());
+        PreviewCamera before = model().previewSettings().cameraProperty().get();
+        dragHolding(KeyCode.SHIFT, toScreen(Vec3.ZERO), 3, -60);
+        assertThat(model().previewSettings().cameraProperty().get().distance()).isLessThan(before.distance());
         click("view-z");
-        assertThat(model().previewLook().cameraProperty().get()).isEqualTo(before);
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(before);
     }
 
     @Test
     void shiftDragRight_pansTheScene() {
-        double before = inPreview(Vec3.ZERO).getX();
-        dragHolding(KeyCode.SHIFT, inPreview(Vec3.ZERO), 50, 2);
-        assertThat(inPreview(Vec3.ZERO).getX()).isGreaterThan(before + 40);
+        double before = toScreen(Vec3.ZERO).getX();
+        dragHolding(KeyCode.SHIFT, toScreen(Vec3.ZERO), 50, 2);
+        assertThat(toScreen(Vec3.ZERO).getX()).isGreaterThan(before + 40);
     }
 
     @Test
-    void viewButtons_lookAlongTheirAxis() {
+    void viewButtons_setAxisViews() {
         click("view-x");
-        assertThat(model().previewLook().cameraProperty().get().forward().x()).isGreaterThan(0.99);
+        assertThat(model().previewSettings().cameraProperty().get().forward().x()).isGreaterThan(0.99);
         click("view-y");
-        assertThat(model().previewLook().cameraProperty().get().forward().y()).isLessThan(-0.99);
+        assertThat(model().previewSettings().cameraProperty().get().forward().y()).isLessThan(-0.99);
     }
 
     @Test
-    void cameraOfThePreview_neverTouchesThePicture() {
+    void previewCamera_neverChangesPicture() {
         click("view-x");
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(model().editor().document().isDirty()).isFalse();
     }
 
     @Test
-    void heldArrowKey_turnsTheLightInOneStep() {
-        robot.clickOn(inPreview(light("stage").position()));
+    void heldArrowKey_rotatesLightInOneUndoStep() {
+        robot.clickOn(toScreen(light("stage").position()));
         Light before = light("stage");
         robot.press(KeyCode.RIGHT);
         robot.press(KeyCode.RIGHT);
@@ -185,7 +185,7 @@ class PreviewTest extends EditorDesk {
 
     @Test
     void pageUp_movesTheLightAway() {
-        robot.clickOn(inPreview(light("lamp").position()));
+        robot.clickOn(toScreen(light("lamp").position()));
         Light before = light("lamp");
         robot.type(KeyCode.PAGE_UP);
         assertThat(light("lamp").position().z()).isLessThan(before.position().z());
@@ -193,7 +193,7 @@ class PreviewTest extends EditorDesk {
 
     @Test
     void bracketKeys_selectTheNextLight() {
-        robot.clickOn(inPreview(light("lamp").position()));
+        robot.clickOn(toScreen(light("lamp").position()));
         robot.type(KeyCode.CLOSE_BRACKET);
         assertThat(model().editor().selection().light().name()).isEqualTo("sun");
         robot.type(KeyCode.OPEN_BRACKET);
@@ -201,107 +201,112 @@ class PreviewTest extends EditorDesk {
     }
 
     @Test
-    void lightOutOfView_isTakenAtItsMarker() {
-        robot.interact(() -> model().previewLook().cameraProperty().set(
-                model().previewLook().cameraProperty().get().panned(-400, 0, preview().viewport())));
-        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+    void lightOutOfView_isDraggedByMarker() {
+        robot.interact(() -> model().previewSettings().cameraProperty().set(
+                model().previewSettings().cameraProperty().get().pan(-400, 0, preview().viewport())));
+        assertThat(
+                LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport()))
                 .hasSize(3);
-        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())
-                .getLast();
-        robot.clickOn(preview().onScreen(marker.at()));
+        var marker =
+                LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport())
+                        .getLast();
+        robot.clickOn(preview().toScreen(marker.tip()));
         assertThat(model().editor().selection().light()).isIn(model().editor().scene().lights());
         click("view-all");
-        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+        assertThat(
+                LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport()))
                 .isEmpty();
     }
 
     @Test
-    void hiddenGizmo_isNeitherTakenNorSelected() {
+    void hiddenGizmo_isNeitherDraggedNorSelected() {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("hide-gizmos");
         Light lamp = light("lamp");
-        robot.clickOn(inPreview(lamp.position()));
+        robot.clickOn(toScreen(lamp.position()));
         drag(lamp, MouseButton.SECONDARY, 30, 20);
         assertThat(model().editor().selection().light().name()).isEqualTo("stage");
         assertThat(light("lamp")).isEqualTo(lamp);
         assertThat(isEnabled(Command.UNDO)).isFalse();
         click("hide-gizmos");
-        robot.clickOn(inPreview(lamp.position()));
+        robot.clickOn(toScreen(lamp.position()));
         assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
-    void hiddenMarker_isNotTaken() {
-        robot.interact(() -> model().previewLook().cameraProperty().set(
-                model().previewLook().cameraProperty().get().panned(-400, 0, preview().viewport())));
-        var marker = LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport())
-                .getLast();
+    void hiddenMarker_isNotDragged() {
+        robot.interact(() -> model().previewSettings().cameraProperty().set(
+                model().previewSettings().cameraProperty().get().pan(-400, 0, preview().viewport())));
+        var marker =
+                LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport())
+                        .getLast();
         robot.interact(() -> {
             model().editor().selection().selectLight("lamp");
             preview().requestFocus();
         });
         robot.type(KeyCode.G);
-        assertThat(model().previewLook().gizmosHiddenProperty().get()).isTrue();
-        robot.clickOn(preview().onScreen(marker.at()));
+        assertThat(model().previewSettings().gizmosHiddenProperty().get()).isTrue();
+        robot.clickOn(preview().toScreen(marker.tip()));
         assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
-    void largeGizmo_isTakenWhereItIsDrawn() {
+    void largeGizmo_isDraggedWhereDrawn() {
         // The sphere of a point light has a radius of 12 pixels, 19.2 where it is large; a click may be 8 beside it.
-        Point2D rim = inPreview(light("lamp").position()).add(0, -24);
+        Point2D rim = toScreen(light("lamp").position()).add(0, -24);
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         robot.clickOn(rim);
         assertThat(model().editor().selection().light().name()).isEqualTo("stage");
-        robot.interact(() -> model().previewLook().sizeProperty().set(GizmoSize.LARGE));
+        robot.interact(() -> model().previewSettings().gizmoSizeProperty().set(GizmoSize.LARGE));
         robot.clickOn(rim);
         assertThat(model().editor().selection().light().name()).isEqualTo("lamp");
     }
 
     @Test
-    void openedScene_isFirstSeenWithAllItsLights() throws Exception {
+    void openedScene_initiallyShowsAllLights() throws Exception {
         PreviewCamera own = PreviewCamera.of(model().editor().scene());
-        assertThat(model().previewLook().cameraProperty().get()).as("all lights are in view").isEqualTo(own);
+        assertThat(model().previewSettings().cameraProperty().get()).as("all lights are in view").isEqualTo(own);
         String text = Files.readString(folder.resolve("desk.jen")).replace("at -2 2.2 0.5", "at -2 6.2 0.5");
         Path other = Files.writeString(folder.resolve("high.jen"), text);
         robot.interact(() -> editor.files().load(other));
         waitFor("the scene is open", () -> model().editor().document().name().equals("high.jen"));
         waitForPicture();
-        assertThat(model().previewLook().cameraProperty().get().distance()).isGreaterThan(own.distance());
-        assertThat(LightMarker.of(model().editor().scene().lights(), model().previewLook().cameraProperty().get(), preview().viewport()))
+        assertThat(model().previewSettings().cameraProperty().get().distance()).isGreaterThan(own.distance());
+        assertThat(
+                LightMarker.of(model().editor().scene().lights(), model().previewSettings().cameraProperty().get(), preview().viewport()))
                 .isEmpty();
         assertThat(model().picture().frame().scene().camera()).as("of the traced picture").isEqualTo(model().editor().scene().camera());
         assertThat(model().editor().document().isDirty()).isFalse();
     }
 
     @Test
-    void edit_leavesTheViewAsItIs() {
-        PreviewCamera before = model().previewLook().cameraProperty().get();
-        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withPosition(new Vec3(0, 50, 0)))));
-        QuickRobot.settle();
-        assertThat(model().previewLook().cameraProperty().get()).isEqualTo(before);
+    void edit_keepsView() {
+        PreviewCamera before = model().previewSettings().cameraProperty().get();
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.edit(scene, "lamp", l -> l.withPosition(new Vec3(0, 50, 0)))));
+        FastRobot.settle();
+        assertThat(model().previewSettings().cameraProperty().get()).isEqualTo(before);
     }
 
-    private NodeGizmo.Handle handle(NodeGizmo of, NodeGizmo.Act act, int axis) {
-        return of.handles().stream().filter(h -> h.act() == act && h.axis() == axis).findFirst().orElseThrow();
+    private NodeGizmo.Handle handle(NodeGizmo of, NodeGizmo.Action act, int axis) {
+        return of.handles().stream().filter(h -> h.action() == act && h.axis() == axis).findFirst().orElseThrow();
     }
 
     @Test
     void clickOnAShape_selectsItAndAnArrowMovesIt() {
-        robot.clickOn(inPreview(new Vec3(0, 0.6, 0)));
+        robot.clickOn(toScreen(new Vec3(0, 0.6, 0)));
         waitFor("it is selected", () -> model().editor().selection().node().isPresent());
-        Node ball = model().editor().selection().node().orElseThrow();
+        SceneNode ball = model().editor().selection().node().orElseThrow();
         assertThat(ball.name()).isEqualTo("ball");
-        PreviewCamera view = model().previewLook().cameraProperty().get();
+        PreviewCamera view = model().previewSettings().cameraProperty().get();
         NodeGizmo gizmo = NodeGizmo.of(model().editor().scene(), ball, view, preview().viewport()).orElseThrow();
-        Vec3 tip = handle(gizmo, NodeGizmo.Act.MOVE, 1).lines().getFirst().to();
-        Point2D from = inPreview(tip);
+        Vec3 tip = handle(gizmo, NodeGizmo.Action.MOVE, 1).lines().getFirst().to();
+        Point2D from = toScreen(tip);
         robot.moveTo(from);
         robot.press(MouseButton.PRIMARY);
         robot.moveTo(from.add(0, -20));
-        robot.moveTo(inPreview(tip.plus(new Vec3(0, 0.5, 0))));
+        robot.moveTo(toScreen(tip.plus(new Vec3(0, 0.5, 0))));
         robot.release(MouseButton.PRIMARY);
-        Vec3 at = model().editor().selection().node().orElseThrow().placement().at();
+        Vec3 at = model().editor().selection().node().orElseThrow().placement().position();
         assertThat(at.x()).isZero();
         assertThat(at.z()).isZero();
         assertThat(at.y()).isBetween(1.4, 1.6);

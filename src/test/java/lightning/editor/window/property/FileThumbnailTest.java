@@ -24,7 +24,7 @@ class FileThumbnailTest {
     }
 
     @Test
-    void pictureOfTheTextures_isMadeSmallInItsShape() throws IOException {
+    void texture_isScaledDownWithItsAspect() throws IOException {
         picture(folder.resolve("scene/textures/wide.png"), 800, 200);
         FileThumbnail small = FileThumbnail.of(FileKind.TEXTURE, folder.resolve("scene"), "wide.png").orElseThrow();
         assertThat(small.width()).isEqualTo(40);
@@ -33,7 +33,7 @@ class FileThumbnailTest {
     }
 
     @Test
-    void pictureOfTheTexturesAbove_isFoundAsTheSceneFindsIt() throws IOException {
+    void textureInParentFolder_isFound() throws IOException {
         picture(folder.resolve("textures/above.png"), 80, 80);
         Path scene = Files.createDirectories(folder.resolve("scenes"));
         assertThat(FileThumbnail.of(FileKind.TEXTURE, scene, "above.png")).isPresent();
@@ -49,7 +49,7 @@ class FileThumbnailTest {
     }
 
     @Test
-    void whatIsNoPicture_hasNone() throws IOException {
+    void invalidPicture_hasNoThumbnail() throws IOException {
         Files.writeString(folder.resolve("text.png"), "no picture");
         assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "text.png")).isEmpty();
         assertThat(FileThumbnail.of(FileKind.TEXTURE, folder, "missing.png")).isEmpty();

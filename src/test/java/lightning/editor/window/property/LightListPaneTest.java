@@ -17,9 +17,9 @@ import javafx.stage.Stage;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
-import lightning.editor.window.OpenEditor;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
+import lightning.editor.window.TestEditors;
 import lightning.editor.window.model.EditorModel;
 import lightning.sample.Slow;
 import lightning.scene.LightType;
@@ -30,7 +30,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class LightListPaneTest {
     @TempDir
@@ -39,8 +39,8 @@ class LightListPaneTest {
 
     @Start
     private void start(Stage stage) throws Exception {
-        model = OpenEditor.model(folder);
-        OpenEditor.show(stage, new LightListPane(model.editor(), model.commands()));
+        model = TestEditors.model(folder);
+        TestEditors.show(stage, new LightListPane(model.editor(), model.commands()));
     }
 
     @Stop
@@ -49,7 +49,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void lights_areListedInTheirOrder(FxRobot robot) {
+    void lights_areListedInOrder(FxRobot robot) {
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
         assertThat(selected(robot)).isEqualTo("key");
     }
@@ -67,7 +67,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void lightSelectedElsewhere_isSelectedHere(FxRobot robot) {
+    void lightSelectedInEditor_isSelectedInList(FxRobot robot) {
         robot.interact(() -> model.editor().selection().selectLight("fill"));
         assertThat(selected(robot)).isEqualTo("fill");
         robot.interact(() -> model.editor().selection().selectLight(null));
@@ -75,7 +75,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void addLight_addsOneOfTheTypeAndSelectsIt(FxRobot robot) {
+    void addLight_addsTypeAndSelectsIt(FxRobot robot) {
         robot.clickOn("#add-light").clickOn("Spot");
         assertThat(names(robot)).containsExactly("key", "fill", "sun", "spot");
         assertThat(model.editor().selection().light().type()).isEqualTo(LightType.SPOT);
@@ -83,7 +83,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void duplicate_putsACopyBehindAndSelectsIt(FxRobot robot) {
+    void duplicate_insertsCopyAfterAndSelectsIt(FxRobot robot) {
         robot.clickOn("#duplicate-light");
         assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
         assertThat(model.editor().selection().light().name()).isEqualTo("key2");
@@ -101,7 +101,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void deletedLight_comesBackSelectedByUndo(FxRobot robot) {
+    void deletedLight_afterUndo_isSelected(FxRobot robot) {
         robot.clickOn("fill").clickOn("#delete-light");
         robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
@@ -111,16 +111,16 @@ class LightListPaneTest {
     @Test
     void bulb_switchesItsLightWithoutSelectingIt(FxRobot robot) {
         robot.clickOn(toggle(robot, "sun on"));
-        assertThat(OpenEditor.light(model, "sun").on()).isFalse();
+        assertThat(TestEditors.light(model, "sun").on()).isFalse();
         assertThat(model.editor().selection().light().name()).isEqualTo("key");
         robot.clickOn(toggle(robot, "sun on"));
-        assertThat(OpenEditor.light(model, "sun").on()).isTrue();
+        assertThat(TestEditors.light(model, "sun").on()).isTrue();
     }
 
     @Test
     void soloLight_darkensTheOthers(FxRobot robot) {
         robot.clickOn(toggle(robot, "fill solo"));
-        assertThat(OpenEditor.light(model, "fill").solo()).isTrue();
+        assertThat(TestEditors.light(model, "fill").solo()).isTrue();
         assertThat(robot.lookup(".light-row").queryAllAs(Node.class).stream()
                 .filter(row -> row.getPseudoClassStates().contains(PseudoClass.getPseudoClass("dark")))).hasSize(2);
     }
@@ -128,8 +128,8 @@ class LightListPaneTest {
     @Test
     void spaceAndS_switchTheSelectedLight(FxRobot robot) {
         robot.clickOn("sun").push(KeyCode.SPACE).push(KeyCode.S);
-        assertThat(OpenEditor.light(model, "sun").on()).isFalse();
-        assertThat(OpenEditor.light(model, "sun").solo()).isTrue();
+        assertThat(TestEditors.light(model, "sun").on()).isFalse();
+        assertThat(TestEditors.light(model, "sun").solo()).isTrue();
     }
 
     @Test
@@ -141,7 +141,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void nameOfSpacesAndSigns_isTakenAndShownAsItIs(FxRobot robot) {
+    void nameWithSpacesAndSymbols_isAccepted(FxRobot robot) {
         robot.clickOn("fill").push(KeyCode.F2).write("_7 \"a=b\" Ä").push(KeyCode.ENTER);
         assertThat(names(robot)).containsExactly("key", "_7 \"a=b\" Ä", "sun");
         assertThat(robot.lookup("_7 \"a=b\" Ä").tryQuery()).isPresent();
@@ -162,7 +162,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void takenName_isMarkedAndChangesNothing(FxRobot robot) {
+    void duplicateName_isRefused(FxRobot robot) {
         robot.clickOn("fill").push(KeyCode.F2).write("sun").push(KeyCode.ENTER);
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
         TextField field = robot.lookup(".light-row .text-field").queryAs(TextField.class);
@@ -175,7 +175,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void bank_isListedWithItsLightsBehindThoseInNone(FxRobot robot) {
+    void lightGroups_areListedAfterUngroupedLights(FxRobot robot) {
         robot.clickOn("key");
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
         assertThat(names(robot)).containsExactly("fill", "sun", "bank", "key");
@@ -187,7 +187,7 @@ class LightListPaneTest {
     }
 
     @Test
-    void foldedBank_hidesItsLights(FxRobot robot) {
+    void collapsedGroup_hidesItsLights(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn(".bank-row .fold");
         assertThat(names(robot)).containsExactly("fill", "sun", "bank");
@@ -196,37 +196,37 @@ class LightListPaneTest {
     }
 
     @Test
-    void switchesOfABank_areThoseOfAllItsLights(FxRobot robot) {
+    void groupToggles_applyToAllItsLights(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn(toggle(robot, "bank on"));
-        assertThat(model.editor().scene().rig().bank("bank").orElseThrow().on()).isFalse();
-        assertThat(model.editor().scene().shines(OpenEditor.light(model, "key"))).isFalse();
+        assertThat(model.editor().scene().rig().lightGroup("bank").orElseThrow().on()).isFalse();
+        assertThat(model.editor().scene().isActive(TestEditors.light(model, "key"))).isFalse();
         robot.clickOn(toggle(robot, "bank on")).clickOn(toggle(robot, "bank solo"));
-        assertThat(model.editor().scene().shines(OpenEditor.light(model, "sun"))).isFalse();
+        assertThat(model.editor().scene().isActive(TestEditors.light(model, "sun"))).isFalse();
     }
 
     @Test
-    void lightDroppedOnABank_joinsIt(FxRobot robot) {
+    void lightDroppedOnGroup_joinsIt(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
-        robot.interact(() -> BankDrop.drop("sun", "bank", model.editor()));
+        robot.interact(() -> LightGroupDrop.moveLight("sun", "bank", model.editor()));
         assertThat(names(robot)).containsExactly("fill", "bank", "key", "sun");
-        robot.interact(() -> BankDrop.drop("key", "", model.editor()));
+        robot.interact(() -> LightGroupDrop.moveLight("key", "", model.editor()));
         assertThat(names(robot)).containsExactly("key", "fill", "bank", "sun");
     }
 
     @Test
-    void keysOnABank_renameSwitchAndDeleteIt(FxRobot robot) {
+    void groupKeys_renameToggleAndDeleteIt(FxRobot robot) {
         robot.interact(() -> model.commands().run(Command.NEW_BANK));
         robot.clickOn("bank").push(KeyCode.F2).write("left").push(KeyCode.ENTER);
-        assertThat(OpenEditor.light(model, "key").bank()).isEqualTo("left");
+        assertThat(TestEditors.light(model, "key").lightGroup()).isEqualTo("left");
         robot.push(KeyCode.SPACE);
-        assertThat(model.editor().scene().rig().bank("left").orElseThrow().on()).isFalse();
+        assertThat(model.editor().scene().rig().lightGroup("left").orElseThrow().on()).isFalse();
         robot.push(KeyCode.DELETE);
         assertThat(names(robot)).containsExactly("key", "fill", "sun");
     }
 
     @Test
-    void sceneWithoutLights_saysSo(FxRobot robot) {
+    void sceneWithoutLights_showsPlaceholder(FxRobot robot) {
         robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, "key")));
         robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, "fill")));
         robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, "sun")));

@@ -22,14 +22,14 @@ import javax.imageio.ImageIO;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
-import lightning.editor.window.EditorDesk;
-import lightning.editor.window.widget.Typing;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.widget.TextTyping;
 import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-class MaterialPaneTest extends EditorDesk {
+class MaterialPaneTest extends EditorFixture {
     private static final Vec3 BALL = new Vec3(0, 1, 0);
 
     private Material material(String name) {
@@ -45,15 +45,15 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     private void type(String field, String value) {
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
-        Typing.over(robot, robot.lookup("#" + field).queryAs(TextField.class), value).push(KeyCode.ENTER);
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
+        TextTyping.replace(robot, robot.lookup("#" + field).queryAs(TextField.class), value).push(KeyCode.ENTER);
     }
 
     private void typeRed(String color, String value) {
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
         TextField red = robot.lookup("#" + color + " .number-field").queryAll().stream()
                 .filter(n -> (color + " red").equals(n.getAccessibleText())).map(TextField.class::cast).findFirst().orElseThrow();
-        Typing.over(robot, red, value).push(KeyCode.ENTER);
+        TextTyping.replace(robot, red, value).push(KeyCode.ENTER);
     }
 
     private void chooseFromMenu() {
@@ -90,21 +90,21 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void copiedProperty_isPastedToAnotherMaterialAndReset() {
+    void copiedProperty_pastesToOtherMaterialAndResets() {
         robot.interact(() -> model().materials().choose("matt"));
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
         chooseProperty("#shininess", "Copy Shininess");
         robot.interact(() -> model().materials().choose("mirror"));
         chooseProperty("#shininess", "Paste Shininess '20'");
         assertThat(material("mirror").shininess()).isEqualTo(20);
-        assertThat(model().editor().situationProperty().get().undo())
+        assertThat(model().editor().editorStateProperty().get().undoLabel())
                 .hasValueSatisfying(step -> assertThat(step).contains("mirror: shininess"));
         chooseProperty("#shininess", "Reset Shininess");
         assertThat(material("mirror").shininess()).isEqualTo(MaterialAttribute.SHININESS.initial());
         assertGoShowsTheScene();
     }
 
-    private Path elsewhere(int rgb) throws IOException {
+    private Path pictureInOtherFolder(int rgb) throws IOException {
         var image = new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, rgb);
         Path file = Files.createDirectories(folder.resolve("elsewhere/deep")).resolve("tiles.png");
@@ -118,19 +118,19 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void browsedPicture_comesToTheTexturesAndOverAnotherOnlyWhenChosenTwice() throws IOException {
+    void browsedPicture_isCopiedToTextures_andReplacesOnlyAfterConfirmation() throws IOException {
         robot.interact(() -> model().materials().choose("matt"));
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
         // Else those of a folder above would get it.
         Files.createDirectories(folder.resolve("textures"));
-        answer = elsewhere(0xff8000);
+        answer = pictureInOtherFolder(0xff8000);
         browse();
         waitFor("the picture is there", () -> material("matt").texture().isPresent());
         assertThat(material("matt").texture().orElseThrow().file()).isEqualTo("tiles.png");
         Path copy = folder.resolve("textures/tiles.png");
         assertThat(copy).hasSameBinaryContentAs(answer);
         byte[] first = Files.readAllBytes(copy);
-        elsewhere(0x0080ff);
+        pictureInOtherFolder(0x0080ff);
         browse();
         waitFor("it asks", () -> text("texture-refusal").contains("choose it again to write over it"));
         assertThat(copy).hasBinaryContent(first);
@@ -141,18 +141,18 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void copiedPlaceOfAShape_isPastedToAnother() {
+    void copiedPosition_pastesToOtherShape() {
         robot.interact(() -> model().editor().selection().selectNode("ball"));
         chooseProperty("#shape-at", "Copy Position");
         robot.interact(() -> model().editor().selection().selectNode("floor"));
         chooseProperty("#shape-at", "Paste Position '0 1 0'");
-        assertThat(model().editor().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(new Vec3(0, 1, 0));
+        assertThat(model().editor().scene().stage().node("floor").orElseThrow().placement().position()).isEqualTo(new Vec3(0, 1, 0));
         chooseProperty("#shape-at", "Reset Position");
-        assertThat(model().editor().scene().stage().node("floor").orElseThrow().placement().at()).isEqualTo(Vec3.ZERO);
+        assertThat(model().editor().scene().stage().node("floor").orElseThrow().placement().position()).isEqualTo(Vec3.ZERO);
     }
 
     @Test
-    void rightClickOnAShapeOfThePicture_offersItsMaterial() {
+    void rightClickInPicture_offersMaterial() {
         assertThat(tab()).isEqualTo("light-tab");
         robot.clickOn("#traced-picture", MouseButton.SECONDARY);
         chooseFromMenu();
@@ -161,15 +161,15 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void rightClickOnAShapeOfThePreview_offersItsMaterial() {
+    void rightClickInPreview_offersMaterial() {
         robot.interact(() -> model().materials().choose("mirror"));
-        robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
+        robot.clickOn(toScreen(BALL), MouseButton.SECONDARY);
         chooseFromMenu();
         assertThat(edited()).isEqualTo("matt");
     }
 
     @Test
-    void pickedShape_showsItsMaterialUntilALightIsSelected() {
+    void pickedShape_showsMaterialUntilLightIsSelected() {
         robot.interact(() -> model().materials().choose("mirror"));
         robot.interact(() -> model().commands().run(Command.PICK_MATERIAL));
         assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
@@ -181,13 +181,13 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void diffuse_isRenderedByGoAndTakenBackByUndo() {
+    void diffuse_isRenderedByGoAndUndone() {
         Scene before = model().editor().scene();
         robot.interact(() -> model().materials().choose("matt"));
-        long frames = model().previewLook().framesProperty().get();
+        long frames = model().previewSettings().framesProperty().get();
         typeRed("diffuse", "0.25");
         assertThat(material("matt").diffuse()).isEqualTo(new Rgb(0.25, 0.7, 0.6));
-        waitFor("the preview shows it", () -> model().previewLook().framesProperty().get() > frames);
+        waitFor("the preview shows it", () -> model().previewSettings().framesProperty().get() > frames);
         assertGoShowsTheScene();
         click("undo");
         assertThat(model().editor().scene()).isEqualTo(before);
@@ -195,7 +195,7 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void eachNumber_isEdited() {
+    void everyNumber_canBeEdited() {
         robot.interact(() -> model().materials().choose("matt"));
         typeRed("specular", "0.5");
         typeRed("reflective", "0.75");
@@ -209,7 +209,7 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void valueOutOfRange_isRefusedAsTheFileReaderDoes() {
+    void valueOutOfRange_isRefused() {
         Scene before = model().editor().scene();
         typeRed("diffuse", "2");
         assertThat(robot.lookup("diffuse red must be from 0 to 1, was 2").tryQuery()).isPresent();
@@ -217,11 +217,11 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void texture_isReadBesideTheSceneRepeatedAndTakenAway() throws IOException {
+    void texture_isLoadedRepeatedAndRemoved() throws IOException {
         picture("dots.png");
         robot.interact(() -> {
             model().materials().choose("matt");
-            model().editor().materialInFrontProperty().set(true);
+            model().editor().materialShownProperty().set(true);
         });
         assertThat(robot.lookup("#repeat-u .number-field").query().isDisabled()).isTrue();
         type("texture", "dots.png");
@@ -235,26 +235,26 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void bump_isReadBesideTheSceneMadeHigherAndTakenAway() throws IOException {
+    void bumpMap_isLoadedScaledAndRemoved() throws IOException {
         picture("dots.png");
         robot.interact(() -> {
             model().materials().choose("matt");
-            model().editor().materialInFrontProperty().set(true);
+            model().editor().materialShownProperty().set(true);
         });
         assertThat(robot.lookup("#bump-repeat-u .number-field").query().isDisabled()).isTrue();
         type("bump", "dots.png");
-        waitFor("it is read", () -> material("matt").relief().bump().isPresent());
+        waitFor("it is read", () -> material("matt").bumpMapping().bump().isPresent());
         type("height .number-field", "0.2");
-        assertThat(material("matt").relief().height()).isEqualTo(0.2);
+        assertThat(material("matt").bumpMapping().height()).isEqualTo(0.2);
         assertThat(material("matt").texture()).isEmpty();
         click("go");
         waitForPicture();
         type("bump", " ");
-        assertThat(material("matt").relief().bump()).isEmpty();
+        assertThat(material("matt").bumpMapping().bump()).isEmpty();
     }
 
     @Test
-    void textureThatIsNotThere_isRefusedInASentence() {
+    void missingTexture_showsError() {
         type("texture", "missing.png");
         waitFor("it is refused",
                 () -> text("texture-refusal").startsWith("material 'matt': there is no texture 'missing.png' in the folder"));
@@ -262,9 +262,9 @@ class MaterialPaneTest extends EditorDesk {
     }
 
     @Test
-    void texturesBesideTheScene_areOffered() throws IOException {
+    void texturesNextToScene_areOffered() throws IOException {
         picture("dots.png");
-        robot.interact(() -> model().editor().materialInFrontProperty().set(true));
+        robot.interact(() -> model().editor().materialShownProperty().set(true));
         MenuButton found = robot.lookup("#texture-found").query();
         robot.interact(() -> found.getOnShowing().handle(null));
         waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));

@@ -11,20 +11,20 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.base.math.Vec3;
-import lightning.editor.window.EditorDesk;
-import lightning.editor.window.widget.Typing;
-import lightning.scene.Group;
-import lightning.scene.Node;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.widget.TextTyping;
+import lightning.scene.NodeGroup;
 import lightning.scene.Placement;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
 
-class OutlinePaneTest extends EditorDesk {
+class OutlinePaneTest extends EditorFixture {
     private static final Vec3 BALL = new Vec3(0, 1, 0);
 
-    private Node node(String name) {
+    private SceneNode node(String name) {
         return model().editor().scene().stage().node(name).orElseThrow();
     }
 
@@ -36,11 +36,11 @@ class OutlinePaneTest extends EditorDesk {
         return robot.lookup("#shape-list").query();
     }
 
-    private List<String> listed() {
+    private List<String> listedNames() {
         return list().getItems().stream().map(row -> row.node(model().editor().scene().stage()).name()).toList();
     }
 
-    private String marked() {
+    private String selectedName() {
         OutlineRow row = list().getSelectionModel().getSelectedItem();
         return row == null ? "" : row.node(model().editor().scene().stage()).name();
     }
@@ -49,7 +49,7 @@ class OutlinePaneTest extends EditorDesk {
         robot.interact(() -> model().editor().selection().selectNode(name));
         // Its line is there only when the list was laid out.
         waitFor("its line is there", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
-                .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(marked())));
+                .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(selectedName())));
     }
 
     private void press(KeyCode... keys) {
@@ -59,28 +59,28 @@ class OutlinePaneTest extends EditorDesk {
     }
 
     private void group() {
-        robot.interact(() -> model().editor().edit(scene -> new lightning.editor.document.Change.To(scene.replacing("ball",
-                List.of(new Group("toys", Placement.IDENTITY, List.of(node("ball"),
+        robot.interact(() -> model().editor().edit(scene -> new lightning.editor.document.EditOutcome.Applied(scene.replaceNode("ball",
+                List.of(new NodeGroup("toys", Placement.IDENTITY, List.of(node("ball"),
                         new Shape(new Solid.Sphere(), "marble", "matt", new Placement(new Vec3(1, 0.3, 1), Vec3.ZERO,
                                 new Vec3(0.3, 0.3, 0.3))))))))));
     }
 
     @Test
-    void shapePickedInThePreview_isSelectedInTheList() {
+    void shapePickedInPreview_isSelectedInList() {
         assertThat(tab("lists")).isEqualTo("lights-tab");
-        waitFor("the preview is drawn", () -> model().previewLook().framesProperty().get() > 0);
-        robot.clickOn(inPreview(BALL), MouseButton.SECONDARY);
+        waitFor("the preview is drawn", () -> model().previewSettings().framesProperty().get() > 0);
+        robot.clickOn(toScreen(BALL), MouseButton.SECONDARY);
         waitFor("the menu is open", () -> robot.lookup("Select ball").tryQuery().isPresent());
         robot.clickOn("Select ball");
         waitFor("it is selected", () -> tab("lists").equals("shapes-tab"));
-        assertThat(marked()).isEqualTo("ball");
+        assertThat(selectedName()).isEqualTo("ball");
         assertThat(tab("side")).isEqualTo("shape-tab");
         assertThat(text("shape-about")).isEqualTo("Sphere of material matt");
         assertThat(model().editor().selection().light()).isNull();
     }
 
     @Test
-    void lightSelectedAgain_bringsItsListBack() {
+    void lightSelection_showsLightList() {
         select("ball");
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         assertThat(tab("lists")).isEqualTo("lights-tab");
@@ -89,7 +89,7 @@ class OutlinePaneTest extends EditorDesk {
     }
 
     @Test
-    void eye_hidesTheShapeAndUndoBringsItBack() {
+    void eye_hidesShapeAndUndoShowsIt() {
         Scene before = model().editor().scene();
         select("ball");
         ToggleButton eye = robot.lookup("#shape-list .eye").queryAllAs(ToggleButton.class).stream()
@@ -97,7 +97,7 @@ class OutlinePaneTest extends EditorDesk {
         robot.interact(eye::fire);
         assertThat(node("ball").visible()).isFalse();
         assertGoShowsTheScene();
-        assertThat(model().editor().situationProperty().get().undo()).contains("ball: visible yes → no");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("ball: visible yes → no");
         click("undo");
         assertThat(model().editor().scene()).isEqualTo(before);
     }
@@ -114,69 +114,69 @@ class OutlinePaneTest extends EditorDesk {
     }
 
     @Test
-    void delete_takesTheShapeAwayAndItsLightsStay() {
+    void delete_removesShapeAndKeepsLights() {
         select("ball");
         press(KeyCode.DELETE);
         assertThat(model().editor().scene().stage().node("ball")).isEmpty();
-        assertThat(listed()).containsExactly("floor");
+        assertThat(listedNames()).containsExactly("floor");
         assertThat(model().editor().scene().lights()).hasSize(3);
-        assertThat(model().editor().situationProperty().get().undo()).contains("delete ball");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("delete ball");
         assertGoShowsTheScene();
     }
 
     @Test
-    void duplicate_standsBesideItsOriginalAndIsSelected() {
+    void duplicate_isOffsetAndSelected() {
         select("ball");
         press(KeyCode.CONTROL, KeyCode.D);
-        assertThat(listed()).containsExactly("floor", "ball", "ball2");
-        assertThat(marked()).isEqualTo("ball2");
-        assertThat(node("ball2").placement().at()).isEqualTo(new Vec3(0.9, 1, 0));
+        assertThat(listedNames()).containsExactly("floor", "ball", "ball2");
+        assertThat(selectedName()).isEqualTo("ball2");
+        assertThat(node("ball2").placement().position()).isEqualTo(new Vec3(0.9, 1, 0));
         assertThat(model().editor().scene().lights()).as("no light was duplicated").hasSize(3);
-        assertThat(model().editor().situationProperty().get().undo()).contains("add ball2");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("add ball2");
         assertGoShowsTheScene();
     }
 
     @Test
-    void duplicateOfAGroup_hasFreeNamesThroughout() {
+    void duplicatedGroup_hasUniqueNames() {
         group();
         select("toys");
         press(KeyCode.CONTROL, KeyCode.D);
-        assertThat(((Group) node("toys2")).children()).extracting(Node::name).containsExactly("ball2", "marble2");
+        assertThat(((NodeGroup) node("toys2")).children()).extracting(SceneNode::name).containsExactly("ball2", "marble2");
     }
 
     @Test
-    void renamed_staysSelected() {
+    void renamedShape_staysSelected() {
         select("ball");
         press(KeyCode.F2);
-        Typing.over(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "globe").push(KeyCode.ENTER);
-        assertThat(marked()).isEqualTo("globe");
-        assertThat(model().editor().situationProperty().get().undo()).contains("ball: name ball → globe");
+        TextTyping.replace(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "globe").push(KeyCode.ENTER);
+        assertThat(selectedName()).isEqualTo("globe");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("ball: name ball → globe");
     }
 
     @Test
-    void nameThatIsTaken_isRefused() {
+    void duplicateName_isRefused() {
         select("ball");
         press(KeyCode.F2);
-        Typing.over(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "floor").push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#shape-list .text-field").queryAs(TextField.class), "floor").push(KeyCode.ENTER);
         assertThat(model().editor().message().textProperty().get()).contains("'floor'", "already taken");
         assertThat(model().editor().scene().stage().node("ball")).isPresent();
     }
 
     @Test
-    void group_isFoldedUntilAShapeInItIsSelected() {
+    void group_isCollapsedUntilItsShapeIsSelected() {
         group();
         select("floor");
-        assertThat(listed()).containsExactly("floor", "toys");
+        assertThat(listedNames()).containsExactly("floor", "toys");
         select("marble");
-        assertThat(listed()).containsExactly("floor", "toys", "ball", "marble");
-        assertThat(marked()).isEqualTo("marble");
+        assertThat(listedNames()).containsExactly("floor", "toys", "ball", "marble");
+        assertThat(selectedName()).isEqualTo("marble");
         select("toys");
         press(KeyCode.LEFT);
-        assertThat(listed()).containsExactly("floor", "toys");
+        assertThat(listedNames()).containsExactly("floor", "toys");
     }
 
     @Test
-    void hiddenGroup_takesAllThatIsInItAway() {
+    void hiddenGroup_hidesItsShapes() {
         group();
         select("toys");
         press(KeyCode.H);
@@ -185,37 +185,37 @@ class OutlinePaneTest extends EditorDesk {
     }
 
     @Test
-    void typedPlace_movesTheShapeInOneStep() {
+    void typedPosition_movesShapeInOneUndoStep() {
         Scene before = model().editor().scene();
         select("ball");
-        Typing.over(robot, robot.lookup("#shape-at .number-field").queryAs(TextField.class), "1.5").push(KeyCode.ENTER);
-        assertThat(node("ball").placement().at()).isEqualTo(new Vec3(1.5, 1, 0));
-        assertThat(model().editor().situationProperty().get().undo()).contains("ball: at 0 1 0 → 1.5 1 0");
+        TextTyping.replace(robot, robot.lookup("#shape-at .number-field").queryAs(TextField.class), "1.5").push(KeyCode.ENTER);
+        assertThat(node("ball").placement().position()).isEqualTo(new Vec3(1.5, 1, 0));
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("ball: at 0 1 0 → 1.5 1 0");
         assertGoShowsTheScene();
         click("undo");
         assertThat(model().editor().scene()).isEqualTo(before);
     }
 
     @Test
-    void typedTurnAndScale_arePlacement() {
+    void typedRotationAndScale_setPlacement() {
         select("ball");
-        Typing.over(robot, robot.lookup("#rotate-y .number-field").queryAs(TextField.class), "30").push(KeyCode.ENTER);
-        Typing.over(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "2").push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#rotate-y .number-field").queryAs(TextField.class), "30").push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "2").push(KeyCode.ENTER);
         assertThat(node("ball").placement()).isEqualTo(new Placement(BALL, new Vec3(0, 30, 0), new Vec3(2, 1, 1)));
         assertGoShowsTheScene();
     }
 
     @Test
-    void scaleOfNothing_isRefusedAsTheFileReaderDoes() {
+    void zeroScale_isRefused() {
         select("ball");
-        Typing.over(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "0").push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#shape-scale .number-field").queryAs(TextField.class), "0").push(KeyCode.ENTER);
         assertThat(robot.lookup(".refusal").queryAll()).anyMatch(n -> n instanceof javafx.scene.control.Label l
                 && l.getText().startsWith("scale must be at least"));
         assertThat(node("ball").placement().scale()).isEqualTo(Vec3.ONE);
     }
 
     @Test
-    void savedAndOpenedAgain_isTheSameScene() throws Exception {
+    void savedScene_reopened_isEqual() throws Exception {
         group();
         select("toys");
         press(KeyCode.CONTROL, KeyCode.D);

@@ -24,17 +24,17 @@ import javafx.stage.Stage;
 import javafx.stage.Window;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
-import lightning.editor.document.BankEdits;
+import lightning.editor.document.ColorTemperature;
 import lightning.editor.document.Command;
-import lightning.editor.document.Dial;
-import lightning.editor.document.Kelvin;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
-import lightning.editor.window.OpenEditor;
+import lightning.editor.document.LightGroupEdits;
+import lightning.editor.document.NumericParameter;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
+import lightning.editor.window.TestEditors;
 import lightning.editor.window.model.EditorModel;
-import lightning.editor.window.widget.Refusals;
-import lightning.editor.window.widget.Typing;
+import lightning.editor.window.widget.RefusalTexts;
+import lightning.editor.window.widget.TextTyping;
 import lightning.sample.Slow;
 import lightning.scene.Light;
 import lightning.scene.LightAttribute;
@@ -47,26 +47,27 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class PropertyPaneTest {
     private static final List<String> NUMBERS = List.of("intensity", "angle", "dropoff", "constant", "linear", "quadratic",
             "position", "direction", "ambience");
-    private static final List<String> SCENES = List.of("ambience", "environment-intensity", "environment-rotation", "environment-lamps",
-            "environment-softness");
+    private static final List<String> SCENE_NUMBERS =
+            List.of("ambience", "environment-intensity", "environment-rotation", "environment-lamps",
+                    "environment-softness");
 
     @TempDir
     private Path folder;
-    private final BooleanProperty inFront = new SimpleBooleanProperty(true);
+    private final BooleanProperty tabSelected = new SimpleBooleanProperty(true);
     private EditorModel model;
     private PropertyPane pane;
 
     @Start
     private void start(Stage stage) throws Exception {
-        model = OpenEditor.model(folder);
-        var menu = new PropertyMenu(model.editor(), model.commands(), model.arrangement());
-        pane = new PropertyPane(model.editor(), model.commands(), model.bringer(), menu, inFront);
-        OpenEditor.show(stage, pane);
+        model = TestEditors.model(folder);
+        var menu = new PropertyMenu(model.editor(), model.commands(), model.layout());
+        pane = new PropertyPane(model.editor(), model.commands(), model.fileImporter(), menu, tabSelected);
+        TestEditors.show(stage, pane);
     }
 
     @Stop
@@ -75,28 +76,28 @@ class PropertyPaneTest {
     }
 
     @Test
-    void spot_hasEverything(FxRobot robot) {
+    void spot_enablesEverything(FxRobot robot) {
         assertThat(disabled(robot)).isEmpty();
     }
 
     /** As one picture all of it is drawn again for each number. */
     @Test
-    void properties_areNotKeptAsOnePicture(FxRobot robot) {
+    void properties_areNotBitmapCached(FxRobot robot) {
         assertThat(robot.lookup(".properties .viewport").query().isCache()).isFalse();
     }
 
     /** No section of the pane has a choice now; one that gets one needs no other line than that of the attribute. */
     @Test
-    void choiceOfALight_isABoxOfItsWordsThatEditsIt(FxRobot robot) {
+    void choiceAttribute_isComboBoxThatEditsIt(FxRobot robot) {
         robot.interact(() -> ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
                 .addAll(pane.widgets(LightAttribute.SOLO)));
         ComboBox<String> box = robot.lookup("#solo").query();
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
         assertThat(box.getItems()).containsExactly("Yes", "No");
         assertThat(box.getValue()).isEqualTo("No");
         robot.interact(() -> box.setValue("Yes"));
         assertThat(model.editor().selection().light().solo()).isTrue();
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.SUN));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.SUN));
         assertThat(box.getValue()).isEqualTo("No");
         assertThat(model.editor().selection().light().solo()).isFalse();
         robot.interact(() -> model.editor().selection().selectLight(null));
@@ -106,7 +107,7 @@ class PropertyPaneTest {
 
     /** Whatever its section: a table's attribute needs no line of the pane's. */
     @Test
-    void everyAttribute_hasAControlThatCanBeUsedWhereItActs(FxRobot robot) {
+    void everyAttribute_hasControlEnabledWhereItApplies(FxRobot robot) {
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
             robot.interact(() -> {
                 var controls = new VBox();
@@ -116,7 +117,7 @@ class PropertyPaneTest {
                 assertThat(inputs(controls)).as(attribute.title()).isNotEmpty().allMatch(Node::isDisabled);
                 for (Light light : model.editor().scene().lights()) {
                     model.editor().selection().selectLight(light.name());
-                    boolean acts = attribute.acts(light.type()) || attribute == LightAttribute.POSITION;
+                    boolean acts = attribute.appliesTo(light.type()) || attribute == LightAttribute.POSITION;
                     assertThat(inputs(controls)).as(attribute.title() + " of " + light.name())
                             .allMatch(input -> input.isDisabled() != acts);
                 }
@@ -129,25 +130,25 @@ class PropertyPaneTest {
     }
 
     @Test
-    void nameOfALight_isABoxOfTheNamesInTheScene(FxRobot robot) {
+    void nameAttribute_isComboBoxOfSceneNames(FxRobot robot) {
         robot.interact(() -> {
-            model.editor().edit(scene -> BankEdits.add(scene, OpenEditor.SUN));
+            model.editor().edit(scene -> LightGroupEdits.create(scene, TestEditors.SUN));
             ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
-                    .setAll(pane.widgets(LightAttribute.BANK));
+                    .setAll(pane.widgets(LightAttribute.LIGHT_GROUP));
         });
         ComboBox<String> box = robot.lookup("#light-bank").query();
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
-        String bank = model.editor().scene().rig().banks().getFirst().name();
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
+        String bank = model.editor().scene().rig().lightGroups().getFirst().name();
         assertThat(box.getItems()).containsExactly("", bank);
         assertThat(box.getValue()).isEmpty();
         robot.interact(() -> box.setValue(bank));
-        assertThat(model.editor().selection().light().bank()).isEqualTo(bank);
+        assertThat(model.editor().selection().light().lightGroup()).isEqualTo(bank);
         robot.interact(() -> box.setValue(""));
-        assertThat(model.editor().selection().light().bank()).isEmpty();
+        assertThat(model.editor().selection().light().lightGroup()).isEmpty();
     }
 
     @Test
-    void fileOfALight_isItsOwn(FxRobot robot) {
+    void fileAttribute_belongsToSelectedLight(FxRobot robot) {
         for (LightAttribute<?> attribute : List.of(LightAttribute.GOBO, LightAttribute.PROFILE)) {
             robot.interact(() -> assertThat(pane.widgets(attribute).getLast().lookup("#" + attribute.name())).isNotNull());
         }
@@ -155,19 +156,19 @@ class PropertyPaneTest {
 
     @Test
     void point_hasNoConeAndNoDirection(FxRobot robot) {
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
         assertThat(disabled(robot)).containsExactlyInAnyOrder("angle", "dropoff", "direction");
         assertThat(robot.lookup("#aim").query().isDisabled()).isTrue();
     }
 
     @Test
     void directional_hasNoConeAndNoAttenuation(FxRobot robot) {
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.SUN));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.SUN));
         assertThat(disabled(robot)).containsExactlyInAnyOrder("angle", "dropoff", "constant", "linear", "quadratic");
     }
 
     @Test
-    void withoutASelection_onlyTheSceneCanBeEdited(FxRobot robot) {
+    void withoutSelection_onlySceneIsEditable(FxRobot robot) {
         robot.interact(() -> model.editor().selection().selectLight(null));
         assertThat(disabled(robot)).hasSize(NUMBERS.size() - 1).doesNotContain("ambience");
         assertThat(robot.lookup("#light-name").query().isDisabled()).isTrue();
@@ -176,12 +177,13 @@ class PropertyPaneTest {
     }
 
     @Test
-    void withoutLights_nothingOfTheLastOneIsShown(FxRobot robot) {
+    void withoutLights_showsNoOldValues(FxRobot robot) {
         for (Light light : model.editor().scene().lights()) {
             robot.interact(() -> model.editor().edit(scene -> LightEdits.delete(scene, light.name())));
         }
         Set<TextField> fields = robot
-                .lookup(node -> node instanceof TextField && isIn(node, "properties") && SCENES.stream().noneMatch(id -> isIn(node, id)))
+                .lookup(node -> node instanceof TextField && isIn(node, "properties")
+                        && SCENE_NUMBERS.stream().noneMatch(id -> isIn(node, id)))
                 .queryAllAs(TextField.class);
         assertThat(fields).hasSizeGreaterThan(10).allMatch(f -> f.getText().isEmpty());
         assertThat(robot.lookup("#light-type").queryAs(ComboBox.class).getValue()).isNull();
@@ -191,14 +193,14 @@ class PropertyPaneTest {
     }
 
     @Test
-    void behindAnother_showsWhatWasEditedWhenItComesInFront(FxRobot robot) {
+    void hiddenPane_whenSelected_showsEdits(FxRobot robot) {
         robot.interact(() -> {
-            inFront.set(false);
+            tabSelected.set(false);
             String light = model.editor().selection().light().name();
-            model.editor().edit(scene -> LightEdits.with(scene, light, l -> l.withIntensity(0.75)));
+            model.editor().edit(scene -> LightEdits.edit(scene, light, l -> l.withIntensity(0.75)));
         });
         assertThat(field(robot, "intensity").getText()).isNotEqualTo("0.75");
-        robot.interact(() -> inFront.set(true));
+        robot.interact(() -> tabSelected.set(true));
         assertThat(field(robot, "intensity").getText()).isEqualTo("0.75");
     }
 
@@ -213,48 +215,48 @@ class PropertyPaneTest {
 
     @Test
     void everyDial_showsAndSetsItsNumber(FxRobot robot) {
-        List<String> others = LightAttribute.ALL.stream().filter(a -> !a.acts(LightType.SPOT) || a == LightAttribute.SAMPLES)
-                .flatMap(a -> Dial.of(a).stream()).map(Dial::title).toList();
-        for (Dial dial : Dial.ALL.stream()
-                .filter(d -> d != Dial.DEPTH && !d.title().startsWith("environment") && !others.contains(d.title())
+        List<String> others = LightAttribute.ALL.stream().filter(a -> !a.appliesTo(LightType.SPOT) || a == LightAttribute.SAMPLES)
+                .flatMap(a -> NumericParameter.of(a).stream()).map(NumericParameter::title).toList();
+        for (NumericParameter dial : NumericParameter.ALL.stream()
+                .filter(d -> d != NumericParameter.DEPTH && !d.title().startsWith("environment") && !others.contains(d.title())
                         && !List.of("red", "green", "blue").contains(d.title()))
                 .toList()) {
             type(robot, dial.label(), "1.5");
-            assertThat(dial.value(model.editor().scene(), OpenEditor.SPOT)).as(dial.title()).isEqualTo(1.5);
+            assertThat(dial.value(model.editor().scene(), TestEditors.SPOT)).as(dial.title()).isEqualTo(1.5);
         }
     }
 
     @Test
-    void clickOnTheAnglesArrow_turnsItByADegree(FxRobot robot) {
+    void clickOnAngleArrow_addsOneDegree(FxRobot robot) {
         Node pad = robot.lookup("#angle .arrow-pad").query();
         robot.clickOn(robot.point(pad).atPosition(Pos.CENTER).atOffset(0, -6));
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).angle()).isEqualTo(26);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).angle()).isEqualTo(26);
     }
 
     @Test
-    void drag_isOneStepToUndo(FxRobot robot) {
+    void drag_isOneUndoStep(FxRobot robot) {
         Scene before = model.editor().scene();
         robot.drag("#intensity .arrow-pad").moveBy(0, -4).moveBy(0, -4).release(MouseButton.PRIMARY);
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1.2);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).intensity()).isEqualTo(1.2);
         robot.interact(() -> model.commands().run(Command.UNDO));
         assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
-    void illegalValue_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
+    void invalidValue_showsReasonAndChangesNothing(FxRobot robot) {
         Scene before = model.editor().scene();
         type(robot, "angle", "200");
-        assertThat(Refusals.shown(robot)).containsExactly("angle must be from 0 to 180, was 200");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("angle must be from 0 to 180, was 200");
         assertThat(model.editor().scene()).isEqualTo(before);
         assertThat(model.commands().isEnabled(Command.UNDO)).isFalse();
     }
 
     @Test
-    void selectingAnotherLight_forgetsWhatWasTyped(FxRobot robot) {
+    void selectingOtherLight_discardsTypedText(FxRobot robot) {
         type(robot, "angle", "200");
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
-        assertThat(Refusals.shown(robot)).isEmpty();
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
+        assertThat(RefusalTexts.shown(robot)).isEmpty();
         assertThat(field(robot, "angle").getText()).isEqualTo("30");
     }
 
@@ -264,16 +266,16 @@ class PropertyPaneTest {
     }
 
     @Test
-    void copiedProperty_isPastedToAnotherLightAsTheFileWritesIt(FxRobot robot) {
+    void copiedProperty_pastesToOtherLight(FxRobot robot) {
         type(robot, "intensity", "1/3");
         choose(robot, "#intensity .label", "Copy Intensity");
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
         choose(robot, "#intensity .label", "Paste Intensity '0.3333333333333333'");
-        assertThat(OpenEditor.light(model, OpenEditor.POINT).intensity()).isEqualTo(1.0 / 3);
+        assertThat(TestEditors.light(model, TestEditors.POINT).intensity()).isEqualTo(1.0 / 3);
     }
 
     @Test
-    void copiedProperty_isNotOfferedToAnother(FxRobot robot) {
+    void copiedProperty_isNotOfferedForOtherProperty(FxRobot robot) {
         choose(robot, "#intensity .label", "Copy Intensity");
         robot.rightClickOn("#angle .label");
         MenuItem paste = Window.getWindows().stream().filter(ContextMenu.class::isInstance)
@@ -283,10 +285,10 @@ class PropertyPaneTest {
     }
 
     @Test
-    void reset_bringsTheValueOfANewLight(FxRobot robot) {
+    void reset_restoresDefault(FxRobot robot) {
         type(robot, "intensity", "7");
         choose(robot, "#intensity .label", "Reset Intensity");
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).intensity()).isEqualTo(1);
     }
 
     @Test
@@ -297,45 +299,45 @@ class PropertyPaneTest {
     }
 
     @Test
-    void undoOfTheLight_leavesTheOthers(FxRobot robot) {
+    void lightUndo_keepsOtherLights(FxRobot robot) {
         type(robot, "intensity", "4");
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
         type(robot, "intensity", "2");
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.SPOT));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.SPOT));
         robot.clickOn("#undo-light");
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(1);
-        assertThat(OpenEditor.light(model, OpenEditor.POINT).intensity()).isEqualTo(2);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).intensity()).isEqualTo(1);
+        assertThat(TestEditors.light(model, TestEditors.POINT).intensity()).isEqualTo(2);
         robot.clickOn("#redo-light");
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).intensity()).isEqualTo(4);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).intensity()).isEqualTo(4);
     }
 
     @Test
     void typedPositionAndDirection_moveTheLight(FxRobot robot) {
         type(robot, "position", "-7");
         type(robot, "direction", "0");
-        Light light = OpenEditor.light(model, OpenEditor.SPOT);
+        Light light = TestEditors.light(model, TestEditors.SPOT);
         assertThat(light.position()).isEqualTo(new Vec3(-7, 5, 2));
         assertThat(light.direction()).isEqualTo(new Vec3(0, -4, -2));
     }
 
     @Test
-    void typedChannel_coloursTheLight(FxRobot robot) {
+    void typedChannel_changesColor(FxRobot robot) {
         type(robot, "color", "0.25");
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).color()).isEqualTo(new Rgb(0.25, 1, 1));
+        assertThat(TestEditors.light(model, TestEditors.SPOT).color()).isEqualTo(new Rgb(0.25, 1, 1));
     }
 
     @Test
-    void temperature_keepsTheLightsBrightness(FxRobot robot) {
+    void temperature_keepsBrightness(FxRobot robot) {
         robot.clickOn("Kelvin");
         type(robot, "color", "3200");
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).color()).isEqualTo(Kelvin.rgb(3200));
+        assertThat(TestEditors.light(model, TestEditors.SPOT).color()).isEqualTo(ColorTemperature.rgb(3200));
     }
 
     @Test
-    void type_isChangedAndKeepsTheSettings(FxRobot robot) {
+    void typeChange_keepsSettings(FxRobot robot) {
         robot.interact(() -> robot.lookup("#light-type").queryAs(ComboBox.class).getSelectionModel().select(LightType.POINT));
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).type()).isEqualTo(LightType.POINT);
-        assertThat(OpenEditor.light(model, OpenEditor.SPOT).angle()).isEqualTo(25);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).type()).isEqualTo(LightType.POINT);
+        assertThat(TestEditors.light(model, TestEditors.SPOT).angle()).isEqualTo(25);
         assertThat(disabled(robot)).contains("angle");
     }
 
@@ -343,41 +345,41 @@ class PropertyPaneTest {
     void settings_areCopiedToAnotherLight(FxRobot robot) {
         assertThat(robot.lookup("#paste-settings").query().isDisabled()).isTrue();
         robot.clickOn("#copy-settings");
-        robot.interact(() -> model.editor().selection().selectLight(OpenEditor.POINT));
+        robot.interact(() -> model.editor().selection().selectLight(TestEditors.POINT));
         robot.clickOn("#paste-settings");
-        Light pasted = OpenEditor.light(model, OpenEditor.POINT);
+        Light pasted = TestEditors.light(model, TestEditors.POINT);
         assertThat(pasted.type()).isEqualTo(LightType.SPOT);
         assertThat(pasted.dropoff()).isEqualTo(4);
         assertThat(pasted.position()).isEqualTo(new Vec3(-3, 2, 4));
     }
 
     @Test
-    void typedName_renames(FxRobot robot) {
+    void typedName_renamesLight(FxRobot robot) {
         rename(robot, "rim");
         assertThat(model.editor().selection().light().name()).isEqualTo("rim");
     }
 
     @Test
-    void typedNameOfSpacesAndAnyLetters_renames(FxRobot robot) {
+    void typedNameWithSpacesAndSymbols_renamesLight(FxRobot robot) {
         rename(robot, "Führungslicht 7.30");
         assertThat(model.editor().selection().light().name()).isEqualTo("Führungslicht 7.30");
         assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo("Führungslicht 7.30");
     }
 
     @Test
-    void takenName_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
-        rename(robot, OpenEditor.SUN);
-        assertThat(Refusals.shown(robot)).singleElement().asString().contains("'sun'").contains("already taken");
-        assertThat(model.editor().selection().light().name()).isEqualTo(OpenEditor.SPOT);
+    void duplicateName_showsReasonAndChangesNothing(FxRobot robot) {
+        rename(robot, TestEditors.SUN);
+        assertThat(RefusalTexts.shown(robot)).singleElement().asString().contains("'sun'").contains("already taken");
+        assertThat(model.editor().selection().light().name()).isEqualTo(TestEditors.SPOT);
         robot.push(KeyCode.ESCAPE);
-        assertThat(Refusals.shown(robot)).isEmpty();
-        assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo(OpenEditor.SPOT);
+        assertThat(RefusalTexts.shown(robot)).isEmpty();
+        assertThat(robot.lookup("#light-name").queryAs(TextField.class).getText()).isEqualTo(TestEditors.SPOT);
     }
 
     @Test
-    void switches_turnOffAndMakeSolo(FxRobot robot) {
+    void toggles_turnOffAndSolo(FxRobot robot) {
         robot.clickOn("#light-on").clickOn("#light-solo");
-        Light light = OpenEditor.light(model, OpenEditor.SPOT);
+        Light light = TestEditors.light(model, TestEditors.SPOT);
         assertThat(light.on()).isFalse();
         assertThat(light.solo()).isTrue();
     }
@@ -396,7 +398,7 @@ class PropertyPaneTest {
     }
 
     private static void rename(FxRobot robot, String name) {
-        Typing.over(robot, robot.lookup("#light-name").queryAs(TextField.class), name).push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#light-name").queryAs(TextField.class), name).push(KeyCode.ENTER);
     }
 
     /** The first field of a widget. */
@@ -405,6 +407,6 @@ class PropertyPaneTest {
     }
 
     private static void type(FxRobot robot, String id, String text) {
-        Typing.over(robot, field(robot, id), text).push(KeyCode.ENTER);
+        TextTyping.replace(robot, field(robot, id), text).push(KeyCode.ENTER);
     }
 }

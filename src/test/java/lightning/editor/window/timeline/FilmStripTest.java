@@ -9,43 +9,43 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.base.work.Wait;
-import lightning.editor.document.Desk;
+import lightning.editor.document.DeskScene;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
-import lightning.shot.FilmlessKeeper;
+import lightning.shot.FilmlessHost;
 import lightning.shot.FrameState;
 import lightning.shot.FrameUpdate;
-import lightning.shot.RelitShot;
-import lightning.shot.Take;
+import lightning.shot.ShotRelighter;
+import lightning.shot.ShotRevision;
 import org.junit.jupiter.api.Test;
 
 class FilmStripTest {
     private static final int FRAMES = 4;
-    private static final int SILENT = 1;
+    private static final int SILENT_FRAME = 1;
 
     private final CountDownLatch answer = new CountDownLatch(1);
-    private final CountDownLatch asked = new CountDownLatch(1);
+    private final CountDownLatch requested = new CountDownLatch(1);
 
-    private volatile CountDownLatch free = new CountDownLatch(0);
+    private volatile CountDownLatch released = new CountDownLatch(0);
 
     /** Makes frames once it is free, and does not say what one of them looks like. */
-    private final class Keeper extends FilmlessKeeper {
+    private final class Keeper extends FilmlessHost {
         @Override
-        public FrameUpdate bring(int frame, Take take, Progress progress) {
-            wait(free);
+        public FrameUpdate update(int frame, ShotRevision take, Progress progress) {
+            wait(released);
             return new FrameUpdate(frame, true, "", 0, 0, () -> Film.black(4, 3));
         }
 
         @Override
         public Optional<Film> film(int frame) {
-            if (frame == SILENT) {
-                asked.countDown();
+            if (frame == SILENT_FRAME) {
+                requested.countDown();
                 wait(answer);
             }
             return Optional.of(Film.black(4, 3));
@@ -62,23 +62,23 @@ class FilmStripTest {
         @Override
         public void close() {
             answer.countDown();
-            free.countDown();
+            released.countDown();
         }
     }
 
-    private record Frames(RelitShot shot) implements StripFrames {
+    private record TestFrames(ShotRelighter shot) implements FilmStripFrames {
         @Override
-        public Scene kept(Scene scene) {
+        public Scene frameScene(Scene scene) {
             return scene;
         }
 
         @Override
-        public OptionalInt machines() {
+        public OptionalInt machineCount() {
             return OptionalInt.of(1);
         }
 
         @Override
-        public void setUrgent(boolean v) {}
+        public void setPictureBusy(boolean v) {}
 
         @Override
         public void close() {
@@ -87,9 +87,9 @@ class FilmStripTest {
     }
 
     private FilmStrip strip() {
-        var news = new StripNews();
-        RelitShot shot = RelitShot.of(1, FRAMES, new Keeper(), news);
-        return new FilmStrip(new Frames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {});
+        var news = new FilmStripStatus();
+        ShotRelighter shot = ShotRelighter.of(1, FRAMES, new Keeper(), news);
+        return new FilmStrip(new TestFrames(shot), news, ViewTransform.DEFAULT, Runnable::run, () -> {}, _ -> {});
     }
 
     private static AnimatedScene animated(Scene scene) {
@@ -97,37 +97,37 @@ class FilmStripTest {
     }
 
     @Test
-    void framesBesideOneWhoseMachineIsSilent_haveTheirPictures() throws Exception {
+    void otherFrames_whileOneMachineIsSilent_haveThumbnails() throws Exception {
         try (var strip = strip()) {
-            strip.see(IntStream.rangeClosed(1, FRAMES).boxed().toList());
-            strip.show(animated(Desk.scene()), 1);
-            assertThat(asked.await(Wait.MOST_SECONDS, TimeUnit.SECONDS)).isTrue();
+            strip.setVisibleFrames(IntStream.rangeClosed(1, FRAMES).boxed().toList());
+            strip.show(animated(DeskScene.scene()), 1);
+            assertThat(requested.await(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
             for (int frame = 2; frame <= FRAMES; frame++) {
                 waitForPicture(strip, frame);
             }
-            assertThat(strip.picture(SILENT)).isEmpty();
+            assertThat(strip.thumbnail(SILENT_FRAME)).isEmpty();
             answer.countDown();
-            waitForPicture(strip, SILENT);
+            waitForPicture(strip, SILENT_FRAME);
         }
     }
 
     @Test
-    void frameThatAnEditReachesLater_isStaleUntilThen() throws Exception {
+    void frame_beforeItsUpdate_isStale() throws Exception {
         try (var strip = strip()) {
-            strip.see(List.of(2));
-            strip.show(animated(Desk.scene()), 2);
-            Wait.until("the first picture", () -> strip.showsNewest(2));
-            free = new CountDownLatch(1);
-            strip.show(animated(Desk.scene().withWorld(World.DEFAULT.withAmbience(0.5))), 2);
+            strip.setVisibleFrames(List.of(2));
+            strip.show(animated(DeskScene.scene()), 2);
+            Await.until("the first picture", () -> strip.isUpToDate(2));
+            released = new CountDownLatch(1);
+            strip.show(animated(DeskScene.scene().withWorld(World.DEFAULT.withAmbience(0.5))), 2);
             assertThat(strip.state(2)).isEqualTo(FrameState.STALE);
-            assertThat(strip.showsNewest(2)).isFalse();
-            assertThat(strip.picture(2)).isPresent();
-            free.countDown();
-            Wait.until("the next picture", () -> strip.showsNewest(2));
+            assertThat(strip.isUpToDate(2)).isFalse();
+            assertThat(strip.thumbnail(2)).isPresent();
+            released.countDown();
+            Await.until("the next picture", () -> strip.isUpToDate(2));
         }
     }
 
     private static void waitForPicture(FilmStrip strip, int frame) throws Exception {
-        Wait.until("the picture of frame " + frame, () -> strip.picture(frame).isPresent());
+        Await.until("the picture of frame " + frame, () -> strip.thumbnail(frame).isPresent());
     }
 }

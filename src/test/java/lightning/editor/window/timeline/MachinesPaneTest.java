@@ -9,16 +9,16 @@ import javafx.scene.Scene;
 import javafx.scene.control.TextField;
 import javafx.stage.Stage;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.window.EditorDesk;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.widget.Looks;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.widget.ColorTheme;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-class MachinesPaneTest extends EditorDesk {
+class MachinesPaneTest extends EditorFixture {
     private Stage window;
-    private Path answered;
+    private Path pathAnswer;
 
     @BeforeEach
     void openPane() throws Exception {
@@ -29,8 +29,8 @@ class MachinesPaneTest extends EditorDesk {
             model().open(opened);
             window = new Stage();
             window.setScene(
-                    new Scene(new MachinesPane(model().editor(), model().files(), model().machineChoice(), new Answers()), 480, 250));
-            Looks.dress(window.getScene());
+                    new Scene(new MachinesPane(model().editor(), model().files(), model().renderMachines(), new PathAnswers()), 480, 250));
+            ColorTheme.style(window.getScene());
             window.show();
         });
     }
@@ -40,11 +40,11 @@ class MachinesPaneTest extends EditorDesk {
         robot.interact(window::close);
     }
 
-    private final class Answers implements PathAsk {
+    private final class PathAnswers implements PathPrompt {
         @Override
         public Optional<Path> fileToOpen(String title, String extension) {
             assertThat(extension).isEqualTo("p12");
-            return Optional.ofNullable(answered);
+            return Optional.ofNullable(pathAnswer);
         }
 
         @Override
@@ -63,17 +63,17 @@ class MachinesPaneTest extends EditorDesk {
     }
 
     @Test
-    void browse_namesTheFile_andNothingWhereItIsCancelled() {
-        answered = folder.resolve("shared.p12");
+    void browse_setsCertificate_unlessCanceled() {
+        pathAnswer = folder.resolve("shared.p12");
         click("machines-browse");
-        assertThat(field("machines-certificate").getText()).isEqualTo(answered.toString());
-        answered = null;
+        assertThat(field("machines-certificate").getText()).isEqualTo(pathAnswer.toString());
+        pathAnswer = null;
         click("machines-browse");
         assertThat(field("machines-certificate").getText()).isEqualTo(folder.resolve("shared.p12").toString());
     }
 
     @Test
-    void missingCertificate_isToldAndAskedFor() {
+    void missingCertificate_showsMessageAndFocusesField() {
         robot.interact(() -> field("machines-hosts").setText("render7"));
         click("machines-begin");
         assertThat(text("machines-status")).startsWith("Name the certificate");
@@ -81,7 +81,7 @@ class MachinesPaneTest extends EditorDesk {
     }
 
     @Test
-    void machineThatNobodyKnows_isTold() {
+    void unknownMachine_showsMessage() {
         robot.interact(() -> {
             field("machines-hosts").setText("no-such-machine.invalid");
             field("machines-certificate").setText("c.p12");

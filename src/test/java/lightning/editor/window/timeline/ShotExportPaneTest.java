@@ -12,11 +12,11 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javax.imageio.ImageIO;
-import lightning.base.work.Wait;
+import lightning.base.work.Await;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.window.EditorDesk;
-import lightning.editor.window.command.PathAsk;
-import lightning.editor.window.widget.Looks;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.widget.ColorTheme;
 import lightning.render.shading.ReferenceTracer;
 import lightning.shot.movie.Ffmpeg;
 import org.junit.jupiter.api.AfterEach;
@@ -24,13 +24,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIf;
 
-class ShotExportPaneTest extends EditorDesk {
+class ShotExportPaneTest extends EditorFixture {
     private static final String SHOT = "shot { frames 1 5  light lamp { intensity { 1 0.5  5 2.5 } } }";
     private Stage window;
-    private Path answered;
+    private Path pathAnswer;
 
     static boolean hasFfmpeg() {
-        return Ffmpeg.installed().isPresent();
+        return Ffmpeg.find().isPresent();
     }
 
     @BeforeEach
@@ -43,8 +43,8 @@ class ShotExportPaneTest extends EditorDesk {
             model().open(opened);
             window = new Stage();
             window.setScene(new Scene(
-                    new ShotExportPane(model().editor(), model().files(), model().picture().viewProperty(), new Answers()), 480, 320));
-            Looks.dress(window.getScene());
+                    new ShotExportPane(model().editor(), model().files(), model().picture().viewProperty(), new PathAnswers()), 480, 320));
+            ColorTheme.style(window.getScene());
             window.show();
         });
     }
@@ -54,7 +54,7 @@ class ShotExportPaneTest extends EditorDesk {
         robot.interact(window::close);
     }
 
-    private final class Answers implements PathAsk {
+    private final class PathAnswers implements PathPrompt {
         @Override
         public Optional<Path> fileToOpen(String title, String extension) {
             return Optional.empty();
@@ -62,22 +62,22 @@ class ShotExportPaneTest extends EditorDesk {
 
         @Override
         public Optional<Path> fileToSave(String title, String name, String extension) {
-            return Optional.ofNullable(answered);
+            return Optional.ofNullable(pathAnswer);
         }
 
         @Override
         public Optional<Path> folder(String title) {
-            return Optional.ofNullable(answered);
+            return Optional.ofNullable(pathAnswer);
         }
     }
 
-    private void choose(ShotKind kind) {
-        robot.interact(() -> robot.lookup("#shot-kind").<ChoiceBox<ShotKind>>query().setValue(kind));
+    private void choose(ShotFormat kind) {
+        robot.interact(() -> robot.lookup("#shot-kind").<ChoiceBox<ShotFormat>>query().setValue(kind));
     }
 
-    private void begin(String told) {
+    private void begin(String status) {
         click("shot-begin");
-        waitFor("it is told: " + told, () -> text("shot-status").startsWith(told));
+        waitFor("it is told: " + status, () -> text("shot-status").startsWith(status));
     }
 
     private void type(String field, String text) {
@@ -87,47 +87,47 @@ class ShotExportPaneTest extends EditorDesk {
     }
 
     @Test
-    void pictures_areThoseOfTheirFrames() throws Exception {
-        answered = folder.resolve("out");
+    void pictures_matchTheirFrames() throws Exception {
+        pathAnswer = folder.resolve("out");
         type("shot-first", "2");
         begin("Exported 4 frames");
         for (int frame = 2; frame <= 5; frame++) {
-            var image = ImageIO.read(answered.resolve("desk-000" + frame + ".png").toFile());
+            var image = ImageIO.read(pathAnswer.resolve("desk-000" + frame + ".png").toFile());
             int[] expected = model().picture().viewProperty().get()
-                    .toPixels(new ReferenceTracer(model().editor().document().content().at(frame)).trace());
+                    .toPixels(new ReferenceTracer(model().editor().document().content().sceneAt(frame)).trace());
             assertThat(image.getRGB(0, 0, 64, 48, null, 0, 64)).as("frame " + frame).isEqualTo(expected);
         }
-        assertThat(answered.resolve("desk-0001.png")).doesNotExist();
+        assertThat(pathAnswer.resolve("desk-0001.png")).doesNotExist();
     }
 
     @Test
     @EnabledIf("hasFfmpeg")
-    void film_hasTheFrames() throws Exception {
+    void movie_hasFrames() throws Exception {
         waitFor("ffmpeg is found", () -> {
-            robot.lookup("#shot-kind").<ChoiceBox<ShotKind>>query().setValue(ShotKind.MP4);
+            robot.lookup("#shot-kind").<ChoiceBox<ShotFormat>>query().setValue(ShotFormat.MP4);
             return !robot.lookup("#shot-begin").query().isDisabled();
         });
-        answered = folder.resolve("out/a.mp4");
+        pathAnswer = folder.resolve("out/a.mp4");
         begin("Exported 5 frames");
         Process probe = new ProcessBuilder("ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames",
-                "-of", "csv=p=0", answered.toString()).start();
+                "-of", "csv=p=0", pathAnswer.toString()).start();
         assertThat(new String(probe.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip()).isEqualTo("64,48,5");
     }
 
     @Test
-    void cancelledExport_leavesWhatIsFinished() throws Exception {
-        answered = folder.resolve("out");
+    void canceledExport_keepsFinishedPictures() throws Exception {
+        pathAnswer = folder.resolve("out");
         type("shot-last", "5000");
         begin("Exporting");
-        waitFor("some are there", () -> Files.exists(answered.resolve("desk-0003.png")));
+        waitFor("some are there", () -> Files.exists(pathAnswer.resolve("desk-0003.png")));
         click("shot-cancel");
         waitFor("it ended", () -> text("shot-status").startsWith("Cancelled; "));
         assertThat(text("shot-status")).endsWith(" of 5000 pictures are written");
-        Wait.untilEnded("lightning-shot-export");
+        Await.untilThreadEnded("lightning-shot-export");
     }
 
     @Test
-    void framesInTheWrongOrder_areNotExported() {
+    void firstFrameAfterLast_isNotExported() {
         type("shot-last", "3");
         type("shot-first", "4");
         assertThat(robot.lookup("#shot-begin").query().isDisabled()).isTrue();

@@ -11,21 +11,21 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.editor.document.Command;
-import lightning.editor.document.Dial;
+import lightning.editor.document.NumericParameter;
 import lightning.editor.document.OpenDocument;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.format.jen.JenReader;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.LightAttribute;
-import lightning.scene.shot.Key;
-import lightning.scene.shot.Passage;
-import lightning.scene.shot.Setting;
-import lightning.scene.shot.Target;
+import lightning.scene.shot.Interpolation;
+import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
 import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-class TimelinePaneTest extends EditorDesk {
+class TimelinePaneTest extends EditorFixture {
     private static final String SHOT = """
             shot {
               frames 1 25
@@ -48,16 +48,16 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     private int frame() {
-        return model().editor().document().moment().orElseThrow().frame();
+        return model().editor().document().shotFrame().orElseThrow().frame();
     }
 
-    private List<Key> keys() {
-        return model().editor().document().content().shot().orElseThrow().track(Target.light("lamp"), "intensity").map(Track::keys)
+    private List<Keyframe> keys() {
+        return model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("lamp"), "intensity").map(Track::keys)
                 .orElse(List.of());
     }
 
-    private static Key key(int frame, Passage passage, double number) {
-        return new Key(frame, new Setting.Numbers(List.of(number)), passage);
+    private static Keyframe key(int frame, Interpolation passage, double number) {
+        return new Keyframe(frame, new KeyframeValue.Numbers(List.of(number)), passage);
     }
 
     /** Where a frame is on the ruler, on the screen. */
@@ -69,7 +69,8 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     private void dial(double intensity) {
-        robot.interact(() -> model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "lamp", intensity)));
+        robot.interact(() -> model().editor()
+                .edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "lamp", intensity)));
     }
 
     private void press(KeyCode... keys) {
@@ -77,7 +78,7 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     @Test
-    void sceneWithShot_isShownAtItsFirstFrameWithItsTimeline() {
+    void sceneWithShot_showsFirstFrameAndTimeline() {
         assertThat(frame()).isEqualTo(1);
         assertThat(isShown("key-lamp-intensity-25")).isTrue();
         assertThat(light("lamp").intensity()).isEqualTo(0.5);
@@ -85,28 +86,29 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     @Test
-    void dragOnTheRuler_showsEachFrameExactly() {
+    void rulerDrag_showsEachFrameExactly() {
         robot.drag(onRuler(1), MouseButton.PRIMARY).moveTo(onRuler(7)).moveTo(onRuler(13)).drop();
         assertThat(frame()).isEqualTo(13);
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
         assertThat(light("stage").on()).isFalse();
         waitForPicture();
-        assertCanvasShows(new ReferenceTracer(model().editor().document().content().at(13)).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().document().content().sceneAt(13)).trace());
         assertThat(model().editor().document().isDirty()).isFalse();
         assertThat(model().editor().document().history().steps()).isEmpty();
     }
 
     @Test
-    void editOfWhatHasKeys_isMadeAtTheFrameAndUndone() throws Exception {
+    void editOfKeyedAttribute_setsKeyAtFrame() throws Exception {
         robot.clickOn(onRuler(13));
         dial(0.75);
-        assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(13, Passage.LINEAR, 0.75), key(25, Passage.SMOOTH, 2.5));
+        assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5), key(13, Interpolation.LINEAR, 0.75),
+                key(25, Interpolation.SMOOTH, 2.5));
         assertThat(isShown("key-lamp-intensity-13")).isTrue();
         assertThat(model().editor().document().history().undoLabel()).contains("lamp: intensity at frame 13");
         assertGoShowsTheScene();
         robot.interact(() -> model().commands().run(Command.SAVE_SCENE));
         waitFor("it is saved", () -> !model().editor().document().isDirty());
-        assertThat(JenReader.read(folder.resolve("desk.jen")).content()).isEqualTo(model().editor().document().content());
+        assertThat(JenReader.read(folder.resolve("desk.jen")).animatedScene()).isEqualTo(model().editor().document().content());
         press(KeyCode.CONTROL, KeyCode.Z);
         assertThat(keys()).hasSize(2);
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
@@ -114,50 +116,52 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     @Test
-    void editOfWhatHasNoKeys_isMadeAtAllFrames() {
+    void editOfUnkeyedAttribute_changesAllFrames() {
         robot.clickOn(onRuler(13));
-        robot.interact(() -> model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
+        robot.interact(
+                () -> model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
         assertThat(keys()).hasSize(2);
-        assertThat(model().editor().document().content().at(1).light("sun").orElseThrow().intensity()).isEqualTo(0.9);
-        assertThat(model().editor().document().content().still().light("lamp").orElseThrow().intensity()).isEqualTo(1);
+        assertThat(model().editor().document().content().sceneAt(1).light("sun").orElseThrow().intensity()).isEqualTo(0.9);
+        assertThat(model().editor().document().content().base().light("lamp").orElseThrow().intensity()).isEqualTo(1);
     }
 
     @Test
-    void draggedKey_isMovedInOneStep() {
+    void draggedKey_movesInOneUndoStep() {
         Point2D from = robot.point("#key-lamp-intensity-25").query();
         double step = onRuler(2).getX() - onRuler(1).getX();
         robot.drag(from, MouseButton.PRIMARY).moveTo(from.subtract(3 * step, 0)).moveTo(from.subtract(5 * step, 0)).drop();
-        assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(20, Passage.SMOOTH, 2.5));
-        assertThat(model().keyChoice().keys()).hasSize(1);
+        assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5), key(20, Interpolation.SMOOTH, 2.5));
+        assertThat(model().keySelection().keys()).hasSize(1);
         robot.interact(() -> model().commands().run(Command.UNDO));
-        assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(25, Passage.SMOOTH, 2.5));
+        assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5), key(25, Interpolation.SMOOTH, 2.5));
     }
 
     @Test
-    void chosenKey_isSteppedAndDeleted() {
+    void selectedKey_isSteppedAndDeleted() {
         robot.clickOn("#key-lamp-intensity-25");
         assertThat(isEnabled(Command.STEPPED_KEYS)).isTrue();
         click("stepped-keys");
-        assertThat(keys().getLast().passage()).isEqualTo(Passage.STEPPED);
+        assertThat(keys().getLast().interpolation()).isEqualTo(Interpolation.STEPPED);
         robot.clickOn("#key-lamp-intensity-25");
         press(KeyCode.DELETE);
-        assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5));
+        assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5));
         assertThat(isEnabled(Command.DELETE_KEYS)).isFalse();
         robot.clickOn("#key-lamp-intensity-1");
         press(KeyCode.DELETE);
         assertThat(keys()).isEmpty();
-        assertThat(model().editor().document().content().still().light("lamp").orElseThrow().intensity()).isEqualTo(0.5);
+        assertThat(model().editor().document().content().base().light("lamp").orElseThrow().intensity()).isEqualTo(0.5);
     }
 
     @Test
-    void twoClicksBesideAKey_makeOneThatSaysWhatIsThere() {
+    void doubleClickOnLane_addsKeyWithCurrentValue() {
         Point2D line = robot.point("#key-lamp-intensity-1").query();
         robot.doubleClickOn(new Point2D(onRuler(7).getX(), line.getY()));
-        assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(7, Passage.LINEAR, 1), key(25, Passage.SMOOTH, 2.5));
+        assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5), key(7, Interpolation.LINEAR, 1),
+                key(25, Interpolation.SMOOTH, 2.5));
     }
 
     @Test
-    void stepsAndTypedFrame_showTheirFrames() {
+    void stepsAndTypedFrame_showFrames() {
         click("next-frame");
         assertThat(frame()).isEqualTo(2);
         click("next-key");
@@ -175,37 +179,38 @@ class TimelinePaneTest extends EditorDesk {
         click("first-frame");
         assertThat(frame()).isEqualTo(1);
         waitForPicture();
-        assertCanvasShows(new ReferenceTracer(model().editor().document().content().at(1)).trace());
+        assertCanvasShows(new ReferenceTracer(model().editor().document().content().sceneAt(1)).trace());
     }
 
     @Test
-    void playedShot_goesOnInTimeAndStopsAtAnEdit() {
+    void playback_runsInRealTimeAndStopsAtEdit() {
         click("play-shot");
         waitFor("frames are shown", () -> frame() > 3);
         dial(3);
-        waitFor("it stops", () -> !model().commands().switched(Command.PLAY_SHOT).orElseThrow().getValue());
+        waitFor("it stops", () -> !model().commands().toggleState(Command.PLAY_SHOT).orElseThrow().getValue());
         int stopped = frame();
-        assertThat(keys()).anySatisfy(k -> assertThat(k.setting()).isEqualTo(new Setting.Numbers(List.of(3.0))));
+        assertThat(keys()).anySatisfy(k -> assertThat(k.value()).isEqualTo(new KeyframeValue.Numbers(List.of(3.0))));
         assertGoShowsTheScene();
         assertThat(frame()).isEqualTo(stopped);
     }
 
     @Test
-    void propertyWithoutKeys_getsItsFirstFromItsMenu() {
+    void propertyMenu_setsFirstKey() {
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         robot.clickOn(onRuler(5));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.clickOn("Key Intensity at Frame 5");
-        assertThat(model().editor().document().content().shot().orElseThrow().track(Target.light("sun"), "intensity").orElseThrow().keys())
-                .containsExactly(key(5, Passage.LINEAR, 0.4));
+        assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity").orElseThrow()
+                .keys())
+                .containsExactly(key(5, Interpolation.LINEAR, 0.4));
         assertThat(isShown("key-sun-intensity-5")).isTrue();
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
         robot.clickOn("Remove Keys of Intensity");
-        assertThat(model().editor().document().content().shot().orElseThrow().track(Target.light("sun"), "intensity")).isEmpty();
+        assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity")).isEmpty();
     }
 
     @Test
-    void otherRange_isAStepAndKeepsTheFrameInside() {
+    void newRange_isOneUndoStepAndClampsFrame() {
         click("last-frame");
         TextField field = robot.lookup("#timeline-last-frame").query();
         robot.clickOn(field);
@@ -217,10 +222,10 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     @Test
-    void deletedShot_leavesTheSceneAsTheFrameShowsIt() {
+    void deletedShot_keepsSceneOfFrame() {
         robot.clickOn(onRuler(13));
         robot.interact(() -> model().commands().run(Command.DELETE_SHOT));
-        assertThat(model().editor().document().moment()).isEmpty();
+        assertThat(model().editor().document().shotFrame()).isEmpty();
         assertThat(light("lamp").intensity()).isEqualTo(1.5);
         assertThat(isShown("new-shot")).isTrue();
         robot.interact(() -> model().commands().run(Command.UNDO));
@@ -231,12 +236,13 @@ class TimelinePaneTest extends EditorDesk {
     }
 
     @Test
-    void undoOfTheLightAlone_bringsItsKeysBack() {
+    void lightUndo_restoresItsKeys() {
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         dial(0.25);
-        robot.interact(() -> model().editor().edit(scene -> Dial.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
+        robot.interact(
+                () -> model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 0.9)));
         robot.interact(() -> model().commands().run(Command.UNDO_LIGHT));
-        assertThat(keys()).containsExactly(key(1, Passage.LINEAR, 0.5), key(25, Passage.SMOOTH, 2.5));
+        assertThat(keys()).containsExactly(key(1, Interpolation.LINEAR, 0.5), key(25, Interpolation.SMOOTH, 2.5));
         assertThat(light("sun").intensity()).isEqualTo(0.9);
     }
 }

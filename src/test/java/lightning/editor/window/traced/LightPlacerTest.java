@@ -15,7 +15,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.ScenePicker;
 import lightning.editor.document.Viewport;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
@@ -24,46 +24,47 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
 /** What a light does in the traced picture is dragged there. */
-class LightPlacerTest extends EditorDesk {
+class LightPlacerTest extends EditorFixture {
     private static final double BALL_X = 30;
     private static final double BALL_Y = 22;
 
-    private Bounds place() {
+    private Bounds pictureBounds() {
         PictureView view = robot.lookup("#traced-picture").query();
-        return view.placeProperty().getValue();
+        return view.pictureBoundsProperty().getValue();
     }
 
-    private Point2D onScreen(double x, double y) {
+    private Point2D toScreen(double x, double y) {
         PictureView view = robot.lookup("#traced-picture").query();
-        return view.localToScreen(place().getMinX() + x, place().getMinY() + y);
+        return view.localToScreen(pictureBounds().getMinX() + x, pictureBounds().getMinY() + y);
     }
 
     /** Where the middle of a pixel of the 64 × 48 is. */
     private Point2D pixel(double x, double y) {
-        return onScreen((x + 0.5) * place().getWidth() / 64, (y + 0.5) * place().getHeight() / 48);
+        return toScreen((x + 0.5) * pictureBounds().getWidth() / 64, (y + 0.5) * pictureBounds().getHeight() / 48);
     }
 
     private Point2D pixel(Vec3 point) {
-        var at = new Viewport(place().getWidth(), place().getHeight()).pixel(PreviewCamera.of(model().editor().scene()), point);
-        return onScreen(at.x(), at.y());
+        var at = new Viewport(pictureBounds().getWidth(), pictureBounds().getHeight()).project(PreviewCamera.of(model().editor().scene()),
+                point);
+        return toScreen(at.x(), at.y());
     }
 
     private Vec3 surface(int x, int y) {
-        return new ScenePicker(model().editor().scene()).atPixel(x, y).orElseThrow().point();
+        return new ScenePicker(model().editor().scene()).pickPixel(x, y).orElseThrow().point();
     }
 
     private LightReport report(int light, int x, int y) {
-        return new PixelExplainer(model().editor().scene()).pixel(x, y).lights().get(light);
+        return new PixelExplainer(model().editor().scene()).explainPixel(x, y).lights().get(light);
     }
 
-    private void take(String light, Command tool) {
+    private void selectTool(String light, Command tool) {
         robot.interact(() -> {
             model().editor().selection().selectLight(light);
             model().commands().run(tool);
         });
     }
 
-    private void undoesTo(Scene before) {
+    private void assertOneUndoTo(Scene before) {
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
@@ -87,9 +88,9 @@ class LightPlacerTest extends EditorDesk {
     }
 
     @Test
-    void draggedHighlight_followsThePointerAtTheDistanceOfThePressAndIsOneStep() {
+    void draggedHighlight_followsPointerAtFixedDistanceInOneUndoStep() {
         Scene before = model().editor().scene();
-        take("lamp", Command.PLACE_HIGHLIGHT);
+        selectTool("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY);
         double distance = light("lamp").position().minus(surface(30, 22)).length();
         assertThat(report(0, 30, 22).specular()).isGreaterThan(0.99f);
@@ -100,26 +101,26 @@ class LightPlacerTest extends EditorDesk {
         assertThat(light("lamp").position().minus(surface(29, 20)).length()).isCloseTo(distance, within(1e-9));
         assertThat(isShown("prompt")).isFalse();
         assertGoShowsTheScene();
-        undoesTo(before);
+        assertOneUndoTo(before);
     }
 
     @Test
-    void whileItIsDragged_thePictureIsTheFullTraceOfWhatIsThere() {
+    void drag_updatesPictureToFullTrace() {
         robot.interact(() -> model().editor().liveProperty().set(true));
-        take("lamp", Command.PLACE_HIGHLIGHT);
+        selectTool("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
         waitForPicture();
         robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
         waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
-                && model().editor().situationProperty().get().inWork().isEmpty());
+                && model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
         robot.release(MouseButton.PRIMARY);
     }
 
     @Test
-    void escapeInADrag_givesItUpWithoutAStep() {
+    void escape_duringDrag_cancelsWithoutUndoStep() {
         Scene before = model().editor().scene();
-        take("lamp", Command.PLACE_HIGHLIGHT);
+        selectTool("lamp", Command.PLACE_HIGHLIGHT);
         robot.moveTo(pixel(BALL_X, BALL_Y)).press(MouseButton.PRIMARY).moveTo(pixel(35, 20));
         assertThat(model().editor().scene()).isNotEqualTo(before);
         robot.push(KeyCode.ESCAPE);
@@ -131,7 +132,7 @@ class LightPlacerTest extends EditorDesk {
     }
 
     @Test
-    void escapeInADragOfTheWireframe_givesItUpWithoutAStep() {
+    void escape_duringWireframeDrag_cancelsWithoutUndoStep() {
         Scene before = model().editor().scene();
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         robot.moveTo(pixel(light("lamp").position())).press(MouseButton.SECONDARY).moveBy(30, 10);
@@ -142,9 +143,9 @@ class LightPlacerTest extends EditorDesk {
     }
 
     @Test
-    void draggedThrower_letsItsShadowFallUnderThePointer() {
+    void draggedCaster_movesItsShadowToPointer() {
         Scene before = model().editor().scene();
-        take("lamp", Command.PLACE_SHADOW);
+        selectTool("lamp", Command.PLACE_SHADOW);
         Vec3 thrower = surface(32, 22);
         robot.moveTo(pixel(32, 22)).press(MouseButton.PRIMARY).moveTo(pixel(46, 36)).release(MouseButton.PRIMARY);
         Vec3 fallen = surface(46, 36);
@@ -152,55 +153,55 @@ class LightPlacerTest extends EditorDesk {
         Vec3 toLight = light("lamp").position().minus(fallen).normalized();
         assertThat(toThrower.dot(toLight)).isGreaterThan(0.999);
         assertThat(report(0, 46, 36).state()).isEqualTo(LightReport.State.SHADOWED);
-        undoesTo(before);
+        assertOneUndoTo(before);
     }
 
     @Test
-    void draggedShadow_isThatOfWhatThrewIt() {
-        take("lamp", Command.PLACE_SHADOW);
+    void draggedShadow_keepsItsCaster() {
+        selectTool("lamp", Command.PLACE_SHADOW);
         robot.moveTo(pixel(32, 22)).press(MouseButton.PRIMARY).moveTo(pixel(46, 36)).release(MouseButton.PRIMARY);
         assertThat(report(0, 46, 36).state()).isEqualTo(LightReport.State.SHADOWED);
-        take("lamp", Command.PLACE_SHADOW);
+        selectTool("lamp", Command.PLACE_SHADOW);
         robot.moveTo(pixel(46, 36)).press(MouseButton.PRIMARY).moveTo(pixel(20, 36)).release(MouseButton.PRIMARY);
         assertThat(report(0, 20, 36).state()).isEqualTo(LightReport.State.SHADOWED);
         assertThat(light("lamp").position().x()).as("the light is on the other side now").isGreaterThan(0);
     }
 
     @Test
-    void draggedPool_letsTheSpotAimAtThePointer() {
+    void draggedPool_aimsSpotAtPointer() {
         Scene before = model().editor().scene();
-        take("stage", Command.AIM);
+        selectTool("stage", Command.AIM);
         robot.moveTo(pixel(32, 24)).press(MouseButton.PRIMARY).moveTo(pixel(24, 38)).release(MouseButton.PRIMARY);
         Vec3 way = surface(24, 38).minus(light("stage").position()).normalized();
         assertThat(light("stage").direction().normalized().dot(way)).isGreaterThan(0.999);
         assertThat(light("stage").position()).isEqualTo(before.light("stage").orElseThrow().position());
-        undoesTo(before);
+        assertOneUndoTo(before);
     }
 
     @Test
-    void placedDiffuse_facesTheLight() {
-        take("lamp", Command.PLACE_DIFFUSE);
+    void placedDiffuse_facesLight() {
+        selectTool("lamp", Command.PLACE_DIFFUSE);
         robot.clickOn(pixel(34, 20));
         assertThat(report(0, 34, 20).cosine()).isGreaterThan(0.999f);
     }
 
     @Test
-    void placedRim_standsBehindAndGrazes() {
-        take("lamp", Command.PLACE_RIM);
+    void placedRim_grazesFromBehind() {
+        selectTool("lamp", Command.PLACE_RIM);
         robot.clickOn(pixel(32, 17));
         assertThat(Math.abs(report(0, 32, 17).cosine())).isLessThan(0.05f);
         assertThat(light("lamp").position().z()).isLessThan(surface(32, 17).z());
     }
 
     @Test
-    void ringAboutAPlacedLight_takesItFartherInOneStep() {
-        take("lamp", Command.PLACE_DIFFUSE);
+    void ringDrag_changesDistanceInOneUndoStep() {
+        selectTool("lamp", Command.PLACE_DIFFUSE);
         robot.clickOn(pixel(34, 20));
         Scene placed = model().editor().scene();
         Vec3 point = surface(34, 20);
         Vec3 way = light("lamp").position().minus(point);
         Point2D middle = pixel(34, 20);
-        robot.moveTo(middle.add(LightPlacer.RING, 0)).press(MouseButton.PRIMARY).moveTo(middle.add(1.5 * LightPlacer.RING, 0))
+        robot.moveTo(middle.add(LightPlacer.RING_RADIUS, 0)).press(MouseButton.PRIMARY).moveTo(middle.add(1.5 * LightPlacer.RING_RADIUS, 0))
                 .release(MouseButton.PRIMARY);
         Vec3 now = light("lamp").position().minus(point);
         assertThat(now.length() / way.length()).isCloseTo(1.5, within(0.05));
@@ -210,7 +211,7 @@ class LightPlacerTest extends EditorDesk {
     }
 
     @Test
-    void shiftInADragOfTheWireframe_movesOnTheGridAndSaysSo() {
+    void shift_duringWireframeDrag_snapsToGrid() {
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         Point2D from = pixel(light("lamp").position());
         dragWithShift(MouseButton.SECONDARY, from, from.add(33, 11));
@@ -224,8 +225,8 @@ class LightPlacerTest extends EditorDesk {
     }
 
     @Test
-    void shiftInADragOfThePool_turnsInWholeSteps() {
-        take("stage", Command.AIM);
+    void shift_duringPoolDrag_snapsRotation() {
+        selectTool("stage", Command.AIM);
         dragWithShift(MouseButton.PRIMARY, pixel(32, 24), pixel(24, 38));
         assertThat(model().editor().message().textProperty().get()).matches("Snapped: azimuth -?\\d+°, elevation -?\\d+°");
         Vec3 way = light("stage").direction().normalized();
@@ -234,9 +235,9 @@ class LightPlacerTest extends EditorDesk {
     }
 
     @Test
-    void pressBesideAllShapes_keepsTheTool() {
+    void pressOnBackground_keepsTool() {
         Scene before = model().editor().scene();
-        take("lamp", Command.PLACE_HIGHLIGHT);
+        selectTool("lamp", Command.PLACE_HIGHLIGHT);
         robot.clickOn(pixel(2, 1));
         assertThat(model().editor().scene()).isEqualTo(before);
         assertThat(model().editor().message().textProperty().get()).isEqualTo("There is nothing there; click a shape");

@@ -18,12 +18,12 @@ class PixelReportTest {
                 new float[] {diffuse, diffuse, diffuse}, new float[3], new float[3], new float[] {1, 1, 1});
     }
 
-    private static PixelReport report(List<LightReport> lights, List<LightReport> sky) {
-        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), null, lights, sky);
+    private static PixelReport report(List<LightReport> lights, List<LightReport> environmentLights) {
+        return new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0, 1, 0), null, lights, environmentLights);
     }
 
     @Test
-    void lampsOfTheEnvironment_areOneLine() {
+    void environmentLights_areOneLine() {
         List<LightReport> sky = new ArrayList<>();
         IntStream.range(0, 48).forEach(i -> sky.add(light("environment " + i, i < 12 ? LightReport.State.LIT : LightReport.State.SHADOWED,
                 i < 12 ? 0.0625f : 0)));
@@ -32,12 +32,12 @@ class PixelReportTest {
     }
 
     @Test
-    void withoutAnEnvironment_nothingIsSaidOfIt() {
+    void withoutEnvironment_hasNoEnvironmentLine() {
         assertThat(report(List.of(light("key", LightReport.State.LIT, 1)), List.of()).lightLines()).containsExactly("key  100 %");
     }
 
     @Test
-    void normalThatAMapMade_isToldWithTheSurfacesOwn() {
+    void mappedNormal_isReportedWithGeometricNormal() {
         assertThat(report(List.of(), List.of()).headline("1 2 3").lines()).containsExactly("3, 4  ball  normal 0.00 1.00 0.00", "1 2 3");
         var bumpy = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of());
         assertThat(bumpy.headline("").lines())
@@ -45,14 +45,14 @@ class PixelReportTest {
     }
 
     @Test
-    void lightBelowTheSurface_isToldToBeThere() {
+    void lightBelowSurface_isReported() {
         var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
                 new float[3], new float[3], new float[] {1, 1, 1});
         assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the surface");
     }
 
     @Test
-    void strongestLight_isOneThatCanBeSelected() {
+    void strongestLight_isSelectable() {
         var report = report(List.of(light("key", LightReport.State.LIT, 0.1f)), List.of(light("environment 1", LightReport.State.LIT, 9)));
         assertThat(report.strongest()).contains("key");
     }

@@ -6,14 +6,14 @@ import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import lightning.editor.document.Command;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.render.shading.ReferenceTracer;
-import lightning.scene.Antialias;
-import lightning.scene.Sampling;
+import lightning.scene.AntialiasMode;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-class SamplingMenuTest extends EditorDesk {
+class SamplingMenuTest extends EditorFixture {
 
     private MenuButton sizes() {
         return robot.lookup("#traced-sizes").query();
@@ -28,47 +28,47 @@ class SamplingMenuTest extends EditorDesk {
         robot.interact(item(id)::fire);
     }
 
-    private Sampling sampling() {
+    private SamplingSettings sampling() {
         return model().editor().scene().picture().sampling();
     }
 
     @Test
-    void edges_areAnEditThatGoRendersAsTheReferenceDoes() {
+    void edges_afterGo_matchReference() {
         Scene before = model().editor().scene();
         choose("antialias-edges");
-        assertThat(sampling()).isEqualTo(new Sampling(Antialias.EDGES, 4));
+        assertThat(sampling()).isEqualTo(new SamplingSettings(AntialiasMode.EDGES, 4));
         assertCanvasShows(new ReferenceTracer(before).trace());
         click("go");
         waitForPicture();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
-        assertThat(model().picture().frame().film().sameBits(new ReferenceTracer(before).trace())).isFalse();
+        assertThat(model().picture().frame().film().hasSameBits(new ReferenceTracer(before).trace())).isFalse();
         assertThat(telemetry()).startsWith("samples");
     }
 
     @Test
-    void fewerSamplesOfEveryPixel_giveThePictureOfTheReference() {
+    void fewerSamples_matchReference() {
         choose("antialias-every");
         choose("antialias-2");
         click("go");
         waitForPicture();
-        assertThat(model().picture().frame().scene().picture().sampling()).isEqualTo(new Sampling(Antialias.EVERY, 2));
+        assertThat(model().picture().frame().scene().picture().sampling()).isEqualTo(new SamplingSettings(AntialiasMode.EVERY, 2));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
-    void choice_isNamedShownAndUndone() {
+    void choice_isShownAndUndone() {
         assertThat(sizes().getText()).isEqualTo("64 × 48");
         choose("antialias-edges");
         assertThat(sizes().getText()).isEqualTo("64 × 48, edges 4 × 4");
-        assertThat(model().editor().situationProperty().get().undo()).contains("anti-aliasing off 4 × 4 → edges 4 × 4");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("anti-aliasing off 4 × 4 → edges 4 × 4");
         click("undo");
-        assertThat(sampling()).isEqualTo(Sampling.DEFAULT);
+        assertThat(sampling()).isEqualTo(SamplingSettings.DEFAULT);
         assertThat(isEnabled(Command.GO)).isFalse();
     }
 
     @Test
-    void samplesOfAPixel_canBeChosenWhereAPixelHasSeveral() {
+    void sampleCount_isEnabledWithAntialiasing() {
         assertThat(item("antialias-8").isDisable()).isTrue();
         choose("antialias-edges");
         assertThat(item("antialias-8").isDisable()).isFalse();

@@ -12,7 +12,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.LightEdits;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
 import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Light;
@@ -20,11 +20,11 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
 /** The selected light and shape are taken by hand in the traced picture too. */
-class TracedGizmoTest extends EditorDesk {
+class TracedGizmoTest extends EditorFixture {
     private Point2D inPicture(Vec3 point) {
         PictureView view = robot.lookup("#traced-picture").query();
-        Bounds place = view.placeProperty().getValue();
-        var pixel = new Viewport(place.getWidth(), place.getHeight()).pixel(PreviewCamera.of(model().editor().scene()), point);
+        Bounds place = view.pictureBoundsProperty().getValue();
+        var pixel = new Viewport(place.getWidth(), place.getHeight()).project(PreviewCamera.of(model().editor().scene()), point);
         return view.localToScreen(place.getMinX() + pixel.x(), place.getMinY() + pixel.y());
     }
 
@@ -33,7 +33,7 @@ class TracedGizmoTest extends EditorDesk {
     }
 
     @Test
-    void rightDragOfTheSelectedLight_movesItWithTheMouseAndIsOneStep() {
+    void rightDrag_movesLightInOneUndoStep() {
         Scene before = model().editor().scene();
         Light lamp = light("lamp");
         drag(lamp.position(), MouseButton.SECONDARY, 30, 0);
@@ -49,7 +49,7 @@ class TracedGizmoTest extends EditorDesk {
     }
 
     @Test
-    void leftDragOfTheSelectedSpot_turnsIt() {
+    void leftDrag_rotatesSpot() {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         Light stage = light("stage");
         drag(stage.position(), MouseButton.PRIMARY, 20, 0);
@@ -59,18 +59,18 @@ class TracedGizmoTest extends EditorDesk {
 
     /** A canvas that is drawn has all that lies under it drawn again too. */
     @Test
-    void mouseElsewhere_leavesNothingOverThePicture() {
+    void mouseOutside_hidesGizmo() {
         Canvas canvas = robot.lookup("#traced-gizmo > *").queryAs(Canvas.class);
         robot.moveTo(inPicture(new Vec3(0, 1, 0)));
         assertThat(canvas.isVisible()).isTrue();
         robot.moveTo("#go");
         assertThat(canvas.isVisible()).isFalse();
-        robot.interact(() -> model().editor().edit(scene -> LightEdits.with(scene, "lamp", l -> l.withIntensity(0.5))));
+        robot.interact(() -> model().editor().edit(scene -> LightEdits.edit(scene, "lamp", l -> l.withIntensity(0.5))));
         assertThat(canvas.isVisible()).isFalse();
     }
 
     @Test
-    void whereGizmosAreHidden_aDragTakesNothing() {
+    void hiddenGizmo_cannotBeDragged() {
         robot.interact(() -> model().commands().run(Command.HIDE_GIZMOS));
         Scene before = model().editor().scene();
         drag(light("lamp").position(), MouseButton.SECONDARY, 30, 0);
@@ -78,14 +78,14 @@ class TracedGizmoTest extends EditorDesk {
     }
 
     @Test
-    void dragOfAShapesHandle_movesIt() {
+    void handleDrag_movesShape() {
         robot.interact(() -> model().editor().selection().selectNode("ball"));
         drag(new Vec3(0, 1, 0), MouseButton.PRIMARY, 30, 0);
-        assertThat(model().editor().scene().stage().node("ball").orElseThrow().placement().at().x()).isGreaterThan(0.2);
+        assertThat(model().editor().scene().stage().node("ball").orElseThrow().placement().position().x()).isGreaterThan(0.2);
     }
 
     @Test
-    void escapeInADragOfAShape_givesItUpWithoutAStep() {
+    void escape_duringShapeDrag_cancelsWithoutUndoStep() {
         robot.interact(() -> model().editor().selection().selectNode("ball"));
         Scene before = model().editor().scene();
         robot.moveTo(inPicture(new Vec3(0, 1, 0))).press(MouseButton.PRIMARY).moveBy(30, 0);

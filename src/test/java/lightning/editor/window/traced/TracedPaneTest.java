@@ -18,26 +18,26 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import lightning.base.math.Vec3;
 import lightning.editor.document.Command;
-import lightning.editor.document.Desk;
-import lightning.editor.document.Dial;
+import lightning.editor.document.DeskScene;
 import lightning.editor.document.LightEdits;
-import lightning.editor.window.EditorDesk;
+import lightning.editor.document.NumericParameter;
+import lightning.editor.window.EditorFixture;
 import lightning.editor.window.widget.PictureView;
-import lightning.editor.window.widget.Typing;
-import lightning.format.picture.CubeReader;
-import lightning.format.picture.PictureFile;
+import lightning.editor.window.widget.TextTyping;
+import lightning.format.image.CubeLutReader;
+import lightning.format.image.ImageFile;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
-import lightning.render.relight.LightShare;
+import lightning.render.relight.LightImage;
 import lightning.render.shading.LightReport;
 import lightning.render.shading.PixelExplainer;
 import lightning.render.shading.ReferenceTracer;
-import lightning.scene.effects.Effect;
+import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 import org.junit.jupiter.api.Test;
 
-class TracedPaneTest extends EditorDesk {
+class TracedPaneTest extends EditorFixture {
 
     /** Where a pixel of the traced picture is on the screen. */
     private Point2D pixel(double x, double y) {
@@ -48,7 +48,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void hover_tellsTheShapeAndEachLightsShare() {
+    void hover_showsShapeAndLightShares() {
         robot.moveTo(pixel(32, 24));
         waitFor("it tells", () -> text("pixel").contains("ball"));
         Film film = model().picture().frame().film();
@@ -61,14 +61,14 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void hoverOverNothing_tellsThatItIsTheBackground() {
+    void hoverOverBackground_showsBackground() {
         robot.moveTo(pixel(2, 1));
         waitFor("it tells", () -> text("pixel").contains("background"));
     }
 
     @Test
-    void click_selectsTheLightThatMattersMostThere() {
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "stage", 50)));
+    void click_selectsStrongestLight() {
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "stage", 50)));
         click("go");
         waitForPicture();
         robot.interact(() -> model().editor().selection().selectLight("sun"));
@@ -77,7 +77,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void picture_staysWhereItIsUnderThePointer() {
+    void picture_duringZoom_staysUnderPointer() {
         Point2D before = pixel(32, 24);
         robot.moveTo(before);
         waitFor("it tells", () -> text("pixel").contains("ball"));
@@ -88,7 +88,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void aim_turnsTheSelectedLightToThePickedPoint() {
+    void aim_pointsLightAtPickedPoint() {
         robot.interact(() -> {
             model().editor().selection().selectLight("stage");
             model().commands().run(Command.AIM);
@@ -101,7 +101,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void placedHighlight_shinesThereMost() {
+    void placedHighlight_isBrightestAtPoint() {
         robot.interact(() -> {
             model().editor().selection().selectLight("lamp");
             model().commands().run(Command.PLACE_HIGHLIGHT);
@@ -109,13 +109,13 @@ class TracedPaneTest extends EditorDesk {
         assertThat(text("prompt")).startsWith("Click where the highlight should be");
         robot.clickOn(pixel(28, 22));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
-        var placed = new PixelExplainer(model().editor().scene()).pixel(28, 22).lights().getFirst();
+        var placed = new PixelExplainer(model().editor().scene()).explainPixel(28, 22).lights().getFirst();
         assertThat(placed.light().name()).isEqualTo("lamp");
         assertThat(placed.specular()).isGreaterThan(0.99f);
     }
 
     @Test
-    void placedShadow_fallsThere() {
+    void placedShadow_fallsOnPoint() {
         robot.interact(() -> {
             model().editor().selection().selectLight("lamp");
             model().commands().run(Command.PLACE_SHADOW);
@@ -124,14 +124,14 @@ class TracedPaneTest extends EditorDesk {
         waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
         robot.clickOn(pixel(46, 36));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
-        var placed = new PixelExplainer(model().editor().scene()).pixel(46, 36).lights().getFirst();
+        var placed = new PixelExplainer(model().editor().scene()).explainPixel(46, 36).lights().getFirst();
         assertThat(placed.state()).isEqualTo(LightReport.State.SHADOWED);
     }
 
     @Test
-    void snapshot_isComparedByAWipe() {
+    void snapshot_isComparedByWipe() {
         click("snapshot");
-        robot.interact(() -> model().editor().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 5)));
         click("go");
         waitForPicture();
         click("compare");
@@ -156,7 +156,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void whatIsAskedFor_standsOverThePictureUntilEscape() {
+    void prompt_isShownUntilEscape() {
         robot.interact(() -> model().commands().run(Command.PLACE_HIGHLIGHT));
         Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
         Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
@@ -174,18 +174,18 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void exposureIsTyped_toAnyNumber() {
-        Typing.over(robot, robot.lookup("#exposure-stops").query(), "-1.37").push(KeyCode.ENTER);
+    void typedExposure_acceptsAnyNumber() {
+        TextTyping.replace(robot, robot.lookup("#exposure-stops").query(), "-1.37").push(KeyCode.ENTER);
         assertThat(model().picture().viewProperty().get().exposure()).isEqualTo(-1.37);
         assertThat(robot.lookup("#exposure").<Slider>query().getValue()).isEqualTo(-1.37);
-        Typing.over(robot, robot.lookup("#exposure-stops").query(), "9").push(KeyCode.ENTER);
+        TextTyping.replace(robot, robot.lookup("#exposure-stops").query(), "9").push(KeyCode.ENTER);
         assertThat(model().picture().viewProperty().get().exposure()).isEqualTo(-1.37);
         assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
     }
 
     /** A hand that drags by a pixel changes the picture by no more than a quarter of a stop. */
     @Test
-    void exposureSlider_isWideEnoughForAHand() {
+    void exposureSlider_isWideEnough() {
         Slider slider = robot.lookup("#exposure").query();
         assertThat((slider.getMax() - slider.getMin()) / slider.getWidth()).isLessThan(0.12);
         robot.drag(slider, MouseButton.PRIMARY).dropBy(4, 0);
@@ -193,7 +193,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void exposure_changesThePixelsAndNotTheScene() {
+    void exposure_changesOnlyDisplay() {
         int[] before = model().picture().raster().pixels().pixels().clone();
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
         assertThat(model().picture().raster().pixels().pixels()).isNotEqualTo(before)
@@ -224,7 +224,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void falseColor_showsStopsWithTheirLegend() {
+    void falseColor_showsLegend() {
         assertThat(isShown("stop-legend")).isFalse();
         choose("view-false");
         assertThat(model().picture().raster().pixels().pixels())
@@ -237,12 +237,12 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void colorTable_isShownThroughKeptAndTakenAway() throws IOException {
+    void colorTable_isAppliedStoredAndRemoved() throws IOException {
         answer = Files.writeString(folder.resolve("inverse.cube"), "LUT_1D_SIZE 2\n1 1 1\n0 0 0\n");
         int[] before = model().picture().raster().pixels().pixels().clone();
         choose("view-color-table");
-        waitFor("the table is read", () -> model().picture().viewProperty().get().cube().isPresent());
-        ViewTransform inverse = ViewTransform.DEFAULT.withCube(Optional.of(CubeReader.read(answer)));
+        waitFor("the table is read", () -> model().picture().viewProperty().get().lut().isPresent());
+        ViewTransform inverse = ViewTransform.DEFAULT.withLut(Optional.of(CubeLutReader.read(answer)));
         assertThat(model().picture().raster().pixels().pixels()).isEqualTo(inverse.toPixels(model().picture().frame().film()))
                 .isNotEqualTo(before);
         assertThat(model().editor().message().textProperty().get()).isEqualTo("Shown through inverse.cube, 3 × 2");
@@ -252,7 +252,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void marks_areOnWhatIsCutOffWithTheirLegend() {
+    void clippedPixels_areMarkedWithLegend() {
         robot.interact(() -> model().picture().viewProperty().set(new ViewTransform(3)));
         assertThat(isShown("clipping-legend")).isFalse();
         robot.push(KeyCode.CONTROL, KeyCode.SHIFT, KeyCode.K);
@@ -264,7 +264,7 @@ class TracedPaneTest extends EditorDesk {
             int x = i % film.width();
             int y = i / film.width();
             boolean over = 8 * Math.max(Math.max(film.red(x, y), film.green(x, y)), film.blue(x, y)) > 1;
-            assertThat(shown[i] == (0xFF000000 | ViewTransform.OVER_WHITE)).as("pixel %s %s", x, y).isEqualTo(over);
+            assertThat(shown[i] == (0xFF000000 | ViewTransform.CLIPPED_MARK)).as("pixel %s %s", x, y).isEqualTo(over);
             marked += over ? 1 : 0;
         }
         assertThat(marked).isPositive();
@@ -274,22 +274,22 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void onlySelected_showsThatLightsShareWhicheverIsSelected() {
+    void onlySelected_showsSelectedLightsContribution() {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("only-selected");
         waitFor("it is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: Only stage");
-        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().editor().scene(), "stage")).trace());
+        assertCanvasShows(new ReferenceTracer(LightImage.scene(model().editor().scene(), "stage")).trace());
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         waitFor("the other is shown", () -> text("look").equals("View: Only sun"));
-        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().editor().scene(), "sun")).trace());
+        assertCanvasShows(new ReferenceTracer(LightImage.scene(model().editor().scene(), "sun")).trace());
         click("only-selected");
         waitFor("all is shown", () -> !isShown("look"));
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
     @Test
-    void onlySelected_isNoEditAndNothingThatIsSavedOrVerified() throws IOException {
+    void onlySelected_affectsNeitherSceneNorSavingNorVerify() throws IOException {
         click("only-selected");
         waitFor("it is shown", () -> isShown("look"));
         assertThat(model().editor().document().isDirty()).isFalse();
@@ -297,35 +297,36 @@ class TracedPaneTest extends EditorDesk {
         answer = folder.resolve("whole.pfm");
         click("save-image");
         waitFor("it is written", () -> text("message").equals("Saved whole.pfm"));
-        assertThat(PictureFile.read(answer).sameBits(new ReferenceTracer(model().editor().scene()).trace())).isTrue();
+        assertThat(ImageFile.read(answer).hasSameBits(new ReferenceTracer(model().editor().scene()).trace())).isTrue();
         click("verify");
-        waitFor("it is verified", () -> model().picture().renderingProperty().get().verification() != null);
+        waitFor("it is verified", () -> model().picture().renderStateProperty().get().verification() != null);
         assertThat(text("status")).startsWith("Verified: equal to a full trace in every bit");
     }
 
     @Test
-    void renamedLight_isStillTheOneThatIsShown() {
+    void onlySelected_afterRename_keepsLight() {
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         click("only-selected");
         waitFor("it is shown", () -> isShown("look"));
         robot.interact(() -> model().editor().edit(scene -> LightEdits.rename(scene, "stage", "rim")));
-        assertCanvasShows(new ReferenceTracer(LightShare.scene(model().picture().frame().scene(), "stage")).trace());
+        assertCanvasShows(new ReferenceTracer(LightImage.scene(model().picture().frame().scene(), "stage")).trace());
     }
 
     @Test
-    void hiddenEffect_isLabelledAndGoneFromTheCanvasAlone() {
+    void hiddenEffect_isLabeledAndAffectsOnlyCanvas() {
         choose("view-reflections");
         waitFor("it is shown", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No reflections");
-        assertCanvasShows(new ReferenceTracer(ViewEffects.ALL.with(Effect.REFLECTION, false).of(model().editor().scene())).trace());
+        assertCanvasShows(
+                new ReferenceTracer(ViewEffects.ALL.with(RenderEffect.REFLECTION, false).apply(model().editor().scene())).trace());
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(robot.lookup("#region").query().isDisabled()).isTrue();
     }
 
     @Test
-    void framedRegion_showsTheEditsThereAlone() {
+    void region_showsEditsOnlyInside() {
         int[] before = model().picture().raster().pixels().pixels().clone();
-        robot.interact(() -> model().editor().edit(scene -> Dial.AMBIENCE.set(scene, "", 5)));
+        robot.interact(() -> model().editor().edit(scene -> NumericParameter.AMBIENCE.set(scene, "", 5)));
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));
@@ -345,7 +346,7 @@ class TracedPaneTest extends EditorDesk {
     }
 
     @Test
-    void regionOfWhatTheRestShowsToo_isNotRemarked() {
+    void regionWithoutEdits_showsNoBadge() {
         click("region");
         robot.drag(pixel(28, 20), MouseButton.PRIMARY);
         robot.dropTo(pixel(36, 28));
@@ -356,19 +357,19 @@ class TracedPaneTest extends EditorDesk {
 
     /** While an animation plays each picture is on its way: nothing waits for Go. */
     @Test
-    void playedEdits_areNotPending() {
+    void playback_showsNoPendingBadge() {
         robot.interact(() -> {
             model().editor().beginAnimation();
-            model().editor().animate(model().editor().scene().withLight(light("lamp").withIntensity(3)));
+            model().editor().showAnimationScene(model().editor().scene().withLight(light("lamp").withIntensity(3)));
             assertThat(isShown("pending")).isFalse();
         });
         waitForPicture();
-        robot.interact(() -> model().editor().edit(scene -> Desk.dial("intensity").set(scene, "lamp", 5)));
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 5)));
         waitFor("it is told", () -> isShown("pending"));
     }
 
     @Test
-    void oneToOne_showsEachPixelOnce() {
+    void actualSize_mapsPixelsOneToOne() {
         click("traced-one-to-one");
         PictureView picture = robot.lookup("#traced-picture").query();
         assertThat(picture.magnification()).isEqualTo(1);

@@ -17,9 +17,9 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
-import lightning.editor.document.Steps;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
+import lightning.editor.document.StepRange;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -27,18 +27,18 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.service.query.PointQuery;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class ArrowWidgetTest {
-    private static final double BEGIN = 1.1;
+    private static final double INITIAL_VALUE = 1.1;
 
     private final List<Object> gestures = new ArrayList<>();
-    private double value = BEGIN;
+    private double value = INITIAL_VALUE;
     private ArrowWidget widget;
 
     @Start
     private void start(Stage stage) {
-        widget = new ArrowWidget("Gain", "gain", Gauge.of("gain", new Steps(0.1, 0, 10), (v, gesture) -> {
+        widget = new ArrowWidget("Gain", "gain", NumberSetting.of("gain", new StepRange(0.1, 0, 10), (v, gesture) -> {
             if (v < 0 || v > 10) {
                 return Optional.of("gain must be from 0 to 10");
             }
@@ -47,7 +47,7 @@ class ArrowWidgetTest {
             widget.show(v);
             return Optional.empty();
         }));
-        widget.show(BEGIN);
+        widget.show(INITIAL_VALUE);
         stage.setScene(new Scene(new VBox(new TextField("elsewhere"), widget), 300, 200));
         stage.show();
     }
@@ -60,7 +60,7 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void clickOnTheLowerHalf_takesOneStepAway(FxRobot robot) {
+    void clickOnTheLowerHalf_subtractsOneStep(FxRobot robot) {
         robot.clickOn(lower(robot));
         assertThat(value).isEqualTo(1);
     }
@@ -78,7 +78,7 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void clickAtTheLimit_staysThere(FxRobot robot) {
+    void clickAtLimit_changesNothing(FxRobot robot) {
         robot.interact(() -> widget.show(10));
         robot.clickOn(upper(robot));
         assertThat(value).isEqualTo(10);
@@ -100,7 +100,7 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void dragBackToItsBegin_bringsTheValueBackBeyondALimit(FxRobot robot) {
+    void dragBackToStart_pastLimit_restoresValue(FxRobot robot) {
         robot.interact(() -> widget.show(0.1));
         robot.drag(pad(robot)).moveBy(0, 10);
         assertThat(value).isZero();
@@ -109,11 +109,11 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void escapeDuringADrag_bringsTheValueBack(FxRobot robot) {
+    void escape_duringDrag_restoresValue(FxRobot robot) {
         robot.drag(pad(robot)).moveBy(0, -8);
         assertThat(value).isEqualTo(1.3);
         robot.push(KeyCode.ESCAPE).moveBy(0, -4).release(MouseButton.PRIMARY);
-        assertThat(value).isEqualTo(BEGIN);
+        assertThat(value).isEqualTo(INITIAL_VALUE);
     }
 
     @Test
@@ -131,24 +131,24 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void typedValueBeyondTheLimit_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
+    void typedValueBeyondLimit_showsReasonAndChangesNothing(FxRobot robot) {
         type(robot, "-3");
         robot.push(KeyCode.ENTER);
         assertThat(gestures).isEmpty();
         assertThat(isMarked(robot)).isTrue();
-        assertThat(Refusals.shown(robot)).containsExactly("gain must be from 0 to 10");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("gain must be from 0 to 10");
     }
 
     @Test
-    void typedText_isRefusedAsNoNumber(FxRobot robot) {
+    void typedText_isRefused(FxRobot robot) {
         type(robot, "much");
         robot.push(KeyCode.ENTER);
         assertThat(gestures).isEmpty();
-        assertThat(Refusals.shown(robot)).containsExactly("gain must be a number, was 'much'");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("gain must be a number, was 'much'");
     }
 
     @Test
-    void typedSum_isReckoned(FxRobot robot) {
+    void typedSum_isEvaluated(FxRobot robot) {
         type(robot, "0.3*2");
         robot.push(KeyCode.ENTER);
         assertThat(value).isEqualTo(0.6);
@@ -156,18 +156,18 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void typedPercentage_isOfTheValueThatIsThere(FxRobot robot) {
+    void typedPercentage_isRelativeToCurrentValue(FxRobot robot) {
         type(robot, "+10%");
         robot.push(KeyCode.ENTER);
         assertThat(value).isEqualTo(1.21);
     }
 
     @Test
-    void typedSumThatIsWrong_saysWhere(FxRobot robot) {
+    void invalidSum_showsPosition(FxRobot robot) {
         type(robot, "2*");
         robot.push(KeyCode.ENTER);
         assertThat(gestures).isEmpty();
-        assertThat(Refusals.shown(robot))
+        assertThat(RefusalTexts.shown(robot))
                 .containsExactly("gain must be a number or a sum as 0.3*2: expected a number after '2*', found nothing");
     }
 
@@ -180,38 +180,39 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void clickOnTheName_goesIntoTheField(FxRobot robot) {
+    void clickOnName_focusesField(FxRobot robot) {
         robot.clickOn("Gain").write("7").push(KeyCode.ENTER);
         assertThat(value).isEqualTo(7);
     }
 
     @Test
-    void wheel_stepsWhereTheKeyboardIs_inOneGesture(FxRobot robot) {
-        turn(robot, 40);
+    void wheel_inFocusedField_stepsInOneGesture(FxRobot robot) {
+        turnWheel(robot, 40);
         assertThat(gestures).isEmpty();
         robot.interact(() -> field(robot).requestFocus());
-        turn(robot, 40);
-        turn(robot, 40);
+        turnWheel(robot, 40);
+        turnWheel(robot, 40);
         assertThat(value).isEqualTo(1.3);
-        turn(robot, -40);
+        turnWheel(robot, -40);
         assertThat(value).isEqualTo(1.2);
         assertThat(gestures.stream().distinct()).hasSize(1);
     }
 
     /** By hand: so the wheel has no pace. */
-    private static void turn(FxRobot robot, double way) {
+    private static void turnWheel(FxRobot robot, double delta) {
         robot.interact(
                 () -> field(robot).fireEvent(new ScrollEvent(ScrollEvent.SCROLL, 2, 2, 2, 2, false, false, false, false, false, false, 0,
-                        way, 0, way, ScrollEvent.HorizontalTextScrollUnits.NONE, 0, ScrollEvent.VerticalTextScrollUnits.NONE, 0, 0, null)));
+                        delta, 0, delta, ScrollEvent.HorizontalTextScrollUnits.NONE, 0, ScrollEvent.VerticalTextScrollUnits.NONE, 0, 0,
+                        null)));
     }
 
     @Test
-    void escape_bringsBackTheValueAndTakesTheMarkAway(FxRobot robot) {
+    void escape_restoresValueAndClearsError(FxRobot robot) {
         type(robot, "-3");
         robot.push(KeyCode.ENTER).push(KeyCode.ESCAPE);
         assertThat(field(robot).getText()).isEqualTo("1.1");
         assertThat(isMarked(robot)).isFalse();
-        assertThat(Refusals.shown(robot)).isEmpty();
+        assertThat(RefusalTexts.shown(robot)).isEmpty();
     }
 
     @Test
@@ -238,12 +239,12 @@ class ArrowWidgetTest {
     }
 
     @Test
-    void obstacle_disablesFieldAndArrow(FxRobot robot) {
-        robot.interact(() -> widget.setObstacle(Optional.of("a point light has no angle")));
+    void disabledReason_disablesFieldAndArrow(FxRobot robot) {
+        robot.interact(() -> widget.setDisabledReason(Optional.of("a point light has no angle")));
         assertThat(field(robot).isDisabled()).isTrue();
         robot.clickOn(upper(robot));
-        assertThat(value).isEqualTo(BEGIN);
-        robot.interact(() -> widget.setObstacle(Optional.empty()));
+        assertThat(value).isEqualTo(INITIAL_VALUE);
+        robot.interact(() -> widget.setDisabledReason(Optional.empty()));
         assertThat(field(robot).isDisabled()).isFalse();
     }
 
@@ -258,7 +259,7 @@ class ArrowWidgetTest {
     }
 
     private static void type(FxRobot robot, String text) {
-        Typing.over(robot, field(robot), text);
+        TextTyping.replace(robot, field(robot), text);
     }
 
     private static TextField field(FxRobot robot) {

@@ -14,19 +14,19 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
 import javafx.stage.Stage;
 import lightning.base.math.Rgb;
-import lightning.editor.document.Hsv;
-import lightning.editor.document.Kelvin;
-import lightning.editor.document.Steps;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
+import lightning.editor.document.ColorTemperature;
+import lightning.editor.document.HsvColor;
+import lightning.editor.document.StepRange;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;
-import lightning.scene.Limits;
+import lightning.scene.SceneLimits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class ColorSlidersTest {
     private final List<Object> gestures = new ArrayList<>();
@@ -37,28 +37,28 @@ class ColorSlidersTest {
     private void start(Stage stage) {
         sliders = new ColorSliders(new ColorSliders.Target() {
             @Override
-            public Gauge red() {
+            public NumberSetting red() {
                 return channel("red", v -> new Rgb(v, color.g(), color.b()));
             }
 
             @Override
-            public Gauge green() {
+            public NumberSetting green() {
                 return channel("green", v -> new Rgb(color.r(), v, color.b()));
             }
 
             @Override
-            public Gauge blue() {
+            public NumberSetting blue() {
                 return channel("blue", v -> new Rgb(color.r(), color.g(), v));
             }
 
             @Override
-            public Optional<String> hsv(Hsv hsv, Object gesture) {
+            public Optional<String> hsv(HsvColor hsv, Object gesture) {
                 return edit(hsv.rgb(), gesture);
             }
 
             @Override
             public Optional<String> temperature(double kelvin, Object gesture) {
-                return edit(Kelvin.rgb(kelvin), gesture);
+                return edit(ColorTemperature.rgb(kelvin), gesture);
             }
         });
         sliders.show(color);
@@ -70,8 +70,8 @@ class ColorSlidersTest {
         Rgb with(double value);
     }
 
-    private Gauge channel(String title, Channel channel) {
-        return Gauge.of(title, new Steps(0.1, 0, 1000),
+    private NumberSetting channel(String title, Channel channel) {
+        return NumberSetting.of(title, new StepRange(0.1, 0, 1000),
                 (v, gesture) -> v < 0 ? Optional.of(title + " must be ≥ 0") : edit(channel.with(v), gesture));
     }
 
@@ -83,7 +83,7 @@ class ColorSlidersTest {
     }
 
     @Test
-    void eachChannel_standsInItsSliderAndField(FxRobot robot) {
+    void everyChannel_isShownInSliderAndField(FxRobot robot) {
         assertThat(sliders(robot)).extracting(Slider::getValue).containsExactly(0.5, 0.25, 0.1);
         assertThat(fields(robot)).extracting(TextField::getText).containsExactly("0.5", "0.25", "0.1");
     }
@@ -95,21 +95,21 @@ class ColorSlidersTest {
         assertThat(color.r()).isEqualTo(0.5);
         assertThat(gestures).hasSizeGreaterThan(1).doesNotContainNull();
         assertThat(gestures.stream().distinct()).hasSize(1);
-        assertThat(fields(robot).get(2).getText()).isEqualTo(Limits.text(color.b()));
+        assertThat(fields(robot).get(2).getText()).isEqualTo(SceneLimits.format(color.b()));
     }
 
     @Test
-    void typedChannelAboveOne_isTakenAndTheSliderStandsAtItsEnd(FxRobot robot) {
+    void typedChannelAboveOne_isAcceptedWithSliderAtEnd(FxRobot robot) {
         type(robot, 0, "2.5");
         assertThat(color).isEqualTo(new Rgb(2.5, 0.25, 0.1));
         assertThat(sliders(robot).get(0).getValue()).isEqualTo(1);
     }
 
     @Test
-    void typedNegativeChannel_isMarkedAndChangesNothing(FxRobot robot) {
+    void typedNegativeChannel_isRefused(FxRobot robot) {
         type(robot, 1, "-1");
         assertThat(gestures).isEmpty();
-        assertThat(Refusals.shown(robot)).containsExactly("green must be ≥ 0");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("green must be ≥ 0");
     }
 
     @Test
@@ -126,11 +126,11 @@ class ColorSlidersTest {
         robot.clickOn("HSV");
         type(robot, 0, "400");
         assertThat(gestures).isEmpty();
-        assertThat(Refusals.shown(robot)).containsExactly("hue must be from 0 to 360, was 400");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("hue must be from 0 to 360, was 400");
     }
 
     @Test
-    void colourThatWasMadeGrey_keepsItsHue(FxRobot robot) {
+    void grayedColor_keepsHue(FxRobot robot) {
         robot.interact(() -> edit(new Rgb(0, 0, 1), null));
         robot.clickOn("HSV");
         type(robot, 1, "0");
@@ -146,25 +146,25 @@ class ColorSlidersTest {
         gestures.clear();
         double quarter = robot.lookup(".color-square").query().getLayoutBounds().getWidth() / 4;
         robot.drag(".color-square").moveBy(quarter, -40).release(MouseButton.PRIMARY);
-        assertThat(Hsv.of(color).saturation()).isCloseTo(0.75, within(0.01));
+        assertThat(HsvColor.of(color).saturation()).isCloseTo(0.75, within(0.01));
         assertThat(color.r()).isGreaterThan(0.6);
         assertThat(color.g()).isEqualTo(color.b());
         assertThat(gestures.stream().distinct()).hasSize(1);
     }
 
     @Test
-    void kelvinTab_setsTheColourOfAGlowingBody(FxRobot robot) {
+    void kelvinTab_setsBlackbodyColor(FxRobot robot) {
         robot.clickOn("Kelvin");
         type(robot, 0, "3200");
-        assertThat(color).isEqualTo(Kelvin.rgb(3200));
+        assertThat(color).isEqualTo(ColorTemperature.rgb(3200));
         robot.clickOn("Daylight");
-        assertThat(color).isEqualTo(Kelvin.rgb(5600));
+        assertThat(color).isEqualTo(ColorTemperature.rgb(5600));
         assertThat(Double.parseDouble(fields(robot).get(0).getText())).isCloseTo(5600, within(1.0));
     }
 
     @Test
-    void obstacle_disablesEveryTab(FxRobot robot) {
-        robot.interact(() -> sliders.setObstacle(Optional.of("no light is selected")));
+    void disabledReason_disablesEveryTab(FxRobot robot) {
+        robot.interact(() -> sliders.setDisabledReason(Optional.of("no light is selected")));
         assertThat(fields(robot)).allMatch(Node::isDisabled);
         robot.clickOn("Kelvin");
         assertThat(fields(robot)).hasSize(3);
@@ -175,11 +175,11 @@ class ColorSlidersTest {
         robot.clickOn(".color-well");
         assertThat(robot.lookup(".color-square").query().isFocused()).isTrue();
         robot.push(KeyCode.RIGHT);
-        assertThat(Hsv.of(color).saturation()).isCloseTo(0.81, within(1e-9));
+        assertThat(HsvColor.of(color).saturation()).isCloseTo(0.81, within(1e-9));
     }
 
     private static void type(FxRobot robot, int field, String text) {
-        Typing.over(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
+        TextTyping.replace(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
     }
 
     private static List<TextField> fields(FxRobot robot) {

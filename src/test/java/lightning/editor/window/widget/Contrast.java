@@ -19,11 +19,11 @@ import org.kordamp.ikonli.javafx.FontIcon;
 /** How well what is written in a window can be told from what lies behind it: the contrast ratio of WCAG 2.2, success criteria 1.4.3 and 1.4.11. */
 public final class Contrast {
     /** Of text. */
-    public static final double OF_TEXT = 4.5;
+    public static final double MIN_TEXT_RATIO = 4.5;
     /** Of icons and focus marks. */
-    public static final double OF_ICONS = 3;
+    public static final double MIN_ICON_RATIO = 3;
     /** What a dark or light window begins with, behind all. */
-    private static final Color BEHIND = Color.GRAY;
+    private static final Color DEFAULT_BACKGROUND = Color.GRAY;
 
     private Contrast() {}
 
@@ -44,35 +44,35 @@ public final class Contrast {
     }
 
     /** All texts and icons below a node that are seen, enabled, and too faint, each as a line. */
-    public static List<String> tooFaint(Node root) {
+    public static List<String> findLowContrast(Node root) {
         List<String> found = new ArrayList<>();
-        look(root, found);
+        checkNode(root, found);
         return found.stream().distinct().toList();
     }
 
-    private static void look(Node node, List<String> found) {
+    private static void checkNode(Node node, List<String> found) {
         // What is disabled need not be read (WCAG 2.2, 1.4.3, "incidental").
         if (!node.isVisible() || node.isDisabled()) {
             return;
         }
         if (node instanceof Text text && !text.getText().isBlank() && text.getFill() instanceof Color fill) {
-            double wanted = text instanceof FontIcon ? OF_ICONS : OF_TEXT;
+            double wanted = text instanceof FontIcon ? MIN_ICON_RATIO : MIN_TEXT_RATIO;
             double opacity = opacity(text);
-            behind(text.getParent()).stream().min(Comparator.comparingDouble(b -> ratio(over(fill, opacity, b), b))).ifPresent(b -> {
-                double ratio = ratio(over(fill, opacity, b), b);
+            backgrounds(text.getParent()).stream().min(Comparator.comparingDouble(b -> ratio(blend(fill, opacity, b), b))).ifPresent(b -> {
+                double ratio = ratio(blend(fill, opacity, b), b);
                 if (ratio < wanted) {
-                    found.add(String.format(Locale.ROOT, "%.2f: %s on %s, %s in %s", ratio, over(fill, opacity, b), b,
+                    found.add(String.format(Locale.ROOT, "%.2f: %s on %s, %s in %s", ratio, blend(fill, opacity, b), b,
                             text instanceof FontIcon icon ? String.valueOf(icon.getIconCode()) : "\"" + text.getText() + "\"",
-                            named(text)));
+                            describe(text)));
                 }
             });
         }
         if (node instanceof Parent parent) {
-            parent.getChildrenUnmodifiable().forEach(child -> look(child, found));
+            parent.getChildrenUnmodifiable().forEach(child -> checkNode(child, found));
         }
     }
 
-    private static String named(Node node) {
+    private static String describe(Node node) {
         StringBuilder path = new StringBuilder();
         for (Node n = node.getParent(); n != null && path.length() < 160; n = n.getParent()) {
             path.append(" < ").append(n.getId() == null ? n.getStyleClass() : "#" + n.getId());
@@ -89,15 +89,15 @@ public final class Contrast {
     }
 
     /** What a node lies on: of a gradient each of its stops. */
-    private static List<Color> behind(Node node) {
+    private static List<Color> backgrounds(Node node) {
         if (node == null) {
-            return List.of(BEHIND);
+            return List.of(DEFAULT_BACKGROUND);
         }
-        List<Color> below = behind(node.getParent());
+        List<Color> below = backgrounds(node.getParent());
         if (node instanceof Region region && region.getBackground() != null) {
             for (BackgroundFill fill : region.getBackground().getFills()) {
                 List<Color> under = below;
-                below = colors(fill.getFill()).flatMap(c -> under.stream().map(b -> over(c, 1, b))).distinct().toList();
+                below = colors(fill.getFill()).flatMap(c -> under.stream().map(b -> blend(c, 1, b))).distinct().toList();
             }
         }
         return below;
@@ -111,7 +111,7 @@ public final class Contrast {
         };
     }
 
-    private static Color over(Color top, double opacity, Color below) {
+    private static Color blend(Color top, double opacity, Color below) {
         double a = top.getOpacity() * opacity;
         return Color.color(a * top.getRed() + (1 - a) * below.getRed(), a * top.getGreen() + (1 - a) * below.getGreen(),
                 a * top.getBlue() + (1 - a) * below.getBlue());

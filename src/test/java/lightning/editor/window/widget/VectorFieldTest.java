@@ -14,15 +14,15 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.stage.Stage;
 import lightning.base.math.Vec3;
-import lightning.editor.window.JavaFxNeeds;
-import lightning.editor.window.OnStage;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 
-@ExtendWith({JavaFxNeeds.class, OnStage.class})
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class VectorFieldTest {
     private final List<Vec3> edits = new ArrayList<>();
@@ -44,16 +44,16 @@ class VectorFieldTest {
     }
 
     @Test
-    void typedComponent_changesItAlone(FxRobot robot) {
+    void typedComponent_changesOnlyItself(FxRobot robot) {
         type(robot, 2, "0.5");
         assertThat(edits).containsExactly(new Vec3(0, -1, 0.5));
     }
 
     @Test
-    void componentThatIsNotAllowed_isMarkedWithTheReasonAndChangesNothing(FxRobot robot) {
+    void invalidComponent_showsReasonAndChangesNothing(FxRobot robot) {
         type(robot, 1, "0");
         assertThat(edits).isEmpty();
-        assertThat(Refusals.shown(robot)).containsExactly("direction must not be zero");
+        assertThat(RefusalTexts.shown(robot)).containsExactly("direction must not be zero");
     }
 
     @Test
@@ -82,7 +82,7 @@ class VectorFieldTest {
     }
 
     @Test
-    void tab_goesFromFieldToField(FxRobot robot) {
+    void tab_focusesNextField(FxRobot robot) {
         robot.interact(() -> fields(robot).getFirst().requestFocus());
         robot.push(KeyCode.TAB);
         assertThat(fields(robot).get(1).isFocused()).isTrue();
@@ -97,7 +97,7 @@ class VectorFieldTest {
     }
 
     private static void type(FxRobot robot, int field, String text) {
-        Typing.over(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
+        TextTyping.replace(robot, fields(robot).get(field), text).push(KeyCode.ENTER);
     }
 
     private static List<TextField> fields(FxRobot robot) {

@@ -12,8 +12,8 @@ import java.util.OptionalDouble;
 import lightning.base.math.Rgb;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.Notes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,13 +21,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Materials beside OBJ files. */
 class MtlReaderTest {
-    private final Notes notes = new Notes();
+    private final ConversionNotes notes = new ConversionNotes();
 
     @TempDir
     private Path folder;
 
     @Test
-    void material_isWhatItsLinesSay() throws IOException, MeshException {
+    void material_hasTheValuesOfItsLines() throws IOException, MeshException {
         Map<String, MtlMaterial> materials = read("""
                 # two of them
                 newmtl old oak
@@ -46,11 +46,12 @@ class MtlReaderTest {
                 """);
         assertThat(materials).containsOnlyKeys("old oak", "plain");
         assertThat(materials.get("old oak"))
-                .isEqualTo(new MtlMaterial("old oak", Illumination.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.grey(0.5),
+                .isEqualTo(new MtlMaterial("old oak", IlluminationModel.REFLECTION, new Rgb(0.5, 0.25, 0.125), Rgb.gray(0.5),
                         new Rgb(0, 0, 2), OptionalDouble.of(96.5), 0.5, Rgb.WHITE, 1.5, Optional.of("my wood.png"),
                         Optional.of("holes.png")));
         assertThat(materials.get("plain"))
-                .isEqualTo(new MtlMaterial("plain", Illumination.HIGHLIGHT, Rgb.grey(0.8), Rgb.BLACK, Rgb.BLACK, OptionalDouble.empty(), 1,
+                .isEqualTo(new MtlMaterial("plain", IlluminationModel.HIGHLIGHT, Rgb.gray(0.8), Rgb.BLACK, Rgb.BLACK,
+                        OptionalDouble.empty(), 1,
                         Rgb.WHITE, 1.5, Optional.empty(), Optional.empty()));
         assertThat(notes.counts()).containsOnlyKeys("ambient colours (Ka) of materials", "options -s of pictures",
                 "options -clamp of pictures", "map_Bump of materials");
@@ -59,17 +60,17 @@ class MtlReaderTest {
     @ParameterizedTest
     @CsvSource({"d 0.25, 0.25", "d -halo 0.25, 0.25", "Tr 0.75, 0.25", "Tr 1, 1", "Tr 1|illum 4, 0", "d 1|Tr 1, 1", "d 0.25|Tr 0.25, 0.25",
         "Tf 0.5 0.5 1|illum 7, 0", "Tf 0.5 0.5 1|illum 2, 1", "d 0.25|Tf 1 0 0|illum 6, 0.25"})
-    void opacity_isReadAsWritersMeanIt(String lines, double opacity) throws Exception {
+    void opacityAndTransparency_areInterpretedLikeExporters(String lines, double opacity) throws Exception {
         assertThat(read("newmtl a\n" + lines.replace('|', '\n') + "\n").get("a").opacity()).isEqualTo(opacity);
     }
 
     @Test
-    void glass_hasItsIndexAndFilter() throws Exception {
+    void glass_hasItsIorAndFilter() throws Exception {
         MtlMaterial glass = read("newmtl a\nTf 0.5 0.75 1\nNi 1.33\nillum 6\n").get("a");
-        assertThat(glass.illumination().refracts()).isTrue();
+        assertThat(glass.illumination().isRefractive()).isTrue();
         assertThat(glass.ior()).isEqualTo(1.33);
         assertThat(glass.filter()).isEqualTo(new Rgb(0.5, 0.75, 1));
-        assertThat(read("newmtl a\nd 0.5\nillum 4\n").get("a").illumination().refracts()).isFalse();
+        assertThat(read("newmtl a\nd 0.5\nillum 4\n").get("a").illumination().isRefractive()).isFalse();
     }
 
     /** By the MTL specification, models 2 to 9 have highlights, 3 and 5 to 8 mirrored rays, 6 and 7 refracted ones. */
@@ -78,33 +79,34 @@ class MtlReaderTest {
         "4, true, false, false",
         "5, true, true, false", "6, true, true, true", "7, true, true, true", "8, true, true, false", "9, true, false, false",
         "10, false, false, false", "11, true, false, false", "1.5, true, false, false", "-1, true, false, false"})
-    void illumination_saysWhetherSurfacesHighlightMirrorAndRefract(String number, boolean highlights, boolean mirrors, boolean refracts)
+    void illuminationModel_setsHighlightReflectionAndRefraction(String number, boolean hasHighlights, boolean isReflective,
+            boolean isRefractive)
             throws Exception {
         MtlMaterial material = read("newmtl a\nKs 1 1 1\nNs 10\nillum " + number + "\n").get("a");
-        assertThat(material.highlights()).isEqualTo(highlights);
-        assertThat(material.illumination().mirrors()).isEqualTo(mirrors);
-        assertThat(material.illumination().refracts()).isEqualTo(refracts);
-        double known = Double.parseDouble(number);
+        assertThat(material.hasHighlights()).isEqualTo(hasHighlights);
+        assertThat(material.illumination().isReflective()).isEqualTo(isReflective);
+        assertThat(material.illumination().isRefractive()).isEqualTo(isRefractive);
+        double model = Double.parseDouble(number);
         assertThat(notes.counts().containsKey("illumination models (illum) of materials that are not 0 to 9"))
-                .isEqualTo(!(known >= 0 && known <= 9 && known == Math.rint(known)));
+                .isEqualTo(!(model >= 0 && model <= 9 && model == Math.rint(model)));
     }
 
     @ParameterizedTest
     @CsvSource({"Ns 0, false", "Ns 0.5, false", "Ns -1, false", "Ns 1, true", "'', true"})
-    void exponentBelowOne_isNoHighlight(String line, boolean highlights) throws Exception {
-        assertThat(read("newmtl a\nKs 1 1 1\n" + line + "\nillum 2\n").get("a").highlights()).isEqualTo(highlights);
+    void exponentBelowOne_hasNoHighlight(String line, boolean hasHighlights) throws Exception {
+        assertThat(read("newmtl a\nKs 1 1 1\n" + line + "\nillum 2\n").get("a").hasHighlights()).isEqualTo(hasHighlights);
     }
 
     @Test
-    void wrongLines_areTold() {
-        assertRefused("Kd 1 1 1\n", "line 1: newmtl must stand before Kd");
-        assertRefused("newmtl a\nKd 1 x 1\n", "line 2: green must be a decimal number, was 'x'");
-        assertRefused("newmtl a\nNs\n", "line 2: expected a number, found the end of the line");
-        assertRefused("newmtl a\nd\n", "line 2: expected a number, found the end of the line");
-        assertRefused("newmtl a\nd -halo\n", "line 2: expected a number, found the end of the line");
+    void invalidLines_areReported() {
+        assertRejected("Kd 1 1 1\n", "line 1: newmtl must stand before Kd");
+        assertRejected("newmtl a\nKd 1 x 1\n", "line 2: green must be a decimal number, was 'x'");
+        assertRejected("newmtl a\nNs\n", "line 2: expected a number, found the end of the line");
+        assertRejected("newmtl a\nd\n", "line 2: expected a number, found the end of the line");
+        assertRejected("newmtl a\nd -halo\n", "line 2: expected a number, found the end of the line");
     }
 
-    private void assertRefused(String file, String message) {
+    private void assertRejected(String file, String message) {
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessage(folder.resolve("a.mtl") + ": " + message);
     }
 

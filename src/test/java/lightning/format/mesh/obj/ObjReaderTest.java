@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.util.Map;
 import lightning.base.work.Progress;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.Notes;
 import lightning.scene.Mesh;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
@@ -19,14 +19,14 @@ import org.junit.jupiter.api.io.TempDir;
 /** OBJ files, and what is wrong with them. */
 class ObjReaderTest {
     private static final String CORNERS = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-    private final Notes notes = new Notes();
+    private final ConversionNotes notes = new ConversionNotes();
 
     @TempDir
     private Path folder;
 
     @Test
     void polygon_sharesItsVertices() throws IOException, MeshException {
-        Mesh mesh = only(CORNERS + "f 1 2 3 4\n");
+        Mesh mesh = onlyMesh(CORNERS + "f 1 2 3 4\n");
         assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
         assertThat(mesh.triangleCount()).isEqualTo(2);
         assertThat(mesh.normals()).isNull();
@@ -35,12 +35,12 @@ class ObjReaderTest {
 
     @Test
     void negativeIndices_countBackwards() throws IOException, MeshException {
-        assertThat(only(CORNERS + "f -4 -3 -2\nv 9 9 9\nf -5 -3 -2")).isEqualTo(only(CORNERS + "f 1 2 3\nv 9 9 9\nf 1 3 4"));
+        assertThat(onlyMesh(CORNERS + "f -4 -3 -2\nv 9 9 9\nf -5 -3 -2")).isEqualTo(onlyMesh(CORNERS + "f 1 2 3\nv 9 9 9\nf 1 3 4"));
     }
 
     @Test
-    void cornersThatDifferInAnything_areDifferentVertices() throws IOException, MeshException {
-        Mesh mesh = only(CORNERS + "vt 0 0\nvt 0.5 1\nvn 0 0 2\nvn 0 3 0\nf 1/1/1 2/1/1 3/2/1\nf 1/1/1 3/1/1 4//2\n");
+    void differingCorners_becomeSeparateVertices() throws IOException, MeshException {
+        Mesh mesh = onlyMesh(CORNERS + "vt 0 0\nvt 0.5 1\nvn 0 0 2\nvn 0 3 0\nf 1/1/1 2/1/1 3/2/1\nf 1/1/1 3/1/1 4//2\n");
         assertThat(mesh.vertexCount()).isEqualTo(5);
         assertThat(mesh.triangles()).containsExactly(0, 1, 2, 0, 3, 4);
         assertThat(mesh.coordinates()).containsExactly(0, 0, 0, 0, 0.5f, 1, 0, 0, 0, 0);
@@ -48,9 +48,9 @@ class ObjReaderTest {
     }
 
     @Test
-    void smoothGroup_hasTheMeanOfItsFaces_acrossSeamsOfTextures() throws IOException, MeshException {
+    void smoothingGroup_averagesNormalsAcrossTextureSeams() throws IOException, MeshException {
         String roof = "v 0 0 0\nv 0 0 1\nv -1 -1 0\nv 1 -1 0\nvt 0 0\nvt 1 1\n";
-        Mesh mesh = only(roof + "s 1\nf 1/1 3/1 2/1\nf 1/2 2/2 4/2\n");
+        Mesh mesh = onlyMesh(roof + "s 1\nf 1/1 3/1 2/1\nf 1/2 2/2 4/2\n");
         assertThat(mesh.vertexCount()).isEqualTo(6);
         for (int vertex : new int[] {0, 2, 3, 4}) {
             assertThat(mesh.normals()[3 * vertex + 1]).as("vertex " + vertex).isCloseTo(1, Offset.offset(1e-6f));
@@ -59,8 +59,8 @@ class ObjReaderTest {
     }
 
     @Test
-    void flatFacesBesideSmoothOnes_stayFlat() throws IOException, MeshException {
-        Mesh mesh = only("v 0 0 0\nv 0 0 1\nv -1 -1 0\nv 1 -1 0\ns 1\nf 1 3 2\ns off\nf 1 2 4\n");
+    void flatFacesNextToSmoothOnes_stayFlat() throws IOException, MeshException {
+        Mesh mesh = onlyMesh("v 0 0 0\nv 0 0 1\nv -1 -1 0\nv 1 -1 0\ns 1\nf 1 3 2\ns off\nf 1 2 4\n");
         int[] t = mesh.triangles();
         for (int i = 3; i < 6; i++) {
             assertThat(mesh.normals()[3 * t[i]]).isCloseTo((float) Math.sqrt(0.5), Offset.offset(1e-6f));
@@ -69,7 +69,7 @@ class ObjReaderTest {
     }
 
     @Test
-    void objectsAndMaterials_areParts() throws IOException, MeshException {
+    void objectsAndMaterials_becomeParts() throws IOException, MeshException {
         ObjFile file = read(
                 "mtllib my house.mtl\n" + CORNERS + "f 1 2 3\no house \nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\nusemtl red\nf 2 3 4\n"
                         + "g garden\nf 1 2 3\no \u0007\nf 1 2 3");
@@ -80,82 +80,82 @@ class ObjReaderTest {
     }
 
     @Test
-    void colorsOfVertices_areLinear() throws IOException, MeshException {
-        Mesh mesh = only("v 0 0 0\nv 1 0 0 1 0 0.5\nv 1 1 0 1 0 0 1\nf 1 2 3\n");
+    void vertexColors_areLinear() throws IOException, MeshException {
+        Mesh mesh = onlyMesh("v 0 0 0\nv 1 0 0 1 0 0.5\nv 1 1 0 1 0 0 1\nf 1 2 3\n");
         assertThat(mesh.colors()).containsExactly(1, 1, 1, 1, 0, (float) Math.pow((0.5 + 0.055) / 1.055, 2.4), 0, 0, 1);
     }
 
     @Test
-    void commentsAndLinesThatGoOn_areUnderstood() throws IOException, MeshException {
-        assertThat(only("# a square\r\n" + CORNERS.replace("\n", " # corner\r\n") + "f 1 2 \\\r\n 3 4\r\n"))
-                .isEqualTo(only(CORNERS + "f 1 2 3 4\n"));
+    void commentsAndContinuedLines_areRead() throws IOException, MeshException {
+        assertThat(onlyMesh("# a square\r\n" + CORNERS.replace("\n", " # corner\r\n") + "f 1 2 \\\r\n 3 4\r\n"))
+                .isEqualTo(onlyMesh(CORNERS + "f 1 2 3 4\n"));
     }
 
     @Test
-    void whatIsLeftOut_isTold() throws IOException, MeshException {
-        only(CORNERS + "l 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nf 1 2\nf 1 2 3\n");
+    void unsupportedStatements_areNoted() throws IOException, MeshException {
+        onlyMesh(CORNERS + "l 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nf 1 2\nf 1 2 3\n");
         assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
                 Map.of("lines", 2, "points", 1, "statements curv", 1, "faces of fewer than three corners", 1));
     }
 
     /** Some exporters write the indices of a full corner whatever the file holds. */
     @Test
-    void indicesOfWhatTheFileHasNone_areLeftOutAndTold() throws IOException, MeshException {
-        assertThat(only(CORNERS + "f 1/1 2/2 3/7\n")).isEqualTo(only(CORNERS + "f 1 2 3\n"));
-        assertThat(only(CORNERS + "s 1\nf 1//-1 2//2 3//9\n")).isEqualTo(only(CORNERS + "s 1\nf 1 2 3\n"));
-        assertThat(only(CORNERS + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n")).isEqualTo(only(CORNERS + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
+    void indicesWithoutData_areSkippedAndNoted() throws IOException, MeshException {
+        assertThat(onlyMesh(CORNERS + "f 1/1 2/2 3/7\n")).isEqualTo(onlyMesh(CORNERS + "f 1 2 3\n"));
+        assertThat(onlyMesh(CORNERS + "s 1\nf 1//-1 2//2 3//9\n")).isEqualTo(onlyMesh(CORNERS + "s 1\nf 1 2 3\n"));
+        assertThat(onlyMesh(CORNERS + "vn 0 0 1\nf 1/1/1 2/2/1 3/3/1\n")).isEqualTo(onlyMesh(CORNERS + "vn 0 0 1\nf 1//1 2//1 3//1\n"));
         assertThat(notes.counts()).containsExactlyInAnyOrderEntriesOf(
                 Map.of("indices of texture coordinates, of which the file has none", 6, "indices of normals, of which the file has none",
                         3));
     }
 
     @Test
-    void coordinatesAfterTheFacesThatNameThem_areRefused() {
-        assertRefused(CORNERS + "f 1/1 2/1 3/1\nvt 0 0\n", "line 6: texture coordinates must stand before the faces that name them");
-        assertRefused(CORNERS + "f 1//1 2 3\nvn 0 0 1\n", "line 6: normals must stand before the faces that name them");
+    void coordinatesAfterTheirFaces_areRejected() {
+        assertRejected(CORNERS + "f 1/1 2/1 3/1\nvt 0 0\n", "line 6: texture coordinates must stand before the faces that name them");
+        assertRejected(CORNERS + "f 1//1 2 3\nvn 0 0 1\n", "line 6: normals must stand before the faces that name them");
     }
 
     @Test
-    void colorThatIsNoNumber_isWhiteAndTold() throws IOException, MeshException {
-        Mesh mesh = only("v 0 0 0 0 1 0\nv 1 0 0 nan nan nan\nv 1 1 0 0 NaN 0\nf 1 2 3\n");
+    void nanColor_becomesWhiteAndIsNoted() throws IOException, MeshException {
+        Mesh mesh = onlyMesh("v 0 0 0 0 1 0\nv 1 0 0 nan nan nan\nv 1 1 0 0 NaN 0\nf 1 2 3\n");
         assertThat(mesh.colors()).containsExactly(0, 1, 0, 1, 1, 1, 1, 1, 1);
         assertThat(notes.counts()).containsExactly(Map.entry("colors of vertices that are no numbers, white here", 2));
     }
 
     @Test
-    void colorsBeyondZeroToOne_areCutAndTold() throws IOException, MeshException {
-        assertThat(only("v 0 0 0 0 1 0\nv 1 0 0 2 -1 0\nv 1 1 0 0 0 0\nf 1 2 3\n").colors()).containsExactly(0, 1, 0, 1, 0, 0, 0, 0, 0);
+    void outOfRangeColors_areClampedAndNoted() throws IOException, MeshException {
+        assertThat(onlyMesh("v 0 0 0 0 1 0\nv 1 0 0 2 -1 0\nv 1 1 0 0 0 0\nf 1 2 3\n").colors()).containsExactly(0, 1, 0, 1, 0, 0, 0, 0, 0);
         assertThat(notes.counts()).containsExactly(Map.entry("colours of vertices beyond 0 to 1", 1));
     }
 
     @Test
-    void wrongFiles_areToldWithTheirLine() {
-        assertRefused("v 0 0\n", "line 1: expected 3 numbers, found 2");
-        assertRefused("v 0 0 x\n", "line 1: a coordinate must be a decimal number, was 'x'");
-        assertRefused("v 0 0 0 1 x 1\n", "line 1: a vertex must be a decimal number, was 'x'");
-        assertRefused("v 0 nan 0\n", "line 1: a coordinate must be a decimal number, was 'nan'");
-        assertRefused("v 0 0 1e13\n", "line 1: a coordinate must be at most 1e12 in absolute value, was '1e13'");
-        assertRefused(CORNERS + "f 1 2 5\n", "line 5: a corner must name one of 4 vertices before it, was '5'");
-        assertRefused(CORNERS + "f 1 2 0\n", "line 5: a corner must name one of 4 vertices before it, was '0'");
-        assertRefused(CORNERS + "f 1 2 -5\n", "line 5: a corner must name one of 4 vertices before it, was '-5'");
-        assertRefused(CORNERS + "f 1 2 99999999999999999999\n",
+    void invalidFiles_areReportedWithLine() {
+        assertRejected("v 0 0\n", "line 1: expected 3 numbers, found 2");
+        assertRejected("v 0 0 x\n", "line 1: a coordinate must be a decimal number, was 'x'");
+        assertRejected("v 0 0 0 1 x 1\n", "line 1: a vertex must be a decimal number, was 'x'");
+        assertRejected("v 0 nan 0\n", "line 1: a coordinate must be a decimal number, was 'nan'");
+        assertRejected("v 0 0 1e13\n", "line 1: a coordinate must be at most 1e12 in absolute value, was '1e13'");
+        assertRejected(CORNERS + "f 1 2 5\n", "line 5: a corner must name one of 4 vertices before it, was '5'");
+        assertRejected(CORNERS + "f 1 2 0\n", "line 5: a corner must name one of 4 vertices before it, was '0'");
+        assertRejected(CORNERS + "f 1 2 -5\n", "line 5: a corner must name one of 4 vertices before it, was '-5'");
+        assertRejected(CORNERS + "f 1 2 99999999999999999999\n",
                 "line 5: a corner must name one of 4 vertices before it, was '99999999999999999999'");
-        assertRefused(CORNERS + "vt 0 0\nf 1/2 2 3\n", "line 6: a corner must name one of 1 texture coordinates before it, was '1/2'");
-        assertRefused(CORNERS + "vn 0 0 1\nf 1//2 2 3\n", "line 6: a corner must name one of 1 normals before it, was '1//2'");
-        assertRefused(CORNERS + "f 1/x 2 3\n", "line 5: a corner must name one of 0 texture coordinates before it, was '1/x'");
-        assertRefused(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", "line 7: a corner must be as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
-        assertRefused(CORNERS + "s one\n", "line 5: a smoothing group must be a whole number from 0 to 1073741824, was 'one'");
-        assertRefused(CORNERS, "must have faces: without them there is nothing to light");
+        assertRejected(CORNERS + "vt 0 0\nf 1/2 2 3\n", "line 6: a corner must name one of 1 texture coordinates before it, was '1/2'");
+        assertRejected(CORNERS + "vn 0 0 1\nf 1//2 2 3\n", "line 6: a corner must name one of 1 normals before it, was '1//2'");
+        assertRejected(CORNERS + "f 1/x 2 3\n", "line 5: a corner must name one of 0 texture coordinates before it, was '1/x'");
+        assertRejected(CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", "line 7: a corner must be as 3, 3/1, 3//2 or 3/1/2, was '1/1/1/1'");
+        assertRejected(CORNERS + "s one\n", "line 5: a smoothing group must be a whole number from 0 to 1073741824, was 'one'");
+        assertRejected(CORNERS, "must have faces: without them there is nothing to light");
     }
 
-    private void assertRefused(String file, String message) {
+    private void assertRejected(String file, String message) {
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessage(folder.resolve("a.obj") + ": " + message);
     }
 
-    private Mesh only(String file) throws IOException, MeshException {
-        ObjFile read = read(file);
-        assertThat(read.parts()).hasSize(1);
-        return read.parts().getFirst().mesh();
+    private Mesh onlyMesh(String file) throws IOException, MeshException {
+        ObjFile objFile = read(file);
+        assertThat(objFile.parts()).hasSize(1);
+        return objFile.parts().getFirst().mesh();
     }
 
     private ObjFile read(String file) throws IOException, MeshException {

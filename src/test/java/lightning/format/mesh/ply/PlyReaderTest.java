@@ -9,11 +9,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
+import lightning.base.work.Await;
 import lightning.base.work.Progress;
-import lightning.base.work.Wait;
 import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.ConversionNotes;
 import lightning.format.mesh.MeshException;
-import lightning.format.mesh.Notes;
 import lightning.scene.Mesh;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -72,15 +72,15 @@ class PlyReaderTest {
             9 3 0 1 2
             9 3 2 1 0
             """;
-    private final Notes notes = new Notes();
+    private final ConversionNotes notes = new ConversionNotes();
 
     @TempDir
     private Path folder;
 
     @ParameterizedTest
     @ValueSource(strings = {"ascii", "binary_little_endian", "binary_big_endian"})
-    void square_isTwoTrianglesOverFourVertices(String format) throws IOException, MeshException {
-        Mesh mesh = read(PlyText.in(format, SQUARE));
+    void square_hasTwoTrianglesAndFourVertices(String format) throws IOException, MeshException {
+        Mesh mesh = read(PlyEncoder.encode(format, SQUARE));
         assertThat(mesh.positions()).containsExactly(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
         assertThat(mesh.triangles()).hasSize(6);
         assertThat(mesh.normals()).isNull();
@@ -92,7 +92,7 @@ class PlyReaderTest {
     @ParameterizedTest
     @ValueSource(strings = {"ascii", "binary_little_endian", "binary_big_endian"})
     void properties_areReadInAnyOrderAndType(String format) throws IOException, MeshException {
-        Mesh mesh = read(PlyText.in(format, RICH));
+        Mesh mesh = read(PlyEncoder.encode(format, RICH));
         assertThat(mesh.positions()).containsExactly(0.5f, 300, -100, 1.5f, -300, 100, 2.5f, 0, 0);
         assertThat(mesh.triangles()).containsExactly(0, 1, 2, 2, 1, 0);
         assertThat(mesh.coordinates()).containsExactly(0, 0, 1, 0, 0.5f, 1);
@@ -102,10 +102,10 @@ class PlyReaderTest {
     }
 
     @Test
-    void brokenCommentBeforeTheElements_isPassedOverAndTold() throws Exception {
+    void brokenCommentInHeader_isSkippedAndNoted() throws Exception {
         Path file =
                 Files.writeString(folder.resolve("a.ply"), SQUARE.replace("comment a square", "Created by somebody, element of a square"));
-        var notes = new Notes();
+        var notes = new ConversionNotes();
         try (ByteSource source = ByteSource.open(file, Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).triangleCount()).isEqualTo(2);
         }
@@ -113,13 +113,13 @@ class PlyReaderTest {
     }
 
     @Test
-    void colorsOfWholeTypes_areDecodedFromSrgb() throws IOException, MeshException {
+    void integerColors_areDecodedFromSrgb() throws IOException, MeshException {
         Mesh mesh = read(RICH.replace("255 0 0 0.5", "128 0 0 0.5"));
         assertThat(mesh.colors()[0]).isEqualTo((float) Math.pow((128 / 255.0 + 0.055) / 1.055, 2.4));
     }
 
     @Test
-    void colorsOfFloatingTypes_areLinear() throws IOException, MeshException {
+    void floatColors_areLinear() throws IOException, MeshException {
         Mesh mesh = read(RICH.replace("uchar red", "float red").replace("uchar green", "float green").replace("uchar blue", "float blue")
                 .replace("255 0 0 0.5", "0.5 0.25 0 0.5").replace("0 255 0 1.5", "0 1 0 1.5").replace("0 0 255 2.5", "0 0 1 2.5"));
         assertThat(mesh.colors()).containsExactly(0.5f, 0.25f, 0, 0, 1, 0, 0, 0, 1);
@@ -127,11 +127,11 @@ class PlyReaderTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"ascii", "binary_little_endian"})
-    void colorThatIsNoNumber_isWhiteAndTold(String format) throws IOException, MeshException {
+    void nanColor_becomesWhiteAndIsNoted(String format) throws IOException, MeshException {
         String file = SQUARE.replace("float z\n", "float z\nproperty float r\nproperty float g\nproperty float b\n")
                 .replace("0 0 0\n", "0 0 0 0 NaN 0\n").replace("1 0 0\n", "1 0 0 0.5 0 0\n").replace("1 1 0\n", "1 1 0 0 2 0\n")
                 .replace("0 1 0\n4", "0 1 0 0 0 0\n4");
-        try (ByteSource source = ByteSource.open(Files.write(folder.resolve("a.ply"), PlyText.in(format, file)), Progress.NONE)) {
+        try (ByteSource source = ByteSource.open(Files.write(folder.resolve("a.ply"), PlyEncoder.encode(format, file)), Progress.NONE)) {
             assertThat(PlyReader.read(source, notes).colors()).containsExactly(1, 1, 1, 0.5f, 0, 0, 0, 1, 0, 0, 0, 0);
         }
         assertThat(notes.counts()).containsOnly(Map.entry("colors of vertices that are no numbers, white here", 1),
@@ -140,7 +140,7 @@ class PlyReaderTest {
 
     /** As one old version of MeshLab wrote colors of corners, without their property in the header. */
     @Test
-    void numbersThatTheHeaderDoesNotName_arePassedOverLineByLine() throws IOException, MeshException {
+    void undeclaredNumbers_areSkippedPerLine() throws IOException, MeshException {
         String file =
                 SQUARE.replace("element face 1", "element face 2").replace("vertex_indices\n", "vertex_indices\nproperty uchar red\n");
         try (ByteSource source = ByteSource.open(
@@ -152,95 +152,96 @@ class PlyReaderTest {
     }
 
     @Test
-    void elementsThatShareOrFillLines_areReadByTheirNumbers() throws IOException, MeshException {
+    void elementsAcrossLines_areReadByCount() throws IOException, MeshException {
         String body = SQUARE.substring(SQUARE.indexOf("0 0 0\n"));
         assertThat(read(SQUARE.replace(body, body.replace('\n', ' ')))).isEqualTo(read(SQUARE));
         assertThat(read(SQUARE.replace(body, body.replace(' ', '\n')))).isEqualTo(read(SQUARE));
     }
 
     @Test
-    void strips_turnRoundAndBeginAnew() throws IOException, MeshException {
+    void strips_alternateWindingAndRestart() throws IOException, MeshException {
         Mesh mesh = read(SQUARE.replace("element face 1", "element tristrips 1").replace("4 0 1 2 3", "8 0 1 2 3 -1 1 2 3"));
         assertThat(mesh.triangles()).containsExactly(0, 1, 2, 2, 1, 3, 1, 2, 3);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"\r\n", "\r"})
-    void linesOfOtherSystems_areLines(String end) throws IOException, MeshException {
-        assertThat(read(SQUARE.replace("\n", end))).isEqualTo(read(SQUARE));
-        byte[] binary = PlyText.in("binary_little_endian", SQUARE);
-        byte[] other = (new String(binary, 0, binary.length - body(), StandardCharsets.ISO_8859_1).replace("\n", end)
+    void carriageReturnLineEnds_areRead(String lineEnd) throws IOException, MeshException {
+        assertThat(read(SQUARE.replace("\n", lineEnd))).isEqualTo(read(SQUARE));
+        byte[] binary = PlyEncoder.encode("binary_little_endian", SQUARE);
+        byte[] other = (new String(binary, 0, binary.length - body(), StandardCharsets.ISO_8859_1).replace("\n", lineEnd)
                 + new String(binary, binary.length - body(), body(), StandardCharsets.ISO_8859_1)).getBytes(StandardCharsets.ISO_8859_1);
         assertThat(read(other)).isEqualTo(read(SQUARE));
     }
 
     @Test
-    void faceOfTwoCorners_isLeftOutAndTold() throws IOException, MeshException {
+    void faceWithTwoCorners_isSkippedAndNoted() throws IOException, MeshException {
         Mesh mesh = read(SQUARE.replace("element face 1", "element face 2").replace("4 0 1 2 3", "2 0 1\n3 0 1 2"));
         assertThat(mesh.triangleCount()).isEqualTo(1);
         assertThat(notes.counts()).containsExactly(Map.entry("faces of fewer than three corners", 1));
     }
 
     @Test
-    @Timeout(Wait.MOST_SECONDS)
-    void moreThanTheFileHolds_isRefusedBeforeMemoryIsTaken() {
-        assertRefused(SQUARE.replace("element vertex 4", "element vertex 1000000000"),
+    @Timeout(Await.TIMEOUT_SECONDS)
+    void oversizedCount_isRejectedBeforeAllocation() {
+        assertRejected(SQUARE.replace("element vertex 4", "element vertex 1000000000"),
                 "element vertex: the header says 1000000000, which are at least 5999999999 bytes, but only 34 bytes follow it");
-        String binary = new String(PlyText.in("binary_little_endian", SQUARE), StandardCharsets.ISO_8859_1);
-        assertRefused(binary.replace("comment a square", "element x 2147483647\nproperty double x").getBytes(StandardCharsets.ISO_8859_1),
+        String binary = new String(PlyEncoder.encode("binary_little_endian", SQUARE), StandardCharsets.ISO_8859_1);
+        assertRejected(binary.replace("comment a square", "element x 2147483647\nproperty double x").getBytes(StandardCharsets.ISO_8859_1),
                 "element x: the header says 2147483647, which are at least 17179869176 bytes");
-        assertRefused(SQUARE.replace("4 0 1 2 3", "4000000 0 1 2 3"),
+        assertRejected(SQUARE.replace("4 0 1 2 3", "4000000 0 1 2 3"),
                 "line 15: face 0: vertex_indices must have from 0 to 5 numbers, as the file has bytes for, was 4000000.0");
     }
 
     @Test
     @Timeout(10)
-    void elementsWithoutProperties_takeNoTime() throws IOException, MeshException {
+    void elementsWithoutProperties_areSkippedQuickly() throws IOException, MeshException {
         assertThat(read(SQUARE.replace("comment a square", "element x 2147483647")).triangleCount()).isEqualTo(2);
     }
 
     @Test
-    void wrongNumbers_areToldWithTheirPlace() {
-        assertRefused(SQUARE.replace("1 1 0\n", "1 one 0\n"), "line 13: a number of vertex 2 must be a decimal number, was 'one'");
-        assertRefused(SQUARE.replace("1 1 0\n", "1 nan 0\n"), "line 13: a number of vertex 2 must be a decimal number, was 'nan'");
-        assertRefused(SQUARE.replace("1 1 0\n", "1 1e300 0\n"),
+    void invalidNumbers_areReportedWithLocation() {
+        assertRejected(SQUARE.replace("1 1 0\n", "1 one 0\n"), "line 13: a number of vertex 2 must be a decimal number, was 'one'");
+        assertRejected(SQUARE.replace("1 1 0\n", "1 nan 0\n"), "line 13: a number of vertex 2 must be a decimal number, was 'nan'");
+        assertRejected(SQUARE.replace("1 1 0\n", "1 1e300 0\n"),
                 "vertex 2: each number of its position must be from -1e12 to 1e12, was Infinity");
-        assertRefused(SQUARE.replace("4 0 1 2 3", "4 0 1 2 4"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was 4");
-        assertRefused(SQUARE.replace("4 0 1 2 3", "4 0 1 -2 3"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was -2");
-        assertRefused(RICH.replace("255 0 0 0.5", "256 0 0 0.5"),
+        assertRejected(SQUARE.replace("4 0 1 2 3", "4 0 1 2 4"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was 4");
+        assertRejected(SQUARE.replace("4 0 1 2 3", "4 0 1 -2 3"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was -2");
+        assertRejected(RICH.replace("255 0 0 0.5", "256 0 0 0.5"),
                 "line 26: vertex 0: a colour must be a whole number from 0 to 255, was 256.0");
-        assertRefused(SQUARE.replace("4 0 1 2 3", ""), "line 16: face 0: the file ends before it does");
+        assertRejected(SQUARE.replace("4 0 1 2 3", ""), "line 16: face 0: the file ends before it does");
         byte[] binary =
-                PlyText.in("binary_big_endian", SQUARE.replace("element face 1", "element face 2").replace("4 0 1 2 3", "4 0 1 2 3\n0"));
-        assertRefused(Arrays.copyOf(binary, binary.length - 1), "face 1: the file ends before it does");
+                PlyEncoder.encode("binary_big_endian",
+                        SQUARE.replace("element face 1", "element face 2").replace("4 0 1 2 3", "4 0 1 2 3\n0"));
+        assertRejected(Arrays.copyOf(binary, binary.length - 1), "face 1: the file ends before it does");
     }
 
     @Test
-    void wrongHeaders_areToldWithTheirLine() {
-        assertRefused("plyx\n", "line 1: a PLY file must begin with the word ply");
-        assertRefused(SQUARE.replace("ascii", "text"),
+    void invalidHeaders_areReportedWithLine() {
+        assertRejected("plyx\n", "line 1: a PLY file must begin with the word ply");
+        assertRejected(SQUARE.replace("ascii", "text"),
                 "line 2: the format must be ascii, binary_little_endian or binary_big_endian, was 'text'");
-        assertRefused(SQUARE.replace("format ascii 1.0\n", ""), "line 9: the header must say a format");
-        assertRefused(SQUARE.replace("float z", "quad z"),
+        assertRejected(SQUARE.replace("format ascii 1.0\n", ""), "line 9: the header must say a format");
+        assertRejected(SQUARE.replace("float z", "quad z"),
                 "line 7: a type must be char, uchar, short, ushort, int, uint, float, double or list, was 'quad'");
-        assertRefused(SQUARE.replace("float z", "float x"), "line 7: there is a second property 'x'");
-        assertRefused(SQUARE.replace("element face", "element vertex"), "line 8: there is a second element 'vertex'");
-        assertRefused(SQUARE.replace("vertex 4", "vertex many"),
+        assertRejected(SQUARE.replace("float z", "float x"), "line 7: there is a second property 'x'");
+        assertRejected(SQUARE.replace("element face", "element vertex"), "line 8: there is a second element 'vertex'");
+        assertRejected(SQUARE.replace("vertex 4", "vertex many"),
                 "line 4: the number of elements must be a whole number from 0 to 2147483647, was 'many'");
-        assertRefused(SQUARE.replace("vertex 4", "vertex"), "line 4: expected the number of elements, found the end of the line");
-        assertRefused(SQUARE.replace("property float z", "remark"),
+        assertRejected(SQUARE.replace("vertex 4", "vertex"), "line 4: expected the number of elements, found the end of the line");
+        assertRejected(SQUARE.replace("property float z", "remark"),
                 "line 7: expected format, element, property, comment or end_header, found 'remark'");
-        assertRefused("ply\nformat ascii 1.0\n", "line 3: the header must end with end_header");
-        assertRefused(SQUARE.replace("list uchar", "list float"), "line 9: the length of a list must be of a whole type");
+        assertRejected("ply\nformat ascii 1.0\n", "line 3: the header must end with end_header");
+        assertRejected(SQUARE.replace("list uchar", "list float"), "line 9: the length of a list must be of a whole type");
     }
 
     @Test
-    void fileWithNothingToLight_isRefused() {
-        assertRefused(SQUARE.replace("float z", "float w"), "element vertex: must have the properties x, y and z");
-        assertRefused(SQUARE.replace("element face 1", "element edge 1"),
+    void fileWithoutFaces_isRejected() {
+        assertRejected(SQUARE.replace("float z", "float w"), "element vertex: must have the properties x, y and z");
+        assertRejected(SQUARE.replace("element face 1", "element edge 1"),
                 "must have vertices and faces: without them there is nothing to light");
-        assertRefused(SQUARE.replace("vertex_indices", "corners"), "element face: must have a list vertex_indices");
-        assertRefused("ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2",
+        assertRejected(SQUARE.replace("vertex_indices", "corners"), "element face: must have a list vertex_indices");
+        assertRejected("ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nend_header\n3 0 1 2",
                 "element face: must stand behind the element vertex");
     }
 
@@ -248,11 +249,11 @@ class PlyReaderTest {
         return 4 * 3 * 4 + 1 + 4 * 4;
     }
 
-    private void assertRefused(String file, String message) {
-        assertRefused(file.getBytes(StandardCharsets.UTF_8), message);
+    private void assertRejected(String file, String message) {
+        assertRejected(file.getBytes(StandardCharsets.UTF_8), message);
     }
 
-    private void assertRefused(byte[] file, String message) {
+    private void assertRejected(byte[] file, String message) {
         assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
                 .withMessageStartingWith(folder.resolve("a.ply") + ": " + message);
     }

@@ -6,34 +6,34 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.IntStream;
 import lightning.render.engine.Engine;
-import lightning.sample.EngineMix;
+import lightning.sample.MixedEngineChoice;
 import net.jqwik.api.Example;
 import org.junit.jupiter.api.Test;
 
 class EnginesTest {
-    private static Set<Engine> asked() {
+    private static Set<Engine> currentEngine() {
         Set<Engine> asked = new HashSet<>();
-        IntStream.range(0, 100).forEach(tile -> asked.add(Engines.OF_PROCESS.forTile(tile)));
+        IntStream.range(0, 100).forEach(tile -> asked.add(Engines.CURRENT.forTile(tile)));
         return asked;
     }
 
     @Test
-    void tests_runOnBothEngines() {
-        assertThat(asked()).containsExactlyInAnyOrder(Engines.SCALAR, Engines.LANES);
+    void unitTests_runOnBothEngines() {
+        assertThat(currentEngine()).containsExactlyInAnyOrder(Engines.SCALAR, Engines.LANES);
     }
 
     @Example
     void properties_runOnBothEngines() {
-        assertThat(asked()).containsExactlyInAnyOrder(Engines.SCALAR, Engines.LANES);
+        assertThat(currentEngine()).containsExactlyInAnyOrder(Engines.SCALAR, Engines.LANES);
     }
 
     @Test
-    void choiceOfTheProcess_holdsForAllWhoWereGivenItBefore() {
+    void processChoice_appliesToEarlierReferences() {
         try {
             Engines.use(_ -> Engines.LANES);
-            assertThat(asked()).containsExactly(Engines.LANES);
+            assertThat(currentEngine()).containsExactly(Engines.LANES);
         } finally {
-            Engines.use(new EngineMix(2));
+            Engines.use(new MixedEngineChoice(2));
         }
     }
 }

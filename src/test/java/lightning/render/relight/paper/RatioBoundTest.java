@@ -11,13 +11,13 @@ import lightning.base.work.Progress;
 import lightning.render.cache.LayerStamp;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.FilmAssert;
-import lightning.render.relight.FilmErrors;
+import lightning.render.relight.FilmError;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.Update;
+import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.Accuracy;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ReferenceTracer;
 import lightning.sample.StudioScene;
 import lightning.scene.Attenuation;
@@ -41,9 +41,9 @@ class RatioBoundTest {
     private static final Light ONE = light(0.5, 0.5, 0.5);
 
     @Test
-    void layerThatWasNotScaled_losesNothing() {
+    void unscaledLayer_losesNothing() {
         ScaledStamp before = new ScaledStamp(ONE, 4, 1e-40, 1e-41);
-        assertThat(RatioBound.scaled(before, ONE, false, false, 1)).isEqualTo(before);
+        assertThat(RatioBound.stampAfterScaling(before, ONE, false, false, 1)).isEqualTo(before);
     }
 
     /**
@@ -51,56 +51,57 @@ class RatioBoundTest {
      * weight 1 by which the contributions were made.
      */
     @Test
-    void scaledWeight_costsTwoRoundingsAndAShareOfTheWeight() {
-        Light wanted = light(4, 2, 1);
-        ScaledStamp after = RatioBound.scaled(LayerStamp.fresh(ONE), wanted, true, false, 1);
-        assertThat(after).isEqualTo(new ScaledStamp(wanted, 2, 0, 4 * ETA + 4 * ETA * 13 / 2));
-        assertThat(RatioBound.scaled(after, wanted, true, false, 1).lostOfWeight()).as("adds up")
+    void scaledWeight_addsTwoRoundingsAndWeightLoss() {
+        Light target = light(4, 2, 1);
+        ScaledStamp after = RatioBound.stampAfterScaling(LayerStamp.ofComputed(ONE), target, true, false, 1);
+        assertThat(after).isEqualTo(new ScaledStamp(target, 2, 0, 4 * ETA + 4 * ETA * 13 / 2));
+        assertThat(RatioBound.stampAfterScaling(after, target, true, false, 1).weightLoss()).as("adds up")
                 .isEqualTo(4 * ETA + 4 * ETA * 13 / 2 + 4 * ETA * 20 / 2);
     }
 
     /** Made by weights 8 and 2⁻¹⁰⁰, so the loss of 2η·(8 + 1) is 2¹⁰⁰ times that as a share of the dim channel; scaled by 1/2. */
     @Test
-    void contributionsOfASmallWeight_haveLostAShareWhenTheyWereMade() {
+    void smallWeight_hasInitialLoss() {
         Light bright = light(4, 0x1p-101, 0);
-        double lost = 2 * ETA * 9 * 0x1p100;
-        ScaledStamp after = RatioBound.scaled(LayerStamp.fresh(bright), bright.withIntensity(1), true, false, 1);
-        assertThat(after.lostOfWeight()).isEqualTo(lost + 4 * ETA * 16 * 0x1p101);
+        double loss = 2 * ETA * 9 * 0x1p100;
+        ScaledStamp after = RatioBound.stampAfterScaling(LayerStamp.ofComputed(bright), bright.withIntensity(1), true, false, 1);
+        assertThat(after.weightLoss()).isEqualTo(loss + 4 * ETA * 16 * 0x1p101);
     }
 
     /** Rows that enter the cone now lost more than all that was scaled before; with no ray, no falloff and no weight changed. */
     @Test
-    void layerThatGetsNewRows_isTakenForOneThatWasJustComputed() {
+    void layerWithNewRows_hasInitialLoss() {
         ScaledStamp before = new ScaledStamp(ONE, 4, 0x1p-120, 0);
-        ScaledStamp after = RatioBound.scaled(before, ONE, true, false, 1);
-        assertThat(after.lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 6);
-        assertThat(after.lostOfContribution()).isEqualTo(0x1p-120);
+        ScaledStamp after = RatioBound.stampAfterScaling(before, ONE, true, false, 1);
+        assertThat(after.weightLoss()).isEqualTo(4 * ETA + 4 * ETA * 6);
+        assertThat(after.contributionLoss()).isEqualTo(0x1p-120);
     }
 
     /** With the falloff down to 2⁻¹⁰ what was lost of the weight becomes a share of weight and falloff. */
     @Test
-    void scaledFalloff_costsTwoRoundingsAndAShareOfTheContribution() {
+    void scaledFalloff_addsTwoRoundingsAndContributionLoss() {
         ScaledStamp before = new ScaledStamp(ONE, 2, 0x1p-145, 0x1p-146);
-        ScaledStamp after = RatioBound.scaled(before, ONE, false, true, 0x1p-10);
+        ScaledStamp after = RatioBound.stampAfterScaling(before, ONE, false, true, 0x1p-10);
         assertThat(after).isEqualTo(new ScaledStamp(ONE, 4, 0x1p-145 + (0x1p-146 + 4 * ETA * 6) * 0x1p10, 0));
-        assertThat(RatioBound.scaled(LayerStamp.fresh(ONE), ONE, true, true, 1).roundings()).isEqualTo(4);
+        assertThat(RatioBound.stampAfterScaling(LayerStamp.ofComputed(ONE), ONE, true, true, 1).roundings()).isEqualTo(4);
     }
 
     /** A channel below the least normal float is not divided by: it is never scaled again. */
     @Test
-    void channelBelowTheLeastNormalFloat_doesNotCount() {
-        LayerStamp fresh = LayerStamp.fresh(ONE);
-        assertThat(RatioBound.scaled(fresh, light(1, 0, 1e-40), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA + 4 * ETA * 7 / 2);
-        assertThat(RatioBound.scaled(fresh, light(1e-40, 0, 0), true, false, 1).lostOfWeight()).isEqualTo(4 * ETA);
-        double least = Float.MIN_NORMAL / 2;
-        assertThat(RatioBound.scaled(fresh, light(1, 1, least), true, false, 1).lostOfWeight())
+    void subnormalChannel_isIgnored() {
+        LayerStamp fresh = LayerStamp.ofComputed(ONE);
+        assertThat(RatioBound.stampAfterScaling(fresh, light(1, 0, 1e-40), true, false, 1).weightLoss())
+                .isEqualTo(4 * ETA + 4 * ETA * 7 / 2);
+        assertThat(RatioBound.stampAfterScaling(fresh, light(1e-40, 0, 0), true, false, 1).weightLoss()).isEqualTo(4 * ETA);
+        double min = Float.MIN_NORMAL / 2;
+        assertThat(RatioBound.stampAfterScaling(fresh, light(1, 1, min), true, false, 1).weightLoss())
                 .isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
     }
 
     /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 to close, 2 a mirror. */
     @ParameterizedTest
     @CsvSource({"1,0,0", "2,0,1", "3,0,2", "4,0,2", "5,0,3", "8,1,3", "9,10,4"})
-    void relativePart_countsTheRoundingsOnTheWayToTheFilm(int lights, int mirrors, int levelsOfTheSum) {
+    void relativePart_countsRoundingsToFilm(int lights, int mirrors, int levelsOfTheSum) {
         LayerStamp[] stamps = new LayerStamp[lights];
         stamps[0] = new ScaledStamp(ONE, 4, 0, 0);
         if (lights > 2) {
@@ -112,15 +113,15 @@ class RatioBoundTest {
 
     /** The mean of 16 samples is four additions deep, and one division. */
     @Test
-    void meanOfSamples_addsItsRoundingsInBothPictures() {
+    void sampleMean_addsRoundingsOfBothImages() {
         LayerStamp[] stamps = {new ScaledStamp(ONE, 2, 0, 0)};
         double n = 6 + 2 + 2 * (5 + 4 + 1);
         assertThat(RatioBound.relative(stamps, 0, 16)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
 
     @Test
-    void layersThatWereNotScaled_areExact() {
-        LayerStamp[] fresh = {LayerStamp.fresh(ONE), null};
+    void unscaledLayers_areExact() {
+        LayerStamp[] fresh = {LayerStamp.ofComputed(ONE), null};
         assertThat(RatioBound.relative(fresh, 3, 1)).isZero();
         assertThat(RatioBound.absolute(fresh, 4, 2)).isZero();
         assertThat(RatioBound.relative(new LayerStamp[0], 3, 1)).isZero();
@@ -128,48 +129,48 @@ class RatioBoundTest {
 
     /** Twice what the lights of weights 1 and 4 lost, and twice two least normal floats for each, on 3 levels. */
     @Test
-    void absolutePart_isTwiceWhatTheScaledLightsLost() {
+    void absolutePart_isTwiceLossOfScaledLights() {
         Light four = light(2, 1, 0);
         LayerStamp[] stamps =
-                {new ScaledStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.fresh(ONE), new ScaledStamp(four, 4, 0x1p-100, 0)};
-        double lost = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
-        assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * lost);
+                {new ScaledStamp(ONE, 2, 0x1p-100, 0x1p-101), null, LayerStamp.ofComputed(ONE), new ScaledStamp(four, 4, 0x1p-100, 0)};
+        double loss = 2 * (0x1p-100 + 0x1p-101 + 2 * Float.MIN_NORMAL) + 2 * (4 * 0x1p-100 + 2 * Float.MIN_NORMAL);
+        assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * loss);
     }
 
     /** 1.055/2.4 is the steepest that sRGB answers to a share of a value, 12.92 to a difference. */
     @Test
-    void bound_showsFromHalfAStepOfEightBits() {
+    void bound_isVisibleFromHalfEightBitStep() {
         double relative = 0.5 / 255 / (1.055 / 2.4);
-        assertThat(new ErrorBound(relative * 0.9999, 0).shows(0, DisplayCurve.SRGB)).isFalse();
-        assertThat(new ErrorBound(relative * 1.0001, 0).shows(0, DisplayCurve.SRGB)).isTrue();
+        assertThat(new ErrorBound(relative * 0.9999, 0).isVisible(0, DisplayCurve.SRGB)).isFalse();
+        assertThat(new ErrorBound(relative * 1.0001, 0).isVisible(0, DisplayCurve.SRGB)).isTrue();
         double absolute = 0.5 / 255 / 12.92;
         for (double exposure : new double[] {-3, 0, 7}) {
             double shown = absolute * Math.pow(2, -exposure);
-            assertThat(new ErrorBound(0, shown * 0.9999).shows(exposure, DisplayCurve.SRGB)).isFalse();
-            assertThat(new ErrorBound(0, shown * 1.0001).shows(exposure, DisplayCurve.SRGB)).isTrue();
-            assertThat(new ErrorBound(relative / 2, shown * 0.499).shows(exposure, DisplayCurve.SRGB)).isFalse();
-            assertThat(new ErrorBound(relative / 2, shown * 0.501).shows(exposure, DisplayCurve.SRGB)).isTrue();
+            assertThat(new ErrorBound(0, shown * 0.9999).isVisible(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(0, shown * 1.0001).isVisible(exposure, DisplayCurve.SRGB)).isTrue();
+            assertThat(new ErrorBound(relative / 2, shown * 0.499).isVisible(exposure, DisplayCurve.SRGB)).isFalse();
+            assertThat(new ErrorBound(relative / 2, shown * 0.501).isVisible(exposure, DisplayCurve.SRGB)).isTrue();
         }
     }
 
     private static Renderer renderer() {
-        return new Renderer(new Options(Accuracy.RATIO, Reflections.CURRENT, MirrorStorage.FULL_ROWS, 1));
+        return new Renderer(new RenderOptions(Accuracy.RATIO, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1));
     }
 
     /** The share of the brightest value, and the absolute part of the first level and of two mirrored ones. */
     @Test
-    void reportedBound_isTheOneForTheBrightestValue() {
+    void reportedBound_isForBrightestValue() {
         Scene scene = StudioScene.of(LightType.SPOT);
         Light key = scene.lights().getFirst();
         Light dim = key.withIntensity(0.5);
         try (Renderer renderer = renderer()) {
             assertThat(renderer.render(scene, Progress.NONE).errorBound()).isZero();
-            Update update = renderer.render(scene.withLight(dim), Progress.NONE);
+            UpdateResult update = renderer.render(scene.withLight(dim), Progress.NONE);
             double brightest = 0;
             for (float value : renderer.film().toScanlines()) {
                 brightest = Math.max(brightest, value);
             }
-            LayerStamp[] stamps = {RatioBound.scaled(LayerStamp.fresh(key), dim, true, false, 1)};
+            LayerStamp[] stamps = {RatioBound.stampAfterScaling(LayerStamp.ofComputed(key), dim, true, false, 1)};
             assertThat(update.errorBound()).isCloseTo(RatioBound.relative(stamps, 2, 1) * brightest + RatioBound.absolute(stamps, 3, 2),
                     within(1e-20));
             assertThat(brightest).isGreaterThan(0.1);
@@ -177,22 +178,22 @@ class RatioBoundTest {
     }
 
     /** Renders all of the lights, each in the key's place over a black world, and compares the last picture. */
-    private static void assertWithinBound(List<Light> lights, double leastError) {
+    private static void assertWithinBound(List<Light> lights, double minError) {
         Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));
         try (Renderer renderer = renderer()) {
-            Update update = null;
+            UpdateResult update = null;
             for (Light light : lights) {
                 update = renderer.render(scene.withLight(light), Progress.NONE);
             }
-            double error = FilmErrors.largestError(renderer.film(), new ReferenceTracer(scene.withLight(lights.getLast())).trace());
-            assertThat(error).isGreaterThanOrEqualTo(leastError);
+            double error = FilmError.largestError(renderer.film(), new ReferenceTracer(scene.withLight(lights.getLast())).trace());
+            assertThat(error).isGreaterThanOrEqualTo(minError);
             assertThat(update.errorBound()).isGreaterThanOrEqualTo(error);
         }
     }
 
     /** The ratio of the weights is nothing: so is what was 10⁻³⁹, and the bound says so. */
     @Test
-    void weightBelowTheLeastNormalFloat_mayBeLostAltogether() {
+    void subnormalWeight_canBeLost() {
         Light key = StudioScene.key(LightType.SPOT).withDropoff(0).withAttenuation(Attenuation.NONE);
         assertWithinBound(List.of(key.withIntensity(1e10), key.withIntensity(1e-39)), 1e-40);
     }
@@ -202,10 +203,10 @@ class RatioBoundTest {
      * the one step up made 10⁻¹⁵ of 10⁻⁴⁰, and no bound told.
      */
     @Test
-    void weightBelowTheLeastNormalFloat_isNotScaledByFalloffsStepByStep() {
+    void subnormalWeight_isNotScaledByFalloff() {
         Light key = StudioScene.key(LightType.SPOT).withDropoff(0);
         List<Light> lights = new ArrayList<>(List.of(key));
-        for (Rgb color : List.of(Rgb.grey(1e-40), new Rgb(1, 1e-40, 1), new Rgb(1e-37, 1e-40, 0))) {
+        for (Rgb color : List.of(Rgb.gray(1e-40), new Rgb(1, 1e-40, 1), new Rgb(1e-37, 1e-40, 0))) {
             Light dim = key.withColor(color);
             for (double constant = 1; constant < 1e30; constant /= 0.6) {
                 lights.add(dim.withAttenuation(new Attenuation(constant, 0, 0)));
@@ -218,17 +219,17 @@ class RatioBoundTest {
 
     /** A bound of that exposure shows at once: the contributions are made anew, and nothing is left of it. */
     @Test
-    void errorThatCouldShowAtAnExposure_isRefreshedAway() {
+    void visibleError_triggersRefresh() {
         Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));
         Light key = scene.lights().getFirst();
         try (Renderer renderer = renderer()) {
             renderer.render(scene, Progress.NONE);
             Scene narrow = scene.withLight(key.withDropoff(900));
-            assertThat(renderer.render(narrow, Progress.NONE).refreshed()).isFalse();
+            assertThat(renderer.render(narrow, Progress.NONE).wasRefreshed()).isFalse();
             renderer.setView(64, DisplayCurve.SRGB);
             Scene back = narrow.withLight(key.withDropoff(1));
-            Update update = renderer.render(back, Progress.NONE);
-            assertThat(update.refreshed()).isTrue();
+            UpdateResult update = renderer.render(back, Progress.NONE);
+            assertThat(update.wasRefreshed()).isTrue();
             assertThat(update.errorBound()).isZero();
             assertThat(update.rays().shadow()).isZero();
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(back).trace(), "refreshed");

@@ -10,16 +10,16 @@ import lightning.base.work.Progress;
 import lightning.render.relight.Renderer;
 import lightning.render.relight.paper.RatioMethod;
 import lightning.render.relight.tile.MirrorStorage;
-import lightning.render.relight.tile.Options;
+import lightning.render.relight.tile.RenderOptions;
 import lightning.render.shading.ConeChange;
 import lightning.sample.StudioScene;
-import lightning.scene.Antialias;
+import lightning.scene.AntialiasMode;
 import lightning.scene.Camera;
 import lightning.scene.Light;
 import lightning.scene.LightType;
-import lightning.scene.Node;
-import lightning.scene.Sampling;
+import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
+import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import org.junit.jupiter.api.Test;
 
@@ -39,57 +39,58 @@ class DispatcherTest {
     private static final Light B = light("b", 1);
     private static final Scene STUDIO = StudioScene.of(LightType.SPOT).withLights(List.of(A, B));
 
-    private static Renderer rendered(Accuracy accuracy, Reflections reflections, Scene scene) {
-        Renderer renderer = new Renderer(new Options(accuracy, reflections, MirrorStorage.FULL_ROWS, 1));
+    private static Renderer renderedWith(Accuracy accuracy, ReflectionMode reflections, Scene scene) {
+        Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, MirrorStorage.FULL_ROWS, 1));
         renderer.render(scene, Progress.NONE);
         return renderer;
     }
 
     @Test
-    void planOfASceneWhereNothingMirrors_doesNotSpeakOfReflections() {
+    void planWithoutMirrors_omitsReflections() {
         Scene mirroring = STUDIO.withPicture(STUDIO.picture().withDepth(2));
         Scene brighter = mirroring.withLights(List.of(A.withIntensity(2), B));
-        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.CURRENT, mirroring)) {
-            assertThat(renderer.plan(brighter).update().text()).isEqualTo("a: weight, reflections");
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.CURRENT, mirroring)) {
+            assertThat(renderer.plan(brighter).update().description()).isEqualTo("a: weight, reflections");
         }
-        UnaryOperator<Scene> matt = scene -> scene.withMaterials(scene.materials().stream().map(m -> m.withReflective(Rgb.BLACK)).toList());
-        for (Scene[] edit : new Scene[][] {{matt.apply(mirroring), matt.apply(brighter)},
+        UnaryOperator<Scene> matte =
+                scene -> scene.withMaterials(scene.materials().stream().map(m -> m.withReflective(Rgb.BLACK)).toList());
+        for (Scene[] edit : new Scene[][] {{matte.apply(mirroring), matte.apply(brighter)},
             {mirroring.withPicture(mirroring.picture().withDepth(0)), brighter.withPicture(brighter.picture().withDepth(0))}}) {
-            try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.CURRENT, edit[0])) {
-                assertThat(renderer.plan(edit[1]).update().text()).isEqualTo("a: weight");
+            try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.CURRENT, edit[0])) {
+                assertThat(renderer.plan(edit[1]).update().description()).isEqualTo("a: weight");
             }
         }
     }
 
     /** The old layer and the update of each wanted light, after a picture with the lights A and B. */
-    private static void assertOrigins(List<Light> wanted, List<Integer> from, List<LightUpdate> updates) {
-        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
-            List<LayerPlan> layers = ((UpdatePlan.Relight) renderer.plan(STUDIO.withLights(wanted)).update()).top().layers();
-            assertThat(layers).extracting(layer -> layer.from() == null ? -1 : layer.from().place()).isEqualTo(from);
+    private static void assertOrigins(List<Light> target, List<Integer> from, List<LightUpdate> updates) {
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, STUDIO)) {
+            List<LayerPlan> layers = ((UpdatePlan.Relight) renderer.plan(STUDIO.withLights(target)).update()).top().layers();
+            assertThat(layers).extracting(layer -> layer.base() == null ? -1 : layer.base().index()).isEqualTo(from);
             assertThat(layers).extracting(LayerPlan::update).isEqualTo(updates);
         }
     }
 
     @Test
-    void lightsInAnotherOrder_keepTheirLayersByName() {
+    void reorderedLights_keepLayersByName() {
         assertOrigins(List.of(B, A), List.of(1, 0), List.of(KEEP, KEEP));
     }
 
     @Test
-    void renamedLight_keepsTheLayerOfTheLightLikeIt_whereverThatStands() {
+    void renamedLight_keepsLayerOfEqualLight() {
         assertOrigins(List.of(B.withName("x"), A), List.of(1, 0), List.of(KEEP, KEEP));
         assertOrigins(List.of(B.withName("x")), List.of(1), List.of(KEEP));
         assertOrigins(List.of(B.withName("x"), A.withName("y")), List.of(1, 0), List.of(KEEP, KEEP));
     }
 
     @Test
-    void twoNewLightsLikeOneThatIsGone_shareItsLayerNot() {
+    void twoCopiesOfDeletedLight_doNotShareLayer() {
         assertOrigins(List.of(A, B.withName("x"), B.withName("y")), List.of(0, 1, -1), List.of(KEEP, KEEP, ADDED));
     }
 
     /** Renamed and dimmed at once: its place tells, if the list is as long as before and the place is free. */
     @Test
-    void lightRenamedAndEdited_goesOnFromTheOneInItsPlace() {
+    void renamedAndEditedLight_usesLayerAtSameIndex() {
         Light edited = B.withName("x").withIntensity(0.5);
         assertOrigins(List.of(A, edited), List.of(0, 1), List.of(KEEP, REWEIGHT));
         assertOrigins(List.of(A.withName("y").withIntensity(2), edited), List.of(0, 1), List.of(REWEIGHT, REWEIGHT));
@@ -99,8 +100,8 @@ class DispatcherTest {
     }
 
     @Test
-    void otherSizeCameraOrNoShapeOfBefore_areAFirstPass() {
-        try (Renderer renderer = rendered(Accuracy.EXACT, Reflections.STALE, STUDIO)) {
+    void changedSizeCameraOrAllShapes_needFirstPass() {
+        try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, STUDIO)) {
             Camera c = STUDIO.camera();
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24))).update())
                     .isEqualTo(new UpdatePlan.FirstPass("another size"));
@@ -108,18 +109,18 @@ class DispatcherTest {
                     .isEqualTo(new UpdatePlan.FirstPass("another size"));
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41))).update())
                     .isEqualTo(new UpdatePlan.FirstPass("another camera"));
-            Scene others = STUDIO.withNodes(STUDIO.nodes().stream().<Node>map(n -> ((Shape) n).withName(n.name() + "2")).toList());
+            Scene others = STUDIO.withNodes(STUDIO.nodes().stream().<SceneNode>map(n -> ((Shape) n).withName(n.name() + "2")).toList());
             assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
-            Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new Sampling(Antialias.EVERY, 2)));
+            Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)));
             assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("other samples"));
-            renderer.forget();
+            renderer.clear();
             assertThat(renderer.plan(STUDIO).update()).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
         }
     }
 
-    private static LightUpdate atLevelRatio(Light before, UnaryOperator<Light> edit) {
+    private static LightUpdate ratioUpdate(Light before, UnaryOperator<Light> edit) {
         Scene scene = STUDIO.withLights(List.of(before, B));
-        try (Renderer renderer = rendered(Accuracy.RATIO, Reflections.STALE, scene)) {
+        try (Renderer renderer = renderedWith(Accuracy.RATIO, ReflectionMode.STALE, scene)) {
             List<LayerPlan> layers =
                     ((UpdatePlan.Relight) renderer.plan(scene.withLights(List.of(edit.apply(before), B.withIntensity(3)))).update()).top()
                             .layers();
@@ -130,18 +131,18 @@ class DispatcherTest {
 
     /** The paper's choices: a turned light and one whose weight was 0 are computed in full, and so is one that was almost 0. */
     @Test
-    void levelRatio_scalesWhereThereIsARatioAndRecomputesElsewhere() {
-        assertThat(atLevelRatio(A, l -> l)).isEqualTo(KEEP);
-        assertThat(atLevelRatio(A, l -> l.withIntensity(0.2))).isEqualTo(REWEIGHT);
-        assertThat(atLevelRatio(A, l -> l.withIntensity(0))).isEqualTo(REWEIGHT);
-        assertThat(atLevelRatio(A, l -> l.withDropoff(7))).isEqualTo(new LightUpdate.Partial(ConeChange.NONE, true, false));
-        assertThat(atLevelRatio(A, l -> l.withAngle(7).withIntensity(3)))
+    void ratioAccuracy_scalesIfPossibleElseRecomputes() {
+        assertThat(ratioUpdate(A, l -> l)).isEqualTo(KEEP);
+        assertThat(ratioUpdate(A, l -> l.withIntensity(0.2))).isEqualTo(REWEIGHT);
+        assertThat(ratioUpdate(A, l -> l.withIntensity(0))).isEqualTo(REWEIGHT);
+        assertThat(ratioUpdate(A, l -> l.withDropoff(7))).isEqualTo(new LightUpdate.Partial(ConeChange.NONE, true, false));
+        assertThat(ratioUpdate(A, l -> l.withAngle(7).withIntensity(3)))
                 .isEqualTo(new LightUpdate.Partial(ConeChange.ANGLE_REMOVE, false, true));
-        assertThat(atLevelRatio(A, l -> l.withDirection(new Vec3(0, -1, 0)))).isEqualTo(MOVED);
-        assertThat(atLevelRatio(A, l -> l.withType(LightType.POINT))).isEqualTo(MOVED);
-        assertThat(atLevelRatio(A.withColor(new Rgb(1, 0, 1)), l -> l.withColor(Rgb.WHITE))).isEqualTo(MOVED);
-        assertThat(atLevelRatio(A.withIntensity(1e-40), l -> l.withDropoff(7))).isEqualTo(MOVED);
-        assertThat(atLevelRatio(A.withIntensity(1e-40), l -> l)).as("nothing to scale").isEqualTo(KEEP);
+        assertThat(ratioUpdate(A, l -> l.withDirection(new Vec3(0, -1, 0)))).isEqualTo(MOVED);
+        assertThat(ratioUpdate(A, l -> l.withType(LightType.POINT))).isEqualTo(MOVED);
+        assertThat(ratioUpdate(A.withColor(new Rgb(1, 0, 1)), l -> l.withColor(Rgb.WHITE))).isEqualTo(MOVED);
+        assertThat(ratioUpdate(A.withIntensity(1e-40), l -> l.withDropoff(7))).isEqualTo(MOVED);
+        assertThat(ratioUpdate(A.withIntensity(1e-40), l -> l)).as("nothing to scale").isEqualTo(KEEP);
     }
 
     private static List<LightUpdate> updates(LevelPlan plan) {
@@ -150,19 +151,19 @@ class DispatcherTest {
 
     /** Only what was scaled and shines: A was not edited, C was and is off now, D never shone. */
     @Test
-    void refresh_computesScaledContributionsOfShiningLightsAnew() {
+    void refresh_recomputesScaledContributions() {
         Light c = light("c", 2);
         Light d = light("d", -1).withOn(false);
         Scene first = STUDIO.withLights(List.of(A, B, c, d));
         Scene second = STUDIO.withLights(List.of(A, B.withIntensity(2), c.withIntensity(2), d));
         Scene third = STUDIO.withLights(List.of(A, B.withIntensity(2), c.withIntensity(2).withOn(false), d));
-        for (Reflections reflections : Reflections.values()) {
-            try (Renderer renderer = rendered(Accuracy.RATIO, reflections, first)) {
+        for (ReflectionMode reflections : ReflectionMode.values()) {
+            try (Renderer renderer = renderedWith(Accuracy.RATIO, reflections, first)) {
                 renderer.render(second, Progress.NONE);
                 renderer.render(third, Progress.NONE);
                 UpdatePlan.Relight refresh = RatioMethod.refresh(renderer.cache());
                 assertThat(updates(refresh.top())).containsExactly(KEEP, REFRESH, KEEP, KEEP);
-                if (reflections == Reflections.STALE) {
+                if (reflections == ReflectionMode.STALE) {
                     assertThat(refresh.mirrors()).as("mirrors show another scene").isNull();
                 } else {
                     assertThat(updates(refresh.mirrors())).containsExactly(KEEP, REFRESH, KEEP, KEEP);

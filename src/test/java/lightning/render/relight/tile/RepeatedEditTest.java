@@ -8,12 +8,12 @@ import java.util.Random;
 import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.work.Progress;
-import lightning.base.work.Workers;
+import lightning.base.work.WorkerPool;
 import lightning.render.cache.PixelCache;
 import lightning.render.fulltrace.TraditionalTracer;
 import lightning.render.image.FilmAssert;
 import lightning.render.relight.Renderer;
-import lightning.render.relight.plan.Reflections;
+import lightning.render.relight.plan.ReflectionMode;
 import lightning.sample.Slow;
 import lightning.scene.Attenuation;
 import lightning.scene.Light;
@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 /** While one light is dragged the sums over the others are kept, and no bit differs for it. */
 @Slow
 class RepeatedEditTest {
-    private static final Scene NIGHT = SmallNight.SCENE;
+    private static final Scene NIGHT = SmallNightScene.SCENE;
 
     private static Light edited(Light light, Random random) {
         return switch (random.nextInt(8)) {
@@ -51,11 +51,11 @@ class RepeatedEditTest {
     }
 
     @Property(tries = 25)
-    void draggingOneLightAndThenAnother_equalsTheFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
+    void dragOfTwoLightsInTurn_equalsFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
             @ForAll @IntRange(min = 7, max = 30) int lights) {
-        Options options = Options.DEFAULT.withReflections(Reflections.CURRENT).withStorage(storage);
+        RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withStorage(storage);
         Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
-        try (Renderer renderer = new Renderer(options); Workers workers = new Workers(2)) {
+        try (Renderer renderer = new Renderer(options); WorkerPool workers = new WorkerPool(2)) {
             renderer.render(scene, Progress.NONE);
             for (int drag = 0; drag < 3; drag++) {
                 int light = random.nextInt(lights);
@@ -70,14 +70,14 @@ class RepeatedEditTest {
         }
     }
 
-    private static Scene editedBesideLights(Scene scene, Random random) {
+    private static Scene editedMaterialsOrAmbience(Scene scene, Random random) {
         List<Light> lights = new ArrayList<>(scene.lights());
         Material material = scene.materials().get(random.nextInt(scene.materials().size()));
         switch (random.nextInt(6)) {
             case 0 -> lights.remove(random.nextInt(lights.size()));
             case 1 -> lights.addFirst(lights.removeLast());
             case 2 -> {
-                return scene.withMaterial(material.withBody(material.body().times(0.5 + 0.5 * random.nextDouble())));
+                return scene.withMaterial(material.withAlbedo(material.albedo().times(0.5 + 0.5 * random.nextDouble())));
             }
             case 3 -> {
                 return scene.withMaterial(material.withShininess(1 + 20 * random.nextDouble()));
@@ -90,13 +90,13 @@ class RepeatedEditTest {
     }
 
     @Property(tries = 25)
-    void editsBesideLights_equalTheFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
+    void editsOfOtherThanLights_equalFullTrace(@ForAll Random random, @ForAll MirrorStorage storage,
             @ForAll @IntRange(min = 11, max = 30) int lights) {
         Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
-        try (Renderer renderer = new Renderer(Options.DEFAULT.withStorage(storage)); Workers workers = new Workers(2)) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withStorage(storage)); WorkerPool workers = new WorkerPool(2)) {
             renderer.render(scene, Progress.NONE);
             for (int edit = 0; edit < 10; edit++) {
-                scene = editedBesideLights(scene, random);
+                scene = editedMaterialsOrAmbience(scene, random);
                 renderer.render(scene, Progress.NONE);
                 FilmAssert.assertSameBits(renderer.film(), new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), "beside");
             }
@@ -104,8 +104,8 @@ class RepeatedEditTest {
     }
 
     @Test
-    void sumOfAllLightsIsKept_fromTheSecondEditBesideThemUntilOneIsEdited() {
-        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+    void sumOfAllLights_isCachedUntilLightEdit() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(NIGHT, Progress.NONE);
             renderer.render(NIGHT.withWorld(NIGHT.world().withAmbience(0.5)), Progress.NONE);
             assertThat(tilesWithSums(renderer.cache())).isZero();
@@ -119,22 +119,22 @@ class RepeatedEditTest {
 
     /** Adding seven lights anew reads less memory than their sums would take. */
     @Test
-    void sumsAreKept_fromEightLightsOn() {
-        for (int lights : new int[] {RepeatedEdit.LEAST_LIGHTS - 1, RepeatedEdit.LEAST_LIGHTS}) {
+    void sums_areCachedFromEightLights() {
+        for (int lights : new int[] {RepeatedEditDetector.MIN_LIGHTS - 1, RepeatedEditDetector.MIN_LIGHTS}) {
             Scene scene = NIGHT.withLights(NIGHT.lights().subList(0, lights));
-            try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+            try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
                 renderer.render(scene, Progress.NONE);
                 for (double intensity : new double[] {0.5, 0.6}) {
                     renderer.render(scene.withLight(scene.lights().getFirst().withIntensity(intensity)), Progress.NONE);
                 }
-                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= RepeatedEdit.LEAST_LIGHTS);
+                assertThat(tilesWithSums(renderer.cache()) > 0).as(lights + " lights").isEqualTo(lights >= RepeatedEditDetector.MIN_LIGHTS);
             }
         }
     }
 
     @Test
-    void sumsAreKept_fromTheSecondEditOfALightUntilAnotherIsEdited() {
-        try (Renderer renderer = new Renderer(Options.DEFAULT)) {
+    void sums_areCachedFromSecondEditOfLight() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(NIGHT, Progress.NONE);
             Light first = NIGHT.lights().getFirst();
             Scene once = NIGHT.withLight(first.withIntensity(0.5));

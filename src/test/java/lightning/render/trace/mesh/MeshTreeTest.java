@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
-import lightning.base.work.Wait;
-import lightning.sample.Meshes;
+import lightning.base.work.Await;
+import lightning.sample.SampleMeshes;
 import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -19,9 +19,9 @@ class MeshTreeTest {
 
     @Test
     // Threads that wait for each other do so for ever.
-    @Timeout(value = 5 * Wait.MOST_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-    void threadsOfTheCommonPool_canAllAskForTrees() {
-        long built = IntStream.range(0, TREES).parallel().mapToObj(seed -> MeshTree.of(Meshes.soup(TRIANGLES, seed)))
+    @Timeout(value = 5 * Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void commonPoolThreads_canRequestTreesConcurrently() {
+        long built = IntStream.range(0, TREES).parallel().mapToObj(seed -> MeshTree.of(SampleMeshes.randomTriangles(TRIANGLES, seed)))
                 .filter(tree -> tree.bytes() > 0).count();
         assertThat(built).isEqualTo(TREES);
     }

@@ -3,7 +3,7 @@ package lightning.render.trace.tree;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import lightning.base.math.Vec3;
-import lightning.render.trace.solid.Form;
+import lightning.render.trace.solid.SolidGeometry;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -14,34 +14,34 @@ class BoxRayTest {
 
     private static boolean hits(Vec3 origin, Vec3 direction, double limit) {
         BoxRay ray = new BoxRay();
-        ray.enter(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+        ray.setRay(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
         return ray.hits(BOX, 0, limit);
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0.0, -0.0})
-    void rayAlongAFace_isLetPassInsideOfIt(double zero) {
+    void rayAlongFace_hitsBoxOnlyInsideFace(double zero) {
         double side = Math.nextDown(1.0);
         for (double at : new double[] {-side, side}) {
-            assertThat(hits(new Vec3(at, 0, 5), new Vec3(zero, zero, -1), Form.MISS)).isTrue();
-            assertThat(hits(new Vec3(0, at, 5), new Vec3(zero, zero, -1), Form.MISS)).isTrue();
-            assertThat(hits(new Vec3(5, 0, at), new Vec3(-1, zero, zero), Form.MISS)).isTrue();
+            assertThat(hits(new Vec3(at, 0, 5), new Vec3(zero, zero, -1), SolidGeometry.MISS)).isTrue();
+            assertThat(hits(new Vec3(0, at, 5), new Vec3(zero, zero, -1), SolidGeometry.MISS)).isTrue();
+            assertThat(hits(new Vec3(5, 0, at), new Vec3(-1, zero, zero), SolidGeometry.MISS)).isTrue();
         }
-        assertThat(hits(new Vec3(1.001, 0, 5), new Vec3(zero, zero, -1), Form.MISS)).isFalse();
+        assertThat(hits(new Vec3(1.001, 0, 5), new Vec3(zero, zero, -1), SolidGeometry.MISS)).isFalse();
     }
 
     /** A shape in it may be met at that very distance, and have the lower index. */
     @Test
-    void boxAtTheDistanceOfTheBestHit_isLetPass_andBeyondItIsNot() {
+    void boxAtLimit_isHit_andBeyondLimitIsMissed() {
         assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, -1), 4)).isTrue();
         assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, -1), Math.nextDown(4.0))).isFalse();
         assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, -2), 2)).isTrue();
     }
 
     @Test
-    void boxBehindOrBeside_isMissed() {
-        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, 1), Form.MISS)).isFalse();
-        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 1, -1), Form.MISS)).isFalse();
-        assertThat(hits(new Vec3(0, 0, 0), new Vec3(0, 1, -1), Form.MISS)).as("from inside").isTrue();
+    void boxBehindOrNextToRay_isMissed() {
+        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, 1), SolidGeometry.MISS)).isFalse();
+        assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 1, -1), SolidGeometry.MISS)).isFalse();
+        assertThat(hits(new Vec3(0, 0, 0), new Vec3(0, 1, -1), SolidGeometry.MISS)).as("from inside").isTrue();
     }
 }

@@ -10,8 +10,8 @@ import java.util.Random;
 import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.render.engine.lanes.PacketTracer;
+import lightning.render.engine.lanes.RandomRays;
 import lightning.render.engine.lanes.RayPacket;
-import lightning.render.engine.lanes.TraceRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.TraceScenes;
@@ -25,48 +25,48 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 class BvhTest {
-    private final RayPacket p = new RayPacket();
+    private final RayPacket packet = new RayPacket();
 
     @Property
-    void singleRays_getTheAnswerOfAllShapes(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
-        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
-        TraceRays rays = new TraceRays(geometry, seed);
+    void singleRays_matchBruteForce(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed) {
+        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        RandomRays rays = new RandomRays(geometry, seed);
         for (int n = 0; n < 10; n++) {
-            rays.fill(p);
+            rays.fill(packet);
             for (int i = 0; i < RayPacket.WIDTH; i++) {
-                Ray ray = TraceRays.ray(p, i);
-                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
-                assertThat(geometry.blocked(ray, p.limit[i])).isEqualTo(geometry.blockedByAny(ray, p.limit[i]));
+                Ray ray = RandomRays.ray(packet, i);
+                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestBruteForce(ray));
+                assertThat(geometry.isBlocked(ray, packet.limit[i])).isEqualTo(geometry.isBlockedBruteForce(ray, packet.limit[i]));
             }
         }
     }
 
     /** Lights on shapes, above them, and away from all. */
     @Property
-    void endsOfWaysAndWhatBlocksThem_areThoseOfAllShapes(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
+    void shadowRayTargetsAndBlockers_matchBruteForce(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
             @ForAll @IntRange(min = 0, max = 60) int up) {
-        Geometry geometry = new Geometry(TraceScenes.wild(shapes, seed));
-        TraceRays rays = new TraceRays(geometry, seed);
-        rays.fill(p);
+        Geometry geometry = new Geometry(TraceScenes.randomScene(shapes, seed));
+        RandomRays rays = new RandomRays(geometry, seed);
+        rays.fill(packet);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
-            Ray ray = TraceRays.ray(p, i);
-            int hit = geometry.nearestOfAll(ray);
+            Ray ray = RandomRays.ray(packet, i);
+            int hit = geometry.nearestBruteForce(ray);
             double t = hit < 0 ? 1 : geometry.distance(hit, ray);
             Vec3 light = ray.origin().plus(ray.direction().times(t * (1 - Math.scalb(1, -up))));
-            WayEnd end = geometry.end(light);
-            assertThat(end).usingRecursiveComparison().isEqualTo(geometry.endOfAll(light));
-            assertThat(geometry.blocker(ray.origin(), end)).isEqualTo(blockerOfAll(geometry, ray.origin(), end));
+            ShadowRayTarget end = geometry.shadowRayTarget(light);
+            assertThat(end).usingRecursiveComparison().isEqualTo(geometry.shadowRayTargetBruteForce(light));
+            assertThat(geometry.blocker(ray.origin(), end)).isEqualTo(blockerBruteForce(geometry, ray.origin(), end));
         }
     }
 
-    private static int blockerOfAll(Geometry geometry, Vec3 point, WayEnd end) {
-        Ray way = new Ray(point, end.point().minus(point));
+    private static int blockerBruteForce(Geometry geometry, Vec3 point, ShadowRayTarget target) {
+        Ray shadowRay = new Ray(point, target.point().minus(point));
         int nearest = -1;
-        double least = 1;
+        double min = 1;
         for (int s = 0; s < geometry.primitiveCount(); s++) {
-            double t = geometry.distance(s, way, end);
-            if (t < least) {
-                least = t;
+            double t = geometry.distance(s, shadowRay, target);
+            if (t < min) {
+                min = t;
                 nearest = s;
             }
         }
@@ -74,54 +74,55 @@ class BvhTest {
     }
 
     @Property
-    void movedCamera_movesTheBoxesOfATreeThatKeepsItsForm(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
+    void movedCamera_refitsBoxesWithSameTopology(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
             @ForAll @DoubleRange(min = -100, max = 100) double by) {
-        Scene scene = TraceScenes.wild(shapes, seed);
+        Scene scene = TraceScenes.randomScene(shapes, seed);
         Geometry here = new Geometry(scene);
         Camera camera = scene.camera();
         Vec3 from = camera.from().plus(new Vec3(by, -by / 3, 1));
         Scene moved = scene.withCamera(new Camera(from, from.plus(new Vec3(0.3, 1, 2)), camera.up(), camera.fov()));
-        Geometry there = here.forScene(moved, MaterialTable.MIRRORS);
+        Geometry there = here.forScene(moved, MaterialTable.CASTS_REFLECTIONS);
         Geometry built = new Geometry(moved);
         assertThat(there.bvh().child).isSameAs(here.bvh().child);
         assertCovered(there.bvh());
         for (int s = 0; s < shapes; s++) {
             assertThat(box(there, s)).isEqualTo(box(built, s));
         }
-        TraceRays rays = new TraceRays(there, seed);
-        rays.fill(p);
+        RandomRays rays = new RandomRays(there, seed);
+        rays.fill(packet);
         for (int i = 0; i < RayPacket.WIDTH; i++) {
-            Ray ray = TraceRays.ray(p, i);
-            assertThat(there.nearest(ray)).isEqualTo(there.nearestOfAll(ray));
-            assertThat(there.blocked(ray, p.limit[i])).isEqualTo(there.blockedByAny(ray, p.limit[i]));
+            Ray ray = RandomRays.ray(packet, i);
+            assertThat(there.nearest(ray)).isEqualTo(there.nearestBruteForce(ray));
+            assertThat(there.isBlocked(ray, packet.limit[i])).isEqualTo(there.isBlockedBruteForce(ray, packet.limit[i]));
         }
     }
 
     @Test
-    void turnedCamera_changesNothing() {
+    void rotatedCamera_reusesGeometry() {
         Scene scene = TraceScenes.cloud(10, 1);
         Camera camera = scene.camera();
         Geometry here = new Geometry(scene);
         Vec3 to = camera.from().plus(new Vec3(1, 2, 3));
-        assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), MaterialTable.MIRRORS)).isSameAs(here);
+        assertThat(here.forScene(scene.withCamera(new Camera(camera.from(), to, camera.up(), 10)), MaterialTable.CASTS_REFLECTIONS))
+                .isSameAs(here);
     }
 
     @Test
-    void otherShapes_haveATreeOfTheirOwn() {
+    void differentShapes_buildNewTree() {
         Geometry few = new Geometry(TraceScenes.cloud(10, 1));
-        assertThat(few.forScene(TraceScenes.cloud(11, 1), MaterialTable.MIRRORS).primitiveCount()).isEqualTo(11);
+        assertThat(few.forScene(TraceScenes.cloud(11, 1), MaterialTable.CASTS_REFLECTIONS).primitiveCount()).isEqualTo(11);
     }
 
     @Test
-    void emptyScene_isMissed() {
+    void emptyScene_hasNoHits() {
         Geometry geometry = new Geometry(TraceScenes.cloud(0, 1));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(0, 0, -1));
         assertThat(geometry.nearest(ray)).isEqualTo(-1);
-        assertThat(geometry.blocked(ray, Double.POSITIVE_INFINITY)).isFalse();
+        assertThat(geometry.isBlocked(ray, Double.POSITIVE_INFINITY)).isFalse();
     }
 
     @Test
-    void everyShape_isInOneLeaf() {
+    void eachShape_isInExactlyOneLeaf() {
         Bvh bvh = new Geometry(TraceScenes.cloud(1000, 1)).bvh();
         boolean[] seen = new boolean[1000];
         for (int c : bvh.child) {
@@ -134,12 +135,12 @@ class BvhTest {
     }
 
     @Test
-    void childBoxes_coverAllBelowThem() {
+    void childBoxes_containTheirSubtrees() {
         assertCovered(new Geometry(TraceScenes.cloud(300, 2)).bvh());
     }
 
     private static float[] box(Geometry geometry, int s) {
-        int at = geometry.bvh().leaf[s];
+        int at = geometry.bvh().leafBox[s];
         return Arrays.copyOfRange(geometry.bvh().boxes, at, at + 6);
     }
 
@@ -157,20 +158,20 @@ class BvhTest {
     }
 
     @Test
-    void thousandShapesInOneSpot_makeAShallowTreeAndTheFirstWins() {
-        Geometry geometry = new Geometry(TraceScenes.heap(1000));
+    void thousandCoincidentShapes_makeShallowTree_andFirstWins() {
+        Geometry geometry = new Geometry(TraceScenes.overlappingShapes(1000));
         assertThat(geometry.bvh().depth).isLessThanOrEqualTo(11);
         Ray ray = new Ray(Vec3.ZERO, geometry.toRenderSpace(Vec3.ZERO));
         assertThat(geometry.nearest(ray)).isZero();
         PacketTracer tracer = new PacketTracer(geometry);
-        Arrays.fill(p.dz, -1);
-        tracer.nearest(p, RayPacket.WIDTH);
-        assertThat(p.primitive).containsOnly(0);
+        Arrays.fill(packet.dz, -1);
+        tracer.findNearest(packet, RayPacket.WIDTH);
+        assertThat(packet.primitive).containsOnly(0);
     }
 
     /** Distances that grow by a factor would make a split by surface area peel off one shape at a time. */
     @Test
-    void shapesAtGrowingDistances_keepTheDepthBounded() {
+    void shapesAtGrowingDistances_haveBoundedDepth() {
         float[] boxes = new float[6 * 120];
         for (int s = 0; s < 120; s++) {
             float at = (float) Math.pow(2, s - 60);
@@ -182,7 +183,7 @@ class BvhTest {
 
     @Test
     @Slow
-    void millionShapes_areBuiltInSeconds() {
+    void millionShapes_buildInSeconds() {
         Random random = new Random(1);
         float[] boxes = new float[6_000_000];
         for (int s = 0; s < 1_000_000; s++) {
@@ -200,22 +201,22 @@ class BvhTest {
 
     /** Skewed so much that the inverse map is noise: boxes say nothing, all shapes must be asked. */
     @Property
-    void shapesBeyondNumbers_areStillFoundTheSame(@ForAll long seed) {
+    void overflowingShapes_matchBruteForce(@ForAll long seed) {
         Geometry geometry;
         try {
-            geometry = new Geometry(TraceScenes.skewed(6, seed));
+            geometry = new Geometry(TraceScenes.skewedShapes(6, seed));
         } catch (IllegalArgumentException refused) {
             return;
         }
         PacketTracer tracer = new PacketTracer(geometry.bvh(), 1);
-        TraceRays rays = new TraceRays(geometry, seed);
+        RandomRays rays = new RandomRays(geometry, seed);
         for (int n = 0; n < 20; n++) {
-            rays.fill(p);
-            tracer.nearest(p, RayPacket.WIDTH);
+            rays.fill(packet);
+            tracer.findNearest(packet, RayPacket.WIDTH);
             for (int i = 0; i < RayPacket.WIDTH; i++) {
-                Ray ray = TraceRays.ray(p, i);
-                assertThat(p.primitive[i]).isEqualTo(geometry.nearestOfAll(ray));
-                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestOfAll(ray));
+                Ray ray = RandomRays.ray(packet, i);
+                assertThat(packet.primitive[i]).isEqualTo(geometry.nearestBruteForce(ray));
+                assertThat(geometry.nearest(ray)).isEqualTo(geometry.nearestBruteForce(ray));
             }
         }
     }

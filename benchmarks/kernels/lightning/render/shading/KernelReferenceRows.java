@@ -1,0 +1,100 @@
+package lightning.render.shading;
+
+import lightning.base.math.Vec3;
+import lightning.render.engine.KernelAgreement;
+import lightning.render.relight.paper.RatioRows;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.tree.ShadowRayTarget;
+
+/** What {@link RowKernels} compute, row by row with {@link LightingEquation}. */
+final class KernelReferenceRows {
+    private final HitRows rows;
+    private final Geometry geometry;
+
+    KernelReferenceRows(HitRows rows, Geometry geometry) {
+        this.rows = rows;
+        this.geometry = geometry;
+    }
+
+    /** @throws IllegalStateException if a kernel disagrees */
+    void require(RowKernels kernels) {
+        reshade(kernels.spot().source(), kernels.reshade());
+        attenuation(kernels.spot().source(), kernels.attenuation());
+        compose(kernels, kernels.composed());
+        double[] powers = kernels.power();
+        RatioRows scaled = kernels.ratioScaling();
+        float[][] before = kernels.contributions().diffuse;
+        for (int i = 0; i < rows.count; i++) {
+            KernelAgreement.requireEqual(powers[i] == kernels.power(i), "power", i);
+            KernelAgreement.requireEqual(scaled.diffuse[0][i], before[0][i] * kernels.intensityRatio(), "scaled row", i);
+        }
+    }
+
+    private LightingEquation surfacePoint(LightSource source, int i) {
+        LightingEquation equation = new LightingEquation(source);
+        equation.moveTo(rows.px[i], rows.py[i], rows.pz[i], rows.nx[i], rows.ny[i], rows.nz[i]);
+        return equation;
+    }
+
+    private void attenuation(LightSource source, float[] falloff) {
+        for (int i = 0; i < rows.count; i++) {
+            KernelAgreement.requireEqual(falloff[i], surfacePoint(source, i).falloff(), "falloff", i);
+        }
+    }
+
+    private void reshade(LightSource source, LightRows layer) {
+        ShadowRayTarget end = geometry.shadowRayTarget(source.position());
+        for (int r = 0; r < rows.runCount; r++) {
+            int material = rows.runMaterial[r];
+            for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
+                LightingEquation equation = surfacePoint(source, i);
+                float cosine = equation.cosine(rows.nx[i], rows.ny[i], rows.nz[i]);
+                Vec3 point = new Vec3(rows.px[i], rows.py[i], rows.pz[i]);
+                int state = !(cosine > 0) ? LightRows.FACING_AWAY
+                        : !equation.insideCone() ? LightRows.OUTSIDE_CONE
+                        : geometry.isBlockedBruteForce(point, end) ? LightRows.SHADOWED
+                        : LightRows.LIT;
+                KernelAgreement.requireEqual(layer.state(i) == state, "state of row", i);
+                KernelAgreement.requireEqual(layer.cosine[i], state == LightRows.LIT ? cosine : 0, "cosine of row", i);
+                if (state == LightRows.LIT && layer.specular != null && geometry.materials().isSpecular(material)) {
+                    KernelAgreement.requireEqual(layer.specular[i], equation.specular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i],
+                            rows.vy[i], rows.vz[i], geometry.materials().shininess(material)), "specular term of row", i);
+                }
+            }
+        }
+    }
+
+    private void compose(RowKernels kernels, float[][] composed) {
+        for (int r = 0; r < rows.runCount; r++) {
+            for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
+                for (int c = 0; c < 3; c++) {
+                    KernelAgreement.requireEqual(composed[c][rows.parent[i]], color(kernels, rows.runMaterial[r], i, c), "colour of row",
+                            i);
+                }
+            }
+        }
+    }
+
+    private float color(RowKernels kernels, int material, int i, int c) {
+        WeightedLight[] lights = kernels.lights();
+        float[] diffuse = new float[lights.length];
+        float[] specular = new float[lights.length];
+        for (int l = 0; l < lights.length; l++) {
+            LightRows layer = (LightRows) kernels.layers()[l];
+            if (layer.litCount > 0) {
+                float weight = c == 0 ? lights[l].red() : c == 1 ? lights[l].green() : lights[l].blue();
+                float falloff = layer.falloff == null ? 1 : layer.falloff[i];
+                diffuse[l] = LightingEquation.contribution(weight, layer.cosine[i], falloff);
+                specular[l] = layer.specular == null ? 0 : LightingEquation.contribution(weight, layer.specular[i], falloff);
+            }
+        }
+        MaterialTable m = geometry.materials();
+        float texel = !m.isTextured(material) ? 1 : c == 0 ? rows.texelRed[i] : c == 1 ? rows.texelGreen[i] : rows.texelBlue[i];
+        float kd = m.diffuse(material, c) * texel;
+        return LightingEquation.color(m.ambient(material, c), kernels.ambience(), kd,
+                LightingEquation.sum(diffuse, 0, lights.length), m.specular(material, c),
+                LightingEquation.sum(specular, 0, lights.length), 0, m.reflective(material, c), kernels.mirrored()[c][i]);
+    }
+}

@@ -1,0 +1,144 @@
+package lightning.base.work;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Phaser;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+
+/**
+ * A fixed number of threads that share the tiles of a picture: whoever is free takes the next.
+ *
+ * <p>The caller's thread is worker 0. What a picture holds does not depend on who computed which
+ * tile.
+ */
+public final class WorkerPool implements AutoCloseable {
+    /** The work on one tile. */
+    @FunctionalInterface
+    public interface TileTask {
+        /** Does tile {@code tile} as worker {@code worker}, 0 ≤ worker &lt; {@link WorkerPool#count()}. */
+        void run(int worker, int tile);
+    }
+
+    /** The phase of a team that still works. */
+    private static final int RUNNING_PHASE = 0;
+
+    private final int count;
+    private final ExecutorService threads;
+
+    /**
+     * @param count how many threads, the caller's included
+     * @throws IllegalArgumentException if it is below 1
+     */
+    public WorkerPool(int count) {
+        if (count < 1) {
+            throw new IllegalArgumentException("the number of threads must be ≥ 1, was " + count);
+        }
+        this.count = count;
+        threads = Executors.newFixedThreadPool(Math.max(1, count - 1), DedicatedThread.factory("lightning-worker"));
+    }
+
+    /** As many threads as the machine has processors. */
+    public static int processorCount() {
+        return Runtime.getRuntime().availableProcessors();
+    }
+
+    public int count() {
+        return count;
+    }
+
+    /**
+     * Runs a task for each of {@code tiles} tiles and waits for all, even when interrupted: nobody writes to the caller's memory
+     * afterwards. A thread that finds a processor only when no tile is left is not waited for.
+     *
+     * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
+     */
+    public void run(int tiles, TileTask task, Progress progress) {
+        run(tiles, 1, task, progress);
+    }
+
+    /**
+     * The same where whoever is free takes the next {@code batchSize} tiles, in their order, and fewer at the end.
+     *
+     * @throws CancellationException if {@code progress} asked to stop; some tiles were then not run
+     */
+    public void run(int tiles, int batchSize, TileTask task, Progress progress) {
+        AtomicInteger next = new AtomicInteger();
+        AtomicInteger done = new AtomicInteger();
+        AtomicReference<Throwable> failure = new AtomicReference<>();
+        Progress shared = shareCancellation(progress);
+        // The caller, and whoever has begun by the time that the caller finds no tile left; it ends when all of them have arrived.
+        Phaser phaser = new Phaser(1);
+        int helpers = Math.min(count, Math.ceilDiv(tiles, batchSize)) - 1;
+        for (int worker = 1; worker <= helpers; worker++) {
+            int workerIndex = worker;
+            threads.execute(() -> {
+                if (phaser.register() == RUNNING_PHASE) {
+                    work(workerIndex, tiles, batchSize, next, done, task, shared, failure);
+                }
+                phaser.arriveAndDeregister();
+            });
+        }
+        work(0, tiles, batchSize, next, done, task, shared, failure);
+        phaser.arriveAndAwaitAdvance();
+        switch (failure.get()) {
+            case null -> {
+                if (done.get() < tiles) {
+                    throw new CancellationException("cancelled after " + done + " of " + tiles + " tiles");
+                }
+            }
+            case RuntimeException e -> throw e;
+            case Error e -> throw e;
+            case Throwable e -> throw new IllegalStateException(e);
+        }
+    }
+
+    /**
+     * What one worker hears, all hear: an interrupted caller that waits for the others no longer looks interrupted to them.
+     */
+    private static Progress shareCancellation(Progress progress) {
+        AtomicBoolean canceled = new AtomicBoolean();
+        return new Progress() {
+            @Override
+            public void report(int done, int total) {
+                progress.report(done, total);
+            }
+
+            @Override
+            public boolean isCanceled() {
+                if (!canceled.get() && progress.isCanceled()) {
+                    canceled.set(true);
+                }
+                return canceled.get();
+            }
+        };
+    }
+
+    private static void work(int worker, int tiles, int batchSize, AtomicInteger next, AtomicInteger done, TileTask task,
+            Progress progress, AtomicReference<Throwable> failure) {
+        try {
+            for (int first = next.getAndAdd(batchSize); first < tiles; first = next.getAndAdd(batchSize)) {
+                int end = first + Math.min(batchSize, tiles - first);
+                for (int tile = first; tile < end; tile++) {
+                    if (failure.get() != null || progress.isCanceled()) {
+                        return;
+                    }
+                    task.run(worker, tile);
+                    if (progress.isCanceled()) {
+                        return;
+                    }
+                    progress.report(done.incrementAndGet(), tiles);
+                }
+            }
+        } catch (Throwable e) {
+            failure.compareAndSet(null, e);
+        }
+    }
+
+    @Override
+    public void close() {
+        threads.shutdownNow();
+    }
+}

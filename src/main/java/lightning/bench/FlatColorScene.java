@@ -1,0 +1,53 @@
+package lightning.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.math.Rgb;
+import lightning.render.image.ViewTransform;
+import lightning.scene.Material;
+import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.World;
+
+/**
+ * Shows each shape of a scene in a flat colour of its own, without lights, mirrors or textures: two programs that agree on
+ * the geometry show the same picture, but for pixels through whose centre an edge runs.
+ */
+final class FlatColorScene {
+    /** Display codes between two colours of a channel: far more than programs round differently. */
+    static final int STEP = 17;
+    /** 15 codes in each of three channels, black left to the background. */
+    private static final int LEVELS = 255 / STEP;
+
+    private final List<Material> materials = new ArrayList<>();
+
+    private FlatColorScene() {}
+
+    static Scene of(Scene scene) {
+        FlatColorScene colors = new FlatColorScene();
+        List<SceneNode> nodes = scene.nodes().stream().map(colors::recolor).toList();
+        return new Scene(scene.picture().withDepth(0), scene.camera(), new World(1, Rgb.BLACK), colors.materials, nodes, List.of());
+    }
+
+    private SceneNode recolor(SceneNode node) {
+        return switch (node) {
+            case NodeGroup g -> g.withChildren(g.children().stream().map(this::recolor).toList());
+            case Shape s -> s.withMaterial(nextMaterial());
+        };
+    }
+
+    /** The name of a new material; colours begin again after 15³ shapes. */
+    private String nextMaterial() {
+        int i = materials.size();
+        Rgb color = new Rgb(channel(i), channel(i / LEVELS), channel(i / LEVELS / LEVELS));
+        Material material = Material.of("flat" + i).withAmbient(color).withDiffuse(Rgb.BLACK).withShininess(1);
+        materials.add(material);
+        return material.name();
+    }
+
+    private static double channel(int i) {
+        return ViewTransform.linear(STEP * (1 + i % LEVELS));
+    }
+}

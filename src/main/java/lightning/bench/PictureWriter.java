@@ -1,0 +1,40 @@
+package lightning.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.format.image.ImageFile;
+import lightning.render.image.DifferenceImage;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+
+/** Writes the pictures of a run, small enough for a page. */
+final class PictureWriter {
+    /** The widest picture, pixels. */
+    static final int MAX_WIDTH = 480;
+    private static final String FOLDER = "pictures";
+
+    private final Path resultsFolder;
+
+    /** @param results the folder of the results */
+    PictureWriter(Path results) {
+        this.resultsFolder = results;
+    }
+
+    /** Writes a picture as it is displayed; returns its name, relative to the results. */
+    String writePicture(String name, Film film) throws IOException {
+        return write(name, FilmDownscaler.average(film, MAX_WIDTH));
+    }
+
+    /** Writes where two pictures differ; returns its name, relative to the results, or null where they do not differ. */
+    String writeDifference(String name, Film film, Film reference) throws IOException {
+        return film.hasSameBits(reference) ? null : write(name, FilmDownscaler.maximum(DifferenceImage.of(film, reference), MAX_WIDTH));
+    }
+
+    private String write(String name, Film film) throws IOException {
+        Files.createDirectories(resultsFolder.resolve(FOLDER));
+        String file = FOLDER + "/" + name + ".png";
+        ImageFile.write(resultsFolder.resolve(file), film, ViewTransform.DEFAULT);
+        return file;
+    }
+}

@@ -1,0 +1,51 @@
+package lightning.bench;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Starts this program anew, as its user does. */
+final class RenderProcess {
+    private RenderProcess() {}
+
+    /**
+     * Renders a scene to a file in a process of its own.
+     *
+     * @param folder where its messages go
+     * @throws IOException          if it fails; the message ends with the last line that it printed
+     * @throws InterruptedException if this thread was interrupted; the process is then ended
+     */
+    static void render(Path scene, PictureSize size, int threads, Path picture, Path folder) throws IOException, InterruptedException {
+        List<String> commandLine = new ArrayList<>(command());
+        commandLine.addAll(List.of("render", scene.toString(), "--size", size.toString(), "--threads", Integer.toString(threads), "-o",
+                picture.toString()));
+        Path log = folder.resolve("log");
+        Process process = new ProcessBuilder(commandLine).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        try {
+            if (process.waitFor() != 0) {
+                String last = Files.readString(log, StandardCharsets.UTF_8).lines().filter(line -> !line.isBlank())
+                        .reduce("nothing", (_, line) -> line);
+                throw new IOException("'lightning render' failed; it ended with: " + last.strip());
+            }
+        } finally {
+            process.destroy();
+        }
+    }
+
+    /** The launcher of the installed image or of the program's folder, or where this was started without one, Java on the same classes. */
+    private static List<String> command() {
+        String installed = System.getProperty("jpackage.app-path");
+        if (installed != null) {
+            return List.of(installed);
+        }
+        String home = System.getProperty("lightning.home");
+        if (home != null) {
+            return List.of(Path.of(home, "bin", "lightning").toString());
+        }
+        return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "--add-modules", "jdk.incubator.vector", "-cp",
+                System.getProperty("jdk.module.path", System.getProperty("java.class.path")), "lightning.Main");
+    }
+}

@@ -1,0 +1,107 @@
+package lightning.bench;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.accuracy.FirstPassCost;
+
+/** What was measured until now. */
+final class ResultCollector {
+    /** One scene at one size. */
+    static final class SceneCollector {
+        private final NamedScene scene;
+        private final PictureSize size;
+        private final List<EditResult> edits = new ArrayList<>();
+        private List<EffectResult> effects = List.of();
+        private FirstPassCost firstPass;
+        private String pictureBefore;
+        private PeerResult peer;
+        private ColdStart coldStart;
+
+        private SceneCollector(NamedScene scene, PictureSize size) {
+            this.scene = scene;
+            this.size = size;
+        }
+
+        void setFirstPass(FirstPassCost cost) {
+            firstPass = cost;
+        }
+
+        /** @param file the picture before all edits, relative to the results */
+        void setPictureBefore(String file) {
+            pictureBefore = file;
+        }
+
+        void addEdit(EditResult edit) {
+            edits.add(edit);
+        }
+
+        void setEffects(List<EffectResult> v) {
+            effects = v;
+        }
+
+        void setPeer(PeerResult v) {
+            peer = v;
+        }
+
+        void setColdStart(ColdStart v) {
+            coldStart = v;
+        }
+
+        private SceneResult result() {
+            return new SceneResult(scene.name(), size.width(), size.height(), scene.scene().picture().depth(),
+                    scene.scene().stage().shapeCount(), scene.scene().lights().size(), pictureBefore,
+                    firstPass == null ? null : FirstPassResult.of(firstPass, size.pixels(), averageSavedMs()), edits, effects,
+                    peer, coldStart);
+        }
+
+        /** What an edit at the default grade saves, the average of all. */
+        private double averageSavedMs() {
+            return edits.stream().flatMap(edit -> edit.values().stream()).mapToDouble(result -> result.rungs().getLast().time().median()
+                    - result.point(AccuracySetting.DEFAULT).time().median()).average().orElse(0);
+        }
+    }
+
+    private final List<SceneCollector> scenes = new ArrayList<>();
+    private final List<DriftCurve> drifts = new ArrayList<>();
+    private final Map<String, GrowthCurve> growths = new LinkedHashMap<>();
+    private final List<EditingCost> editing = new ArrayList<>();
+    private final List<MeshPoint> meshes = new ArrayList<>();
+    private final List<MeasurementFailure> problems = new ArrayList<>();
+
+    SceneCollector addScene(NamedScene scene, PictureSize size) {
+        scenes.add(new SceneCollector(scene, size));
+        return scenes.getLast();
+    }
+
+    void addDrift(DriftCurve drift) {
+        drifts.add(drift);
+    }
+
+    void addGrowth(String along, String scene, GrowthPoint point) {
+        List<GrowthPoint> points = new ArrayList<>(growths.containsKey(along) ? growths.get(along).points() : List.of());
+        points.add(point);
+        growths.put(along, new GrowthCurve(along, scene, points));
+    }
+
+    void addEditing(EditingCost measured) {
+        editing.add(measured);
+    }
+
+    void addMesh(MeshPoint measured) {
+        meshes.add(measured);
+    }
+
+    void addProblem(MeasurementFailure problem) {
+        problems.add(problem);
+    }
+
+    /** Everything, as a run's results. */
+    BenchResults results(BenchRun run) {
+        return new BenchResults(run, scenes.stream().map(SceneCollector::result).toList(), drifts, List.copyOf(growths.values()), editing,
+                meshes,
+                problems);
+    }
+}

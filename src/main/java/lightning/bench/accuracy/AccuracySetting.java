@@ -1,0 +1,95 @@
+package lightning.bench.accuracy;
+
+import java.util.Set;
+import lightning.render.engine.choice.Engines;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Light;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
+import lightning.scene.effects.RenderEffect;
+import lightning.scene.effects.ViewEffects;
+
+/** The grades of accuracy, each a way to show an edit, from the roughest to the full trace. */
+public enum AccuracySetting {
+    HALF_RESOLUTION("half resolution", "re-rendered exactly, mirrors included, at half the width and height; each pixel enlarged to "
+            + "those nearest to it"),
+    FAST_SHADING("fast shading", "re-rendered without shadows and reflections, as previews of other editors are (paper §1.1, §2.3)"),
+    FEW_SAMPLES("few samples", "re-rendered exactly, mirrors included, with 4 samples of each light that is larger than a point; only "
+            + "where the scene has one"),
+    NO_ANTIALIASING("no anti-aliasing",
+            "re-rendered exactly, mirrors included, with one sample in each pixel; only where the scene asks for "
+                    + "finer samples"),
+    RATIO("ratio", "the paper's update of stored contributions; mirrors stay as they were"),
+    EXACT("exact", "bit-equal to a full trace whose mirrors stay as they were"),
+    EXACT_UPDATED("exact, mirrors updated", "exact, and then the mirrors: both times together (paper §4.8)"),
+    EXACT_CURRENT("exact, mirrors current", "bit-equal to a full trace, mirrors included, in one step"),
+    FULL_TRACE("full trace", "a traditional trace that keeps nothing: the reference");
+
+    /** What the program shows unless it is told otherwise: headlines are about this grade. */
+    public static final AccuracySetting DEFAULT = EXACT_CURRENT;
+
+    /** The lights' samples of the grade that has few. */
+    private static final int REDUCED_LIGHT_SAMPLES = SceneLimits.MIN_LIGHT_SAMPLES;
+
+    private final String label;
+    private final String description;
+
+    AccuracySetting(String label, String note) {
+        this.label = label;
+        this.description = note;
+    }
+
+    /** Whether it is another than its neighbours for edits of a scene. */
+    boolean appliesTo(Scene scene) {
+        return switch (this) {
+            case FEW_SAMPLES -> scene.lights().stream().anyMatch(Light::isArea);
+            case NO_ANTIALIASING -> scene.picture().sampling().isSupersampled();
+            case HALF_RESOLUTION, FAST_SHADING, RATIO, EXACT, EXACT_UPDATED, EXACT_CURRENT, FULL_TRACE -> true;
+        };
+    }
+
+    /** The scene that it renders for one that is wanted. */
+    Scene sceneFor(Scene scene) {
+        PictureSettings p = scene.picture();
+        return switch (this) {
+            case HALF_RESOLUTION -> scene.withPicture(p.withSize((p.width() + 1) / 2, (p.height() + 1) / 2));
+            case FEW_SAMPLES ->
+                    scene.withLights(scene.lights().stream().map(l -> l.withArea(l.area().withSamples(REDUCED_LIGHT_SAMPLES))).toList());
+            case NO_ANTIALIASING -> scene.withPicture(p.withSampling(new SamplingSettings(AntialiasMode.OFF, p.sampling().grid())));
+            case FAST_SHADING, RATIO, EXACT, EXACT_UPDATED, EXACT_CURRENT, FULL_TRACE -> scene;
+        };
+    }
+
+    /** How it renders. */
+    RenderOptions options() {
+        RenderOptions exact = RenderOptions.DEFAULT.withAccuracy(Accuracy.EXACT).withEngines(Engines.FASTEST);
+        return switch (this) {
+            case HALF_RESOLUTION, FEW_SAMPLES, NO_ANTIALIASING, EXACT_CURRENT -> exact.withReflections(ReflectionMode.CURRENT);
+            case FAST_SHADING -> exact.withReflections(ReflectionMode.STALE)
+                    .withView(ViewEffects.ALL.withHidden(Set.of(RenderEffect.SHADOWS, RenderEffect.REFLECTION)));
+            case RATIO -> exact.withReflections(ReflectionMode.STALE).withAccuracy(Accuracy.RATIO);
+            case EXACT, EXACT_UPDATED -> exact.withReflections(ReflectionMode.STALE);
+            case FULL_TRACE -> throw new IllegalArgumentException("a full trace re-renders nothing");
+        };
+    }
+
+    /** Whether its edits start from what grade exact keeps. */
+    boolean startsFromExact() {
+        return this == EXACT_UPDATED || this == EXACT_CURRENT;
+    }
+
+    /** A few words, for a table. */
+    public String label() {
+        return label;
+    }
+
+    /** What it does, in a line. */
+    public String description() {
+        return description;
+    }
+}

@@ -1,0 +1,35 @@
+package lightning.bench.accuracy;
+
+import java.util.Random;
+import lightning.base.math.Rgb;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/** What an artist does with sliders: edits of one light after another, in the ranges that lamps have. */
+public final class RandomEdits {
+    private final Random random;
+
+    /** Edits drawn from a seed: the same again for the same seed. */
+    public RandomEdits(long seed) {
+        random = new Random(seed);
+    }
+
+    /** The scene after the next edit; it must have a light. */
+    public Scene next(Scene scene) {
+        Light light = scene.lights().get(random.nextInt(scene.lights().size()));
+        return scene.withLight(switch (random.nextInt(8)) {
+            case 0, 1 -> light.withIntensity(logUniform(0.01, 10));
+            case 2 -> light.withColor(new Rgb(logUniform(0.05, 1), logUniform(0.05, 1), logUniform(0.05, 1)));
+            case 3, 4 -> light.withAttenuation(new Attenuation(logUniform(0.1, 1), logUniform(0.01, 1), logUniform(0.01, 0.2)));
+            case 5 -> light.withDropoff(logUniform(0.1, 20));
+            case 6 -> light.withAngle(logUniform(5, 60));
+            default -> light.withOn(!light.on());
+        });
+    }
+
+    /** A value of a slider, which is even in the logarithm. */
+    private double logUniform(double min, double max) {
+        return min * Math.pow(max / min, random.nextDouble());
+    }
+}

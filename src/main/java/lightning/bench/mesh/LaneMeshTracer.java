@@ -1,0 +1,67 @@
+package lightning.bench.mesh;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
+import lightning.render.trace.mesh.MeshPacketTraversal;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.render.trace.solid.RayBatch;
+
+/** Traces sets of rays by our lanes, on the calling thread. */
+public final class LaneMeshTracer {
+    private static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+    private static final int RAYS_PER_GROUP = MeshPacketTraversal.PACKETS * RayBatch.WIDTH;
+    private static final int ALL_LANES = -1 >>> -RayBatch.WIDTH;
+
+    private final MeshSolid solid;
+    private final MeshPacketTraversal packets = new MeshPacketTraversal();
+    private final RayBatch rays = new RayBatch();
+    private final double[] limits = new double[RayBatch.WIDTH];
+    /** The rays that hit something: counted so that the search is not left out. */
+    private int hits;
+
+    public LaneMeshTracer(MeshSolid solid) {
+        this.solid = solid;
+    }
+
+    /** Traces all rays of a set; milliseconds of processor time. */
+    public double traceMs(RaySet set) {
+        long start = THREADS.getCurrentThreadCpuTime();
+        boolean isShadow = set.kind() == RaySet.Kind.SHADOW;
+        Arrays.fill(limits, isShadow ? 1 : Double.POSITIVE_INFINITY);
+        hits = 0;
+        for (int n = 0; n < set.count(); n += RAYS_PER_GROUP) {
+            packets.beginGroup(solid, IDENTITY, 0);
+            int end = Math.min(n + RAYS_PER_GROUP, set.count());
+            for (int i = n; i < end; i += RayBatch.WIDTH) {
+                load(set, i);
+                packets.addPacket(rays, ALL_LANES, limits);
+            }
+            if (isShadow) {
+                packets.findBlocked();
+            } else {
+                packets.findNearest();
+            }
+            for (int k = 0; n + k * RayBatch.WIDTH < end; k++) {
+                hits += Integer.bitCount(packets.hitMask(k));
+            }
+        }
+        return (THREADS.getCurrentThreadCpuTime() - start) / 1e6;
+    }
+
+    private void load(RaySet set, int at) {
+        load(set.columns()[0], at, rays.ox);
+        load(set.columns()[1], at, rays.oy);
+        load(set.columns()[2], at, rays.oz);
+        load(set.columns()[3], at, rays.dx);
+        load(set.columns()[4], at, rays.dy);
+        load(set.columns()[5], at, rays.dz);
+    }
+
+    private static void load(float[] from, int at, double[] to) {
+        for (int i = 0; i < RayBatch.WIDTH; i++) {
+            to[i] = from[at + i];
+        }
+    }
+}

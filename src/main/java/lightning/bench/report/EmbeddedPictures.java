@@ -1,0 +1,111 @@
+package lightning.bench.report;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import lightning.format.image.ImageFile;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+
+/**
+ * The pictures inside the page, each once, however often it is shown: a class of the style sheet with the picture as its
+ * background. They are packed closely; what every pixel is stands in the files beside the report.
+ */
+final class EmbeddedPictures {
+    private static final float JPEG_QUALITY = 0.92f;
+    /** The bits of a channel that a false-colour picture keeps, so that it has few colours. */
+    private static final int COARSE = 0xF8F8F8;
+
+    private final Path folder;
+    private final Map<String, String> byFile = new HashMap<>();
+    private final Map<String, String> byContent = new LinkedHashMap<>();
+
+    /** @param folder to which the names of pictures are relative */
+    EmbeddedPictures(Path folder) {
+        this.folder = folder;
+    }
+
+    /** The class of a picture; null if there is none or it cannot be read. */
+    String picture(String file) {
+        return add(file, false);
+    }
+
+    /** The class of a false-colour picture; null if there is none or it cannot be read. */
+    String difference(String file) {
+        return add(file, true);
+    }
+
+    private String add(String file, boolean fewColors) {
+        if (file == null) {
+            return null;
+        }
+        return byFile.computeIfAbsent(file, name -> {
+            try {
+                Film film = ImageFile.read(folder.resolve(name));
+                String encoded = fewColors ? "png;base64," + text(png(film)) : "jpeg;base64," + text(jpeg(film));
+                return byContent.computeIfAbsent(encoded, _ -> "p" + byContent.size());
+            } catch (IOException | RuntimeException e) {
+                // A name that is no path, or a picture that somebody has moved away: the page is whole without it.
+                return null;
+            }
+        });
+    }
+
+    /** The rules of the style sheet that hold the pictures. */
+    String styleRules() {
+        StringBuilder rules = new StringBuilder();
+        byContent.forEach((encoded, name) -> rules.append('.').append(name).append("{background-image:url(data:image/")
+                .append(encoded).append(")}\n"));
+        return rules.toString();
+    }
+
+    private static byte[] jpeg(Film film) throws IOException {
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+        ImageWriteParam quality = writer.getDefaultWriteParam();
+        quality.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+        quality.setCompressionQuality(JPEG_QUALITY);
+        var out = new ByteArrayOutputStream();
+        try (var stream = ImageIO.createImageOutputStream(out)) {
+            writer.setOutput(stream);
+            writer.write(null, new IIOImage(image(film, 0xFFFFFF, BufferedImage.TYPE_INT_RGB, null), null, null), quality);
+        } finally {
+            writer.dispose();
+        }
+        return out.toByteArray();
+    }
+
+    private static byte[] png(Film film) throws IOException {
+        int[] colors = Arrays.stream(ViewTransform.DEFAULT.toPixels(film)).map(rgb -> rgb & COARSE).distinct().toArray();
+        BufferedImage image = colors.length > 256 ? image(film, COARSE, BufferedImage.TYPE_INT_RGB, null)
+                : image(film, COARSE, BufferedImage.TYPE_BYTE_INDEXED,
+                        new IndexColorModel(8, colors.length, colors, 0, false, -1, DataBuffer.TYPE_BYTE));
+        var out = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", out);
+        return out.toByteArray();
+    }
+
+    private static BufferedImage image(Film film, int bits, int type, IndexColorModel colors) {
+        BufferedImage image = colors == null ? new BufferedImage(film.width(), film.height(), type)
+                : new BufferedImage(film.width(), film.height(), type, colors);
+        int[] pixels = ViewTransform.DEFAULT.toPixels(film);
+        Arrays.setAll(pixels, i -> pixels[i] & (0xFF000000 | bits));
+        image.setRGB(0, 0, film.width(), film.height(), pixels, 0, film.width());
+        return image;
+    }
+
+    private static String text(byte[] bytes) {
+        return Base64.getEncoder().encodeToString(bytes);
+    }
+}

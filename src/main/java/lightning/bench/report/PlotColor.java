@@ -1,0 +1,69 @@
+package lightning.bench.report;
+
+import java.awt.Color;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import lightning.bench.accuracy.AccuracySetting;
+import lightning.render.relight.plan.Accuracy;
+
+/**
+ * The colours of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
+ * with the theme; {@link #color} is only what a chart is drawn with. Hues are those of Okabe and Ito, "Color Universal
+ * Design", 2008, which stay apart without colour vision.
+ */
+enum PlotColor {
+    TEXT(0x1A1D21),
+    MUTED(0x5F6770),
+    GRID(0xDFE3E8),
+    PAPER(0xA3ABB5),
+    OURS(0x0072B2),
+    SKY(0x56B4E9),
+    GREEN(0x009E73),
+    ORANGE(0xE69F00),
+    RED(0xD55E00),
+    PURPLE(0xB8609A);
+
+    private static final Map<Integer, PlotColor> BY_COLOR =
+            Arrays.stream(values()).collect(Collectors.toMap(ink -> ink.color.getRGB() & 0xFFFFFF, ink -> ink));
+
+    /** In the order of the grades. */
+    private static final List<PlotColor> BY_SETTING = List.of(ORANGE, RED, MUTED, MUTED, PURPLE, SKY, GREEN, OURS, TEXT);
+
+    private final Color color;
+
+    PlotColor(int rgb) {
+        color = new Color(rgb);
+    }
+
+    Color color() {
+        return color;
+    }
+
+    /** As the style sheet knows it: {@code var(--ours)}. */
+    String variable() {
+        return "var(--" + name().toLowerCase(Locale.ROOT) + ")";
+    }
+
+    /** What the page calls a colour of a chart; the colour itself if it is none of these. */
+    static String variable(int red, int green, int blue) {
+        PlotColor plotColor = BY_COLOR.get(red << 16 | green << 8 | blue);
+        return plotColor == null ? String.format(Locale.ROOT, "rgb(%d,%d,%d)", red, green, blue) : plotColor.variable();
+    }
+
+    static PlotColor of(AccuracySetting setting) {
+        return BY_SETTING.get(setting.ordinal());
+    }
+
+    static PlotColor of(Accuracy accuracy) {
+        return accuracy.isExact() ? OURS : PURPLE;
+    }
+
+    /** Colours of lines that have no meaning of their own. */
+    static PlotColor of(int line) {
+        PlotColor[] colors = {OURS, RED, GREEN, PURPLE, ORANGE, SKY, TEXT, MUTED};
+        return colors[line % colors.length];
+    }
+}

@@ -1,0 +1,12 @@
+package lightning.cli;
+
+import lightning.base.text.UserFacingException;
+
+/** A command cannot do what it was asked; the message is a sentence for the user. */
+final class BadInputException extends Exception implements UserFacingException {
+    private static final long serialVersionUID = 1;
+
+    BadInputException(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,168 @@
+package lightning.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import lightning.base.work.DedicatedThread;
+import lightning.render.image.Film;
+import lightning.shot.FrameState;
+import lightning.shot.FrameUpdate;
+import lightning.shot.HostLostException;
+import lightning.shot.ShotListener;
+import lightning.shot.ShotRelighter;
+import lightning.shot.ShotRevision;
+import lightning.shot.cluster.DistributedShot;
+import lightning.shot.cluster.NodeConfig;
+import lightning.shot.movie.FrameFiles;
+
+/**
+ * Makes edits in all frames of a shot that nodes of a cluster hold, and writes their pictures.
+ *
+ * @param folder  the folder that holds the scene file
+ * @param threads how many pictures are written at once
+ */
+record ClusterRelight(Console console, PictureOutput output, NodeConfig config, Path folder, int threads) {
+    /** How long the command waits for a first node: for two tries to find one. */
+    private static final long FIRST_NODE_TIMEOUT_NANOSECONDS = 30_000_000_000L;
+    /** How long it waits for another one where all are gone: one may be started again. */
+    private static final long NODE_TIMEOUT_NANOSECONDS = 60_000_000_000L;
+    private static final long POLL_MILLISECONDS = 2;
+    /** More than nodes are lost while one film is on its way. */
+    private static final int MAX_ATTEMPTS = 100;
+
+    /** What is heard of frames. */
+    private static final class FrameCounts implements ShotListener {
+        /** Whether any node was there, as any of the waiting threads saw. */
+        private volatile boolean sawNode;
+        private final Console console;
+        private final AtomicInteger updated = new AtomicInteger();
+        private final AtomicInteger traced = new AtomicInteger();
+        private final AtomicReference<Throwable> problem = new AtomicReference<>();
+
+        FrameCounts(Console console) {
+            this.console = console;
+        }
+
+        @Override
+        public void frameUpdated(FrameUpdate update, FrameState state) {
+            updated.incrementAndGet();
+            traced.addAndGet(update.traced() ? 1 : 0);
+        }
+
+        @Override
+        public void frameFailed(int frame, Throwable failure) {
+            problem.compareAndSet(null, new BadInputException("frame " + frame + ": " + failure.getMessage()));
+        }
+
+        @Override
+        public void hostLost(HostLostException lost) {
+            console.warn("%s", lost.getMessage());
+        }
+    }
+
+    /**
+     * Makes the edits of each group.
+     *
+     * @param groups where the pictures of each go
+     * @throws BadInputException if no node is there, or a frame cannot be made
+     */
+    void run(ShotRevision original, List<ShotRevision> edited, List<FrameFiles> groups, FrameRange range) throws Exception {
+        var counts = new FrameCounts(console);
+        try (DistributedShot shot = DistributedShot.join(config, folder, range.first(), range.last(), counts,
+                sentence -> console.warn("%s", sentence))) {
+            double tracing = relightAll(shot, original, counts, "tracing");
+            console.print("%s traced by %s in %.1f ms", Console.count(range.count(), "frame"), nodes(shot), tracing);
+            for (int group = 0; group < edited.size(); group++) {
+                long start = System.nanoTime();
+                double relighting = relightAll(shot, edited.get(group), counts, "relighting");
+                int traced = counts.traced.get();
+                write(shot, groups.get(group), range, counts);
+                console.print("%d. %s relit by %s in %.1f ms, %d of them traced again; %.1f ms with their pictures", group + 1,
+                        Console.count(range.count(), "frame"), nodes(shot), relighting, traced, (System.nanoTime() - start) / 1e6);
+            }
+        } catch (InterruptedException e) {
+            throw new CancellationException();
+        }
+    }
+
+    /** Brings all frames to a take; returns how long that took, milliseconds. */
+    private double relightAll(DistributedShot shot, ShotRevision revision, FrameCounts counts, String title) throws Exception {
+        long start = System.nanoTime();
+        counts.updated.set(0);
+        counts.traced.set(0);
+        try (ProgressBar bar = new ProgressBar(console, title)) {
+            shot.relighter().setRevision(revision);
+            awaitFrames(shot, counts, bar);
+        }
+        return (System.nanoTime() - start) / 1e6;
+    }
+
+    private void awaitFrames(DistributedShot shot, FrameCounts counts, ProgressBar bar) throws Exception {
+        ShotRelighter frames = shot.relighter();
+        int count = frames.last() - frames.first() + 1;
+        long lastSeen = System.nanoTime();
+        while (!frames.isIdle()) {
+            if (shot.nodeCount() > 0) {
+                lastSeen = System.nanoTime();
+                counts.sawNode = true;
+            } else if (System.nanoTime() - lastSeen > (counts.sawNode ? NODE_TIMEOUT_NANOSECONDS : FIRST_NODE_TIMEOUT_NANOSECONDS)) {
+                throw new BadInputException(
+                        "no node answers at " + config.firstJoinText() + ": none is there, or it has another certificate");
+            }
+            bar.report(Math.min(counts.updated.get(), count), count);
+            Thread.sleep(POLL_MILLISECONDS);
+        }
+        if (counts.problem.get() instanceof BadInputException problem) {
+            throw problem;
+        }
+    }
+
+    private void write(DistributedShot shot, FrameFiles files, FrameRange range, FrameCounts counts) throws Exception {
+        List<Future<?>> pictures = new ArrayList<>();
+        ExecutorService writers = Executors.newFixedThreadPool(threads, DedicatedThread.factory("lightning-pictures"));
+        try (ProgressBar bar = new ProgressBar(console, "writing")) {
+            for (int frame = range.first(); frame <= range.last(); frame++) {
+                int next = frame;
+                pictures.add(writers.submit(() -> {
+                    output.write(film(shot, next, counts, bar), files.file(next));
+                    return null;
+                }));
+            }
+            for (int i = 0; i < pictures.size(); i++) {
+                pictures.get(i).get();
+                bar.report(i + 1, pictures.size());
+            }
+        } catch (ExecutionException e) {
+            throw e.getCause() instanceof Exception problem ? problem : e;
+        } finally {
+            writers.shutdownNow();
+        }
+    }
+
+    /** The film of a frame; where the node that has it is lost meanwhile, another's. */
+    private Film film(DistributedShot shot, int frame, FrameCounts counts, ProgressBar bar) throws Exception {
+        for (int attempt = 0; attempt < MAX_ATTEMPTS; attempt++) {
+            awaitFrames(shot, counts, bar);
+            var film = shot.relighter().film(frame);
+            if (film.isPresent() && shot.relighter().state(frame) == FrameState.CURRENT) {
+                return film.get();
+            }
+            Thread.sleep(POLL_MILLISECONDS);
+            if (Thread.interrupted()) {
+                throw new InterruptedException();
+            }
+        }
+        throw new BadInputException("frame " + frame + ": no node had room to keep it; start more of them, or give them more --memory");
+    }
+
+    private static String nodes(DistributedShot shot) {
+        return Console.count(shot.nodeCount(), "node");
+    }
+}

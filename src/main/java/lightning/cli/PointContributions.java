@@ -1,0 +1,43 @@
+package lightning.cli;
+
+import lightning.base.math.Rgb;
+import lightning.render.shading.LightReport;
+import lightning.render.shading.SurfaceWeights;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.Material;
+
+/** What each part of the equation adds to the colour of a point, for people: sums of them are rounded once more. */
+record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
+
+    static PointContributions of(Material material, SurfacePoint point) {
+        return new PointContributions(point, toFloats(material.reflective()), new SurfaceWeights(point));
+    }
+
+    /** kd·Idiff·(1 − kr) + (ks·Ispec + Igraz) of one light, linear, {@code float[3]}; of a clear surface what it has of that. */
+    float[] ofLight(LightReport light) {
+        float[] added = new float[3];
+        for (int c = 0; c < 3; c++) {
+            added[c] = at.diffuse()[c] * light.diffuse()[c] * surfaceShare.bodyWeight(reflectivity[c], c)
+                    + (at.specular()[c] * light.highlight()[c] + light.sheen()[c]) * surfaceShare.interiorTint(c);
+        }
+        return added;
+    }
+
+    /** What the mirrored ray adds, kr·Cr of an opaque surface, linear, {@code float[3]}. */
+    float[] reflectedPart(float[] color) {
+        return new float[] {surfaceShare.mirrorWeight(reflectivity[0], 0) * color[0],
+            surfaceShare.mirrorWeight(reflectivity[1], 1) * color[1],
+            surfaceShare.mirrorWeight(reflectivity[2], 2) * color[2]};
+    }
+
+    /** What the refracted ray adds, linear, {@code float[3]}. */
+    float[] refractedPart(float[] color) {
+        return new float[] {surfaceShare.refractionWeight(reflectivity[0], 0) * color[0],
+            surfaceShare.refractionWeight(reflectivity[1], 1) * color[1],
+            surfaceShare.refractionWeight(reflectivity[2], 2) * color[2]};
+    }
+
+    private static float[] toFloats(Rgb c) {
+        return new float[] {(float) c.r(), (float) c.g(), (float) c.b()};
+    }
+}

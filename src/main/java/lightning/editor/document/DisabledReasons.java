@@ -1,0 +1,191 @@
+package lightning.editor.document;
+
+import java.util.Optional;
+import java.util.function.Function;
+import lightning.base.text.Messages;
+import lightning.scene.LightAttribute;
+import lightning.scene.SceneLimits;
+import lightning.scene.VisibleState;
+import lightning.scene.shot.TrackTarget;
+
+/** Why commands have nothing to do: each a clause without a full stop, or empty where nothing is in the way. */
+final class DisabledReasons {
+    /** There is always something to do. */
+    static final Function<EditorState, Optional<String>> NONE = _ -> Optional.empty();
+
+    private static final String NO_PICTURE = Messages.key("there is no picture yet");
+
+    private DisabledReasons() {}
+
+    /** Of a command that changes the document, or writes what an animation has changed for a while. */
+    static Function<EditorState, Optional<String>> unlessAnimating() {
+        return unlessAnimating(NONE);
+    }
+
+    /** The same, with an obstacle of its own. */
+    static Function<EditorState, Optional<String>> unlessAnimating(Function<EditorState, Optional<String>> reason) {
+        return s -> s.animating() ? Optional.of(Messages.tr("an animation is open; close it first")) : reason.apply(s);
+    }
+
+    static Optional<String> noPicture(EditorState s) {
+        return reasonUnless(s.renderedScene().isPresent(), Messages.tr(NO_PICTURE));
+    }
+
+    static Optional<String> notFullPicture(EditorState s) {
+        return reasonUnless(s.isFullPicture(), Messages.tr("the view does not show the whole picture"));
+    }
+
+    static Optional<String> nothingRuns(EditorState s) {
+        return reasonUnless(s.sceneInProgress().isPresent() || s.verifying() || s.reading(), Messages.tr("nothing is running"));
+    }
+
+    static Optional<String> sameAsOnDisk(EditorState s) {
+        return reasonUnless(s.dirty() || s.changedOnDisk(), Messages.tr("the scene is as it is on disk"));
+    }
+
+    static Optional<String> nothingToSave(EditorState s) {
+        return reasonUnless(s.dirty(), Messages.tr("there is nothing to save"));
+    }
+
+    static Optional<String> nothingToUndo(EditorState s) {
+        return reasonUnless(s.undoLabel().isPresent(), Messages.tr("there is nothing to undo"));
+    }
+
+    static Optional<String> nothingToRedo(EditorState s) {
+        return reasonUnless(s.redoLabel().isPresent(), Messages.tr("there is nothing to redo"));
+    }
+
+    static Optional<String> nothingToUndoOfLight(EditorState s) {
+        return lightReason(s, s.undoLightLabel().isPresent(), Messages.tr("there is nothing to undo of this light"));
+    }
+
+    static Optional<String> nothingToRedoOfLight(EditorState s) {
+        return lightReason(s, s.redoLightLabel().isPresent(), Messages.tr("there is nothing to redo of this light"));
+    }
+
+    static Optional<String> noLight(EditorState s) {
+        return reasonUnless(s.selectedLight().isPresent(), Messages.tr("no light is selected"));
+    }
+
+    static Optional<String> noShape(EditorState s) {
+        return reasonUnless(s.selectedNode().isPresent(), Messages.tr("no shape is selected"));
+    }
+
+    static Optional<String> noShapeOrTooManyShapes(EditorState s) {
+        return noShape(s).or(() -> reasonUnless(s.scene().stage().shapeCount() < SceneLimits.MAX_SHAPES,
+                Messages.tr("a scene has at most {0} shapes", SceneLimits.MAX_SHAPES)));
+    }
+
+    static Optional<String> nothingCopied(EditorState s) {
+        return lightReason(s, s.copiedLight().isPresent(), Messages.tr("no settings were copied"));
+    }
+
+    static Optional<String> noDirection(EditorState s) {
+        return s.selectedLightType().map(LightAttribute.DIRECTION::inactiveReason).orElseGet(() -> noLight(s));
+    }
+
+    static Optional<String> tooManyLights(EditorState s) {
+        return reasonUnless(s.scene().lights().size() < SceneLimits.MAX_LIGHTS,
+                Messages.tr("a scene has at most {0} lights", SceneLimits.MAX_LIGHTS));
+    }
+
+    static Optional<String> noLightGroup(EditorState s) {
+        return noLight(s)
+                .or(() -> reasonUnless(!s.selectedLight().orElseThrow().lightGroup().isEmpty(), Messages.tr("the light is in no bank")));
+    }
+
+    static Optional<String> noLightOrTooManyGroups(EditorState s) {
+        return noLight(s)
+                .or(() -> reasonUnless(s.scene().rig().lightGroups().size() < SceneLimits.MAX_LIGHT_GROUPS,
+                        Messages.tr("a scene has at most {0} banks", SceneLimits.MAX_LIGHT_GROUPS)));
+    }
+
+    static Optional<String> noLightOrTooManyLights(EditorState s) {
+        return noLight(s).or(() -> tooManyLights(s));
+    }
+
+    static Optional<String> nothingToAnimate(EditorState s) {
+        return lightReason(s, !s.hasPendingEdits(),
+                s.renderedScene().isEmpty() ? Messages.tr(NO_PICTURE)
+                        : Messages.tr("the picture does not show the last edits; press Go first"));
+    }
+
+    static Optional<String> hasShot(EditorState s) {
+        return reasonUnless(s.shotFrame().isEmpty(), Messages.tr("the scene has a shot"));
+    }
+
+    static Optional<String> noShot(EditorState s) {
+        return reasonUnless(s.shotFrame().isPresent(), Messages.tr("the scene has no shot"));
+    }
+
+    static Optional<String> atFirstFrame(EditorState s) {
+        return noShot(s).or(() -> reasonUnless(s.shotFrame().get().frame() > s.shotFrame().get().shot().first(),
+                Messages.tr("it is the first frame already")));
+    }
+
+    static Optional<String> atLastFrame(EditorState s) {
+        return noShot(s)
+                .or(() -> reasonUnless(s.shotFrame().get().frame() < s.shotFrame().get().shot().last(),
+                        Messages.tr("it is the last frame already")));
+    }
+
+    static Optional<String> noKeyBefore(EditorState s) {
+        return noShot(s).or(() -> reasonUnless(s.shotFrame().get().nearestKeyFrame(true).isPresent(),
+                Messages.tr("there is no key before this frame")));
+    }
+
+    static Optional<String> noKeyAfter(EditorState s) {
+        return noShot(s).or(() -> reasonUnless(s.shotFrame().get().nearestKeyFrame(false).isPresent(),
+                Messages.tr("there is no key behind this frame")));
+    }
+
+    static Optional<String> nothingWithKeys(EditorState s) {
+        return noShot(s).or(() -> reasonUnless(s.shotFrame().get().shot().tracks().stream().anyMatch(t -> s.isSelected(t.target())),
+                Messages.tr("nothing of what is selected has keys; a right click on a property sets its first one")));
+    }
+
+    static Optional<String> noKeySelected(EditorState s) {
+        return noShot(s).or(() -> reasonUnless(s.selectedKeyCount() > 0, Messages.tr("no key is chosen in the timeline")));
+    }
+
+    static Optional<String> noMotionPath(EditorState s) {
+        return reasonUnless(s.animating() && s.motionRecorded(),
+                Messages.tr("no animation is open that has a way; Make Animation records one"));
+    }
+
+    static Optional<String> noPositionKeys(EditorState s) {
+        return nothingToAnimate(s)
+                .or(() -> reasonUnless(s.shotFrame().flatMap(m -> m.shot().track(TrackTarget.light(s.selectedLight().orElseThrow().name()),
+                        LightAttribute.POSITION.name())).isPresent(), Messages.tr("the light has no keys of its place")));
+    }
+
+    static Optional<String> singleSample(EditorState s) {
+        return reasonUnless(s.scene().picture().sampling().isSupersampled(), Messages.tr("every pixel has one sample"));
+    }
+
+    static Optional<String> nothingToRender(EditorState s) {
+        if (!s.hasPendingEdits() && !s.lacksSamples()) {
+            return Optional.of(Messages.tr("nothing was edited since the last Go"));
+        }
+        boolean isRendering = s.sceneInProgress().filter(scene -> VisibleState.isSame(scene, s.scene())).isPresent();
+        return reasonUnless(!isRendering, Messages.tr("the scene is being rendered"));
+    }
+
+    static Optional<String> mirrorsAreCurrent(EditorState s) {
+        if (s.renderedScene().isEmpty() || s.mirroredScene().isEmpty()) {
+            return Optional.of(Messages.tr(NO_PICTURE));
+        }
+        if (VisibleState.isSame(s.renderedScene().get(), s.mirroredScene().get())) {
+            return Optional.of(Messages.tr("the mirrors show the picture's lights already"));
+        }
+        return reasonUnless(s.staleMirrorsMessage().isPresent(), Messages.tr("nothing in the picture mirrors or is clear"));
+    }
+
+    private static Optional<String> lightReason(EditorState s, boolean isPossible, String reason) {
+        return noLight(s).or(() -> reasonUnless(isPossible, reason));
+    }
+
+    private static Optional<String> reasonUnless(boolean isPossible, String reason) {
+        return isPossible ? Optional.empty() : Optional.of(reason);
+    }
+}

@@ -1,0 +1,127 @@
+package lightning.editor.document;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.UUID;
+import lightning.base.file.PrivateFolder;
+
+/**
+ * Tells the editors of one user which scenes the others have open. Each editor has a file in a common folder that names its
+ * scene, and holds a lock on it; the system releases the lock when the process ends, however it ends. A file that nobody
+ * holds is removed. Belongs to one thread.
+ */
+public final class OpenSceneRegistry implements AutoCloseable {
+    private static final String EXTENSION = ".open";
+    /** Beyond every content: some systems let nobody read what is locked. */
+    private static final long LOCKED_BYTE = Long.MAX_VALUE - 1;
+    /** Far more than passes between the making of a file and its locking. */
+    private static final Duration MIN_STALE_AGE = Duration.ofMinutes(1);
+    /** More than any path takes. */
+    private static final int MAX_BYTES = 1 << 16;
+
+    private final Path folder;
+    private final Path ownFile;
+    private FileChannel channel;
+
+    /** @param folder for nothing else; made when the first scene is opened */
+    public OpenSceneRegistry(Path folder) {
+        this.folder = folder;
+        ownFile = folder.resolve(UUID.randomUUID() + EXTENSION);
+    }
+
+    /**
+     * A scene is open here, in place of the one before.
+     *
+     * @throws IOException if others cannot be told
+     */
+    public void register(Path scene) throws IOException {
+        if (channel == null) {
+            PrivateFolder.restrict(folder);
+            channel = FileChannel.open(ownFile, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+            channel.lock(LOCKED_BYTE, 1, false);
+        }
+        channel.truncate(0);
+        channel.write(ByteBuffer.wrap(sceneId(scene).getBytes(StandardCharsets.UTF_8)), 0);
+    }
+
+    /**
+     * Whether another editor has a scene open, under whatever link to it.
+     *
+     * @throws IOException if the folder cannot be read
+     */
+    public boolean isOpenElsewhere(Path scene) throws IOException {
+        String name = sceneId(scene);
+        boolean open = false;
+        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, "*" + EXTENSION)) {
+            for (Path other : all) {
+                open |= !other.equals(ownFile) && isLocked(other) && containsName(other, name);
+            }
+        } catch (DirectoryIteratorException e) {
+            throw e.getCause();
+        }
+        return open;
+    }
+
+    private static boolean isLocked(Path other) {
+        try (FileChannel file = FileChannel.open(other, StandardOpenOption.WRITE);
+                FileLock lock = file.tryLock(LOCKED_BYTE, 1, false)) {
+            if (lock == null) {
+                return true;
+            }
+            if (Files.getLastModifiedTime(other).toInstant().isBefore(Instant.now().minus(MIN_STALE_AGE))) {
+                Files.deleteIfExists(other);
+            }
+            return false;
+        } catch (OverlappingFileLockException e) {
+            // Another editor of this very process.
+            return true;
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    private static boolean containsName(Path other, String name) {
+        try (var in = Files.newInputStream(other)) {
+            return new String(in.readNBytes(MAX_BYTES), StandardCharsets.UTF_8).equals(name);
+        } catch (IOException e) {
+            return false;
+        }
+    }
+
+    /** What all names of a file have in common, on one line whatever is in them. */
+    private static String sceneId(Path scene) {
+        Path absolute = scene.toAbsolutePath();
+        URI name;
+        try {
+            name = absolute.toRealPath().toUri();
+        } catch (IOException e) {
+            name = absolute.normalize().toUri();
+        }
+        return name.toString();
+    }
+
+    /** Nothing is open here any more. */
+    @Override
+    public void close() {
+        try (FileChannel openChannel = channel) {
+            if (openChannel != null) {
+                Files.deleteIfExists(ownFile);
+            }
+        } catch (IOException e) {
+            // The next editor removes it.
+        }
+        channel = null;
+    }
+}

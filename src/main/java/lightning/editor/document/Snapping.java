@@ -1,0 +1,119 @@
+package lightning.editor.document;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Messages;
+import lightning.scene.Light;
+
+/**
+ * Rounds what a drag makes of a light: places to a grid, directions to whole steps of angle, distances to two digits.
+ *
+ * @param light as it was rounded
+ * @param message  what it was rounded to, for the artist
+ */
+public record Snapping(Light light, String message) {
+    /** Degrees. */
+    public static final double ANGLE_STEP = 15;
+    /** The grid's lines are at least so many pixels apart. */
+    private static final double GRID_PIXELS = 8;
+    /** A direction so near to upright has no azimuth. */
+    private static final double UPRIGHT = 1e-9;
+
+    /**
+     * What a drag of its wireframe made of a light: where it moved, its place; where it turned, its direction; where both, as an orbit
+     * does, the way from what it aims at.
+     */
+    public static Snapping of(Light start, Light dragged, PreviewCamera view, Viewport canvas) {
+        boolean hasMoved = !start.position().equals(dragged.position());
+        boolean hasTurned = !start.direction().equals(dragged.direction());
+        if (hasMoved && hasTurned) {
+            Vec3 target = LightManipulation.aimPoint(start, view);
+            Vec3 offset = snapDirection(dragged.position().minus(target));
+            return new Snapping(
+                    dragged.withPosition(target.plus(offset)).withDirection(offset.normalized().times(-dragged.direction().length())),
+                    angleText(offset));
+        }
+        if (hasTurned) {
+            return ofDirection(dragged);
+        }
+        double step = gridStep(start.position(), view, canvas);
+        Vec3 position = snapToGrid(dragged.position(), step);
+        return new Snapping(dragged.withPosition(position),
+                Messages.tr("at {0} {1} {2}, grid {3}", numberText(position.x()), numberText(position.y()), numberText(position.z()),
+                        numberText(step)));
+    }
+
+    /** A light whose direction is rounded. */
+    public static Snapping ofDirection(Light light) {
+        Vec3 direction = snapDirection(light.direction());
+        return new Snapping(light.withDirection(direction), angleText(direction));
+    }
+
+    /** The step of the grid about a point, as large as this view needs it. */
+    static double gridStep(Vec3 about, PreviewCamera view, Viewport canvas) {
+        return roundStep(GRID_PIXELS * view.pixelScale(Math.max(view.depth(about), view.distance() / 100), canvas.height()));
+    }
+
+    /** The nearest whole number of steps, on each axis. */
+    static Vec3 snapToGrid(Vec3 point, double step) {
+        return new Vec3(snapToStep(point.x(), step), snapToStep(point.y(), step), snapToStep(point.z(), step));
+    }
+
+    /** The nearest whole number of steps. */
+    static double snapToStep(double v, double step) {
+        double count = Math.rint(v / step) + 0.0;
+        // 3 · 0.1 is not 0.3, but 3 / 10 is.
+        return step < 1 ? count / Math.rint(1 / step) : count * step;
+    }
+
+    /** The least of 1, 2 and 5 times a power of ten that is at least so much, &gt; 0. */
+    static double roundStep(double minStep) {
+        double power = Math.pow(10, Math.floor(Math.log10(minStep)));
+        for (double digit : new double[] {1, 2, 5}) {
+            if (digit * power >= minStep) {
+                return round(digit * power, 1);
+            }
+        }
+        return round(10 * power, 1);
+    }
+
+    /** A direction of the same length whose azimuth about y, from z towards x, and elevation are multiples of {@link #ANGLE_STEP}. */
+    static Vec3 snapDirection(Vec3 v) {
+        double elevation = snapToStep(elevation(v), ANGLE_STEP);
+        double azimuth = Math.abs(elevation) == 90 ? 0 : snapToStep(azimuth(v), ANGLE_STEP);
+        double cosElevation = Transform.cosDegrees(elevation);
+        return new Vec3(cosElevation * Transform.sinDegrees(azimuth), Transform.sinDegrees(elevation),
+                cosElevation * Transform.cosDegrees(azimuth))
+                .times(v.length());
+    }
+
+    private static double elevation(Vec3 v) {
+        return Math.toDegrees(Math.atan2(v.y(), Math.hypot(v.x(), v.z())));
+    }
+
+    private static double azimuth(Vec3 v) {
+        return Math.hypot(v.x(), v.z()) <= UPRIGHT * v.length() ? 0 : Math.toDegrees(Math.atan2(v.x(), v.z()));
+    }
+
+    private static String angleText(Vec3 v) {
+        return Messages.tr("azimuth {0}°, elevation {1}°", numberText(azimuth(v)), numberText(elevation(v)));
+    }
+
+    /** A distance, &gt; 0, in two digits. */
+    public static double snapDistance(double v) {
+        return round(v, 2);
+    }
+
+    private static double round(double v, int digits) {
+        return new BigDecimal(v).round(new MathContext(digits, RoundingMode.HALF_EVEN)).doubleValue();
+    }
+
+    /** A number as the status tells it, in four digits. */
+    public static String numberText(double v) {
+        return DecimalNumber.format(round(v, 4));
+    }
+}

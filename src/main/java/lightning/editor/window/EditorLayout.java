@@ -1,0 +1,223 @@
+package lightning.editor.window;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Supplier;
+import javafx.beans.binding.BooleanExpression;
+import javafx.geometry.Insets;
+import javafx.geometry.Orientation;
+import javafx.scene.Node;
+import javafx.scene.control.Control;
+import javafx.scene.control.Label;
+import javafx.scene.control.SplitPane;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import lightning.base.text.Messages;
+import lightning.editor.window.model.WindowLayout;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.widget.PaneHeader;
+import lightning.editor.window.widget.PictureView;
+
+/**
+ * The places of the editor's panes. Each holds what says that the scene is being read, until its pane comes: the traced picture
+ * first, then all others. Panes stay where they were put, since looks are lost on the way from one window into another.
+ */
+final class EditorLayout extends BorderPane {
+    /** The share of the two pictures in the window's width. */
+    static final double CANVAS_SHARE = 0.74;
+    private static final double LIST_SHARE = 0.36;
+    /** Of the timeline when it is first shown, pixels, and its most share of the height. */
+    private static final double TIMELINE_HEIGHT = 200;
+    private static final double MAX_TIMELINE_SHARE = 0.4;
+    /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
+    static final double BARS_HEIGHT = 72;
+    static final double STATUS_HEIGHT = 27;
+    /** About what the head of a pane takes, and the lines below the traced picture of what a pixel is made of, pixels: for the same reason. */
+    static final double HEADER_HEIGHT = 36;
+    static final double FOOTER_HEIGHT = 38;
+    /** About how wide the traced picture is where all its controls are in a row, and what a second row takes, pixels. */
+    private static final double SINGLE_ROW_WIDTH = 589;
+    private static final double EXTRA_ROW_HEIGHT = 30;
+    /** Of the bar between two panes, pixels. */
+    static final double DIVIDER_WIDTH = 4;
+    /** Below the header, whose text begins there. */
+    private static final Insets NOTE_INSETS = new Insets(6, 12, 6, 12);
+
+    private final PictureView picture;
+    private final SplitPane canvases;
+    /** The pictures, and below them the timeline. */
+    private final SplitPane workArea;
+    private final SplitPane sidePanels;
+    private final SplitPane mainSplit;
+    private Node traced;
+    private Node preview;
+    private Node timeline;
+    /** Kept, since it is told only as long as somebody has it. */
+    private BooleanExpression timelineShown;
+    /** Where the timeline begins; 0 before it was first shown. */
+    private double timelineDivider;
+    /** Where the border of the panels was before they were hidden. */
+    private double sideDivider = CANVAS_SHARE;
+
+    /**
+     * @param file    what is being read
+     * @param picture what is shown in the place of the traced picture, whose pane goes on with it; it may show something already
+     */
+    EditorLayout(Path file, PictureView picture) {
+        this.picture = picture;
+        setId("opening");
+        getStyleClass().add("editor");
+        String reading = Messages.tr("Reading {0} …", file.getFileName());
+        canvases = new SplitPane(tracedPlaceholder(reading), placeholder(Messages.tr("Preview"), reading));
+        sidePanels = new SplitPane(sidePlaceholder(reading));
+        sidePanels.setOrientation(Orientation.VERTICAL);
+        workArea = new SplitPane(canvases);
+        workArea.setOrientation(Orientation.VERTICAL);
+        mainSplit = new SplitPane(workArea, sidePanels);
+        mainSplit.setDividerPositions(CANVAS_SHARE);
+        SplitPane.setResizableWithParent(sidePanels, false);
+        setTop(spacer(BARS_HEIGHT));
+        setCenter(mainSplit);
+        setBottom(spacer(STATUS_HEIGHT));
+    }
+
+    private static Region spacer(double height) {
+        var space = new Region();
+        space.setPrefHeight(height);
+        return space;
+    }
+
+    private static BorderPane placeholder(String title, String text) {
+        var note = new Label(text);
+        note.getStyleClass().add("canvas-note");
+        var canvas = new StackPane(note);
+        canvas.getStyleClass().add("canvas");
+        var pane = new BorderPane(canvas);
+        pane.setTop(new PaneHeader(title));
+        return pane;
+    }
+
+    /** About what the head of the traced picture takes that is so wide, pixels. */
+    static double headerHeight(double width) {
+        return width < SINGLE_ROW_WIDTH ? HEADER_HEIGHT + EXTRA_ROW_HEIGHT : HEADER_HEIGHT;
+    }
+
+    private BorderPane tracedPlaceholder(String text) {
+        var pane = placeholder(Messages.tr("Ray traced"), text);
+        ((Region) pane.getTop()).prefHeightProperty().bind(pane.widthProperty().map(w -> headerHeight(w.doubleValue())));
+        pane.setCenter(new StackPane(pane.getCenter(), picture));
+        Region foot = spacer(FOOTER_HEIGHT);
+        foot.getStyleClass().add("pane-footer");
+        pane.setBottom(foot);
+        return pane;
+    }
+
+    PictureView picture() {
+        return picture;
+    }
+
+    private static VBox sidePlaceholder(String text) {
+        var note = new Label(text);
+        note.getStyleClass().add("pane-note");
+        VBox.setMargin(note, NOTE_INSETS);
+        var side = new VBox(new PaneHeader(Messages.tr("Lights")), note);
+        side.getStyleClass().add("lights");
+        return side;
+    }
+
+    void showTraced(Node pane) {
+        traced = pane;
+        canvases.getItems().set(0, pane);
+    }
+
+    /** Puts in all but the traced picture. */
+    void setPanes(Node bars, Node previewPane, Node lights, Node properties, Node status) {
+        setId("editor");
+        preview = previewPane;
+        canvases.getItems().set(1, preview);
+        sidePanels.getItems().setAll(lights, properties);
+        sidePanels.setDividerPositions(LIST_SHARE);
+        setTop(bars);
+        setBottom(status);
+    }
+
+    /**
+     * Shows the timeline below the pictures while it is wanted and the panels are not hidden; it is made when it first is.
+     *
+     * @return makes it before
+     */
+    Runnable addTimeline(WindowLayout arrangement, Supplier<Node> factory) {
+        Runnable create = () -> {
+            if (timeline == null) {
+                timeline = factory.get();
+                SplitPane.setResizableWithParent(timeline, false);
+            }
+        };
+        var shown = arrangement.timelineShownProperty().and(arrangement.panelsHiddenProperty().not());
+        timelineShown = shown;
+        shown.subscribe(on -> {
+            if (on) {
+                create.run();
+            }
+            if (on && workArea.getItems().size() == 1) {
+                // A pane that comes while its neighbours' room is about to change gets the least that it can do with.
+                applyCss();
+                layout();
+                workArea.getItems().add(timeline);
+                if (timelineDivider > 0) {
+                    workArea.setDividerPositions(timelineDivider);
+                } else {
+                    workArea.heightProperty().subscribe(_ -> placeTimelineDivider());
+                }
+            } else if (!on && workArea.getItems().size() == 2) {
+                timelineDivider = workArea.getDividerPositions()[0];
+                workArea.getItems().remove(timeline);
+            }
+        });
+        return create;
+    }
+
+    private void placeTimelineDivider() {
+        if (timelineDivider == 0 && workArea.getHeight() > 0 && workArea.getItems().size() == 2) {
+            timelineDivider = 1 - Math.min(MAX_TIMELINE_SHARE, TIMELINE_HEIGHT / workArea.getHeight());
+            workArea.setDividerPositions(timelineDivider);
+        }
+    }
+
+    /** Gives the pictures their room, now and whenever it is wanted otherwise. */
+    void bindTo(WindowLayout arrangement) {
+        arrangement.canvasLayoutProperty().subscribe(this::showCanvases);
+        arrangement.panelsHiddenProperty().subscribe(this::hidePanels);
+    }
+
+    private void showCanvases(CanvasLayout choice) {
+        List<Node> visible = choice.share() == 1 ? List.of(traced) : choice.share() == 0 ? List.of(preview) : List.of(traced, preview);
+        canvases.getItems().retainAll(visible);
+        for (int i = 0; i < visible.size(); i++) {
+            if (!canvases.getItems().contains(visible.get(i))) {
+                canvases.getItems().add(i, visible.get(i));
+            }
+        }
+        if (visible.size() == 2) {
+            canvases.setDividerPositions(choice.share());
+        }
+    }
+
+    private void hidePanels(boolean hidden) {
+        if (hidden && mainSplit.getItems().size() == 2) {
+            sideDivider = mainSplit.getDividerPositions()[0];
+            // What stays is never taken out: it would lose the keyboard and the mouse.
+            mainSplit.getItems().remove(sidePanels);
+        } else if (!hidden && mainSplit.getItems().size() == 1) {
+            mainSplit.getItems().add(sidePanels);
+            mainSplit.setDividerPositions(sideDivider);
+        }
+    }
+
+    /** Whether the mouse is over one of the pictures, and what has the keyboard needs neither Tab nor the space bar. */
+    boolean isOverPictures() {
+        return canvases.isHover() && (getScene() == null || !(getScene().getFocusOwner() instanceof Control));
+    }
+}

@@ -1,0 +1,123 @@
+package lightning.editor.window;
+
+import java.util.concurrent.Executor;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import lightning.base.text.Messages;
+import lightning.editor.document.Command;
+import lightning.editor.document.DiskStatus;
+import lightning.editor.document.DiskWatch;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.document.OpenSceneRegistry;
+import lightning.editor.document.Workbench;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.widget.DisabledReason;
+
+/**
+ * A line above the canvases that is there while others have changed the open scene's file, taken it away or have it open
+ * too, and offers what can be done. The file is watched on a thread of its own.
+ */
+final class ExternalChangeBar extends HBox implements AutoCloseable {
+    private static final double GAP = 8;
+
+    private final Workbench workbench;
+    private final CommandRegistry commands;
+    private final DiskWatch watch;
+    private final Label text = new Label();
+    private final Button reload = button(Messages.tr("Reload"), "disk-reload");
+    private final DisabledReason reloadReason = new DisabledReason(this, reload);
+    private final Button keepMine = button(Messages.tr("Keep Mine"), "disk-keep");
+    private final Button compare = button(Messages.tr("Compare…"), "disk-compare");
+    private final Button hide = button(Messages.tr("Hide"), "disk-read");
+    /** What the artist has read. */
+    private DiskStatus dismissed;
+
+    /**
+     * @param windowExecutor  runs tasks in turn on the window's thread
+     * @param showComparison  shows the open scene beside the file, and asks
+     */
+    ExternalChangeBar(Workbench workbench, CommandRegistry commands, Executor windowExecutor, Runnable showComparison) {
+        this.workbench = workbench;
+        this.commands = commands;
+        watch = new DiskWatch(new OpenSceneRegistry(EditorPaths.dataFolder().resolve("open")), DiskWatch.DEFAULT_PERIOD,
+                news -> windowExecutor.execute(() -> workbench.setDiskStatus(news)));
+        setId("disk-bar");
+        getStyleClass().add("disk-bar");
+        setAlignment(Pos.CENTER_LEFT);
+        setSpacing(GAP);
+        text.setId("disk-news");
+        text.setMinWidth(0);
+        text.setMaxWidth(Double.MAX_VALUE);
+        text.setWrapText(true);
+        HBox.setHgrow(text, Priority.ALWAYS);
+        reload.setOnAction(_ -> commands.run(Command.RELOAD));
+        keepMine.setOnAction(_ -> {
+            dismiss();
+            workbench.ignoreDiskChange();
+        });
+        compare.setOnAction(_ -> showComparison.run());
+        hide.setOnAction(_ -> dismiss());
+        getChildren().addAll(text, reload, keepMine, compare, hide);
+        // Every look at the document is told so, one that finds all as it was too.
+        commands.editorState().addListener(_ -> update());
+        update();
+    }
+
+    private static Button button(String name, String id) {
+        var button = new Button(name);
+        button.setId(id);
+        button.setMinWidth(USE_PREF_SIZE);
+        return button;
+    }
+
+    /** Looks at once, as when the artist comes back from another program. */
+    void checkFile() {
+        watch.checkNow();
+    }
+
+    private void dismiss() {
+        dismissed = workbench.document().diskStatus();
+        update();
+    }
+
+    private void update() {
+        commands.editorState().get();
+        OpenDocument document = workbench.document();
+        watch.watch(document.file(), document.knownState());
+        DiskStatus status = document.diskStatus();
+        boolean isShown = (status.isChanged() || status.isDeleted() || status.isOpenElsewhere()) && !status.equals(dismissed);
+        setVisible(isShown);
+        setManaged(isShown);
+        text.setText(message(document.name(), status));
+        setShown(reload, status.isChanged());
+        setShown(keepMine, status.isChanged());
+        setShown(compare, status.isChanged());
+        setShown(hide, !status.isChanged());
+        reloadReason.set(commands.disabledReason(Command.RELOAD));
+    }
+
+    private static void setShown(Button button, boolean isShown) {
+        button.setVisible(isShown);
+        button.setManaged(isShown);
+    }
+
+    private static String message(String name, DiskStatus status) {
+        if (status.isChanged()) {
+            return Messages.tr("{0} was changed by another program.", name);
+        }
+        if (status.isDeleted()) {
+            return Messages.tr("{0} is no longer where it was; Save Scene writes it again.", name);
+        }
+        return status.isOpenElsewhere()
+                ? Messages.tr("{0} is open in another editor of yours too. Each asks before it overwrites the other's work.", name)
+                : "";
+    }
+
+    @Override
+    public void close() {
+        watch.close();
+    }
+}

@@ -1,0 +1,93 @@
+package lightning.editor.window;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import javafx.scene.Parent;
+import javafx.scene.layout.Region;
+import javafx.stage.Stage;
+import javafx.stage.Window;
+import lightning.editor.document.Command;
+import lightning.editor.window.command.CommandKeys;
+import lightning.editor.window.contribution.ContributionPane;
+import lightning.editor.window.cue.CuePane;
+import lightning.editor.window.measure.AccuracyPane;
+import lightning.editor.window.measure.EffectsPane;
+import lightning.editor.window.measure.ScopesPane;
+import lightning.editor.window.mixer.MixerPane;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.widget.PanelWindow;
+
+/** The windows beside the editor's, each open at most once and called as the command that opens it. */
+final class PanelWindows implements AutoCloseable {
+    private static final Map<Command, PanelSpec> PANELS = Map.of(
+            Command.ACCURACY_PANEL,
+            new PanelSpec(960, 760, m -> new AccuracyPane(m.workbench(), m.editor().editorStateProperty(), m.picture().viewProperty())),
+            Command.EFFECTS_PANEL,
+            new PanelSpec(760, 680,
+                    m -> new EffectsPane(m.editor(), m.workbench(), m.accuracyModeProperty(), m.pictureDisplay().effectsProperty())),
+            Command.KEYS, new PanelSpec(880, 720, m -> new ShortcutsPane(m.commands())),
+            Command.SCOPES, new PanelSpec(540, 540, m -> new ScopesPane(m.picture(), m.files().windowExecutor())),
+            Command.HISTORY_PANEL, new PanelSpec(380, 560, m -> new HistoryPane(m.editor(), m.workbench())),
+            Command.UPDATES_PANEL, new PanelSpec(1200, 420, m -> new UpdatesPane(m.updates())),
+            Command.MIXER, new PanelSpec(1000, 460, m -> new MixerPane(m.editor(), m.picture(), m.workbench(), m.files().windowExecutor())),
+            Command.CUES, new PanelSpec(820, 640, m -> new CuePane(m.editor(), m.picture(), m.files())),
+            Command.CONTRIBUTIONS, new PanelSpec(680, 480, ContributionPane::new));
+
+    private final EditorModel model;
+    private final Supplier<Window> owner;
+    private final Map<Command, Stage> windows = new EnumMap<>(Command.class);
+
+    /**
+     * What stands in a window.
+     *
+     * @param width pixels; likewise {@code height}
+     */
+    private record PanelSpec(double width, double height, Function<EditorModel, Region> pane) {}
+
+    /** @param owner the editor's window, once there is one */
+    PanelWindows(EditorModel model, Supplier<Window> owner) {
+        this.model = model;
+        this.owner = owner;
+    }
+
+    /** Does the commands that open them. */
+    void registerCommands(CommandRegistry commands) {
+        PANELS.keySet().forEach(command -> commands.setAction(command, () -> open(command)));
+    }
+
+    /** For each window the steps that make it before it is wanted, each of which takes a moment of the window's thread. */
+    Stream<Runnable> preloadSteps() {
+        return PANELS.keySet().stream().sorted().flatMap(
+                command -> Stream.of(() -> getOrCreate(command), () -> root(command).applyCss(), () -> root(command).layout()));
+    }
+
+    private Stage getOrCreate(Command command) {
+        return windows.computeIfAbsent(command, c -> createWindow(c, PANELS.get(c)));
+    }
+
+    private Parent root(Command command) {
+        return getOrCreate(command).getScene().getRoot();
+    }
+
+    private void open(Command command) {
+        Stage stage = getOrCreate(command);
+        stage.show();
+        stage.toFront();
+    }
+
+    /** The commands' keys work in it as in the editor's window. */
+    private Stage createWindow(Command command, PanelSpec panel) {
+        var stage = new PanelWindow(owner.get(), command.plainTitle(), panel.pane().apply(model), panel.width(), panel.height());
+        CommandKeys.install(stage.getScene(), model.commands());
+        return stage;
+    }
+
+    @Override
+    public void close() {
+        windows.values().forEach(Stage::close);
+    }
+}

@@ -1,0 +1,126 @@
+package lightning.editor.window;
+
+import java.util.List;
+import java.util.stream.Stream;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.layout.ColumnConstraints;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import lightning.base.text.Messages;
+import lightning.editor.document.Command;
+import lightning.editor.window.command.KeyBindingButton;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.KeyBindings;
+import lightning.editor.window.widget.TimeSlicedTask;
+
+/** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */
+final class ShortcutsPane extends GridPane {
+    /** @param mouse empty where the mouse has nothing of its own; likewise {@code keys} */
+    private record Row(String action, String mouse, String keys) {}
+
+    private static final List<Row> LIGHTS = List.of(
+            new Row(Messages.key("Select a light"), Messages.key("click"), Messages.key("[  and  ]")),
+            new Row(Messages.key("Rotate it"), Messages.key("left drag"), Messages.key("arrows")),
+            new Row(Messages.key("Carry it about what it aims at"), Messages.key("Ctrl + left drag"), ""),
+            new Row(Messages.key("Move it in the viewing plane"), Messages.key("right drag"), Messages.key("Ctrl + arrows")),
+            new Row(Messages.key("Move it along the view; up is away"), Messages.key("middle drag, or Alt + drag"),
+                    Messages.key("Page Up, Page Down")));
+    private static final List<Row> CAMERA = List.of(
+            new Row(Messages.key("Zoom"), Messages.key("Shift + drag that begins upright"), Messages.key("Shift + up, down")),
+            new Row(Messages.key("Pan"), Messages.key("Shift + drag that begins sideways"), Messages.key("Shift + left, right")),
+            new Row(Messages.key("Turn the scene"), Messages.key("Shift + drag from near the edge"), Messages.key("Shift + Ctrl + arrows")),
+            new Row(Messages.key("Along the x axis, from above, the scene's camera"), "X, −Y, −Z", "X, Y, Z"),
+            new Row(Messages.key("All lights in view"), Messages.key("All"), "A"),
+            new Row(Messages.key("Through the selected light, and back"), Messages.key("the eye"), "L"),
+            new Row(Messages.key("Hide the gizmos, and show them again"), Messages.key("the crossed cone"), "G"));
+    private static final List<Row> PICTURE = List.of(
+            new Row(Messages.key("What a pixel is made of"), Messages.key("hover"), ""),
+            new Row(Messages.key("Select the light that matters most there"), Messages.key("click"), ""),
+            new Row(Messages.key("A menu with the shape's material, here or in the preview"), Messages.key("right click"), ""),
+            new Row(Messages.key("Zoom"), Messages.key("wheel"), ""),
+            new Row(Messages.key("Move the picture"), Messages.key("middle drag, or Space and drag"), ""),
+            new Row(Messages.key("Turn, carry, move the selected light or shape"), Messages.key("as in the preview"), ""),
+            new Row(Messages.key("What a light does, with a tool of the menu Light"), Messages.key("click, or drag"), ""),
+            new Row(Messages.key("Take a light that was placed nearer or farther"), Messages.key("drag of its ring"), ""),
+            new Row(Messages.key("Snap to round places, angles, distances"), Messages.key("Shift in a drag"), ""),
+            new Row(Messages.key("Give a drag up"), "", Messages.key("Esc")));
+    private static final List<Row> LIST = List.of(
+            new Row(Messages.key("Rename the selected light"), Messages.key("double click"), "F2"),
+            new Row(Messages.key("Switch it on or off"), Messages.key("the bulb"), Messages.key("Space")),
+            new Row(Messages.key("Let it shine alone"), "S", "S"),
+            new Row(Messages.key("Delete it"), "", Messages.key("Delete")));
+    private static final List<Row> SHAPES = List.of(
+            new Row(Messages.key("Select a shape, or its group"), Messages.key("click, or right click"), ""),
+            new Row(Messages.key("Move, turn, scale it"), Messages.key("left drag of an arrow, a ring, the square"), ""),
+            new Row(Messages.key("Hide it, and show it again"), Messages.key("the eye"), "H"),
+            new Row(Messages.key("Duplicate it"), "", Messages.key("Ctrl + D")),
+            new Row(Messages.key("Rename it, in the list"), Messages.key("double click"), "F2"),
+            new Row(Messages.key("Delete it"), "", Messages.key("Delete")));
+    private static final List<Row> NUMBERS = List.of(
+            new Row(Messages.key("One step more or less"), Messages.key("click the arrow's upper or lower half"), Messages.key("up, down")),
+            new Row(Messages.key("Ten steps"), Messages.key("the same with Ctrl"), Messages.key("Page Up, Page Down")),
+            new Row(Messages.key("A tenth of a step"), Messages.key("the same with Shift"), Messages.key("Shift + up, down")),
+            new Row(Messages.key("Bring the old value back"), "", Messages.key("Escape")));
+
+    /** What is told of a key that is pressed, pixels wide. */
+    private static final double MESSAGE_WIDTH = 300;
+
+    ShortcutsPane(CommandRegistry commands) {
+        setId("keys");
+        // It has the keyboard first: else the window would open scrolled to the first key that can be changed.
+        setFocusTraversable(true);
+        setAccessibleText(Messages.tr("Mouse and keyboard"));
+        getStyleClass().add("keys");
+        var text = new ColumnConstraints();
+        text.setHgrow(Priority.ALWAYS);
+        getColumnConstraints().setAll(text, new ColumnConstraints(), new ColumnConstraints());
+        section(Messages.tr("Lights, in the preview"), LIGHTS);
+        section(Messages.tr("The preview's camera"), CAMERA);
+        section(Messages.tr("The traced picture"), PICTURE);
+        section(Messages.tr("The list of lights"), LIST);
+        section(Messages.tr("Shapes, in their list and in the preview"), SHAPES);
+        section(Messages.tr("Numbers"), NUMBERS);
+        addRow(getRowCount(), label(Messages.tr("Commands"), "keys-title"), label(Messages.tr("Click a key to change it"), "caption"),
+                resetAll(commands.keyBindings()));
+        // They are below what is seen first, and so many that all together would hold up the window.
+        TimeSlicedTask.whileVisible(this,
+                Stream.of(Command.values()).filter(commands::hasAction).<Runnable>map(c -> () -> add(c, commands.keyBindings())).toList()
+                        .iterator());
+    }
+
+    private void add(Command command, KeyBindings keys) {
+        var title = label(command.plainTitle(), "keys-what");
+        var message = label("", "keys-how");
+        message.setWrapText(true);
+        message.setMaxWidth(MESSAGE_WIDTH);
+        var button = new KeyBindingButton(keys, command, message);
+        addRow(getRowCount(), title, message, button);
+        List.of(title, message, button).forEach(TimeSlicedTask::applyStyle);
+    }
+
+    private static Button resetAll(KeyBindings keys) {
+        var reset = new Button(Messages.tr("Reset All Keys"));
+        reset.setId("reset-keys");
+        reset.getStyleClass().add("small");
+        reset.setOnAction(_ -> keys.reset());
+        keys.changesProperty().subscribe(_ -> reset.setDisable(Stream.of(Command.values()).noneMatch(keys::isChanged)));
+        return reset;
+    }
+
+    private void section(String title, List<Row> rows) {
+        addRow(getRowCount(), label(title, "keys-title"), label(Messages.tr("Mouse"), "caption"), label(Messages.tr("Keys"), "caption"));
+        for (Row row : rows) {
+            addRow(getRowCount(), label(Messages.tr(row.action()), "keys-what"), label(Messages.tr(row.mouse()), "keys-how"),
+                    label(Messages.tr(row.keys()), "keys-how"));
+        }
+    }
+
+    private static Label label(String text, String styleClass) {
+        var label = new Label(text);
+        label.getStyleClass().add(styleClass);
+        label.setMinWidth(Region.USE_PREF_SIZE);
+        return label;
+    }
+}

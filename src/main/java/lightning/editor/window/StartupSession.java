@@ -1,0 +1,73 @@
+package lightning.editor.window;
+
+import lightning.editor.document.FileThread;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.document.RecoveryFolder;
+import lightning.editor.window.command.ColorTableActions;
+import lightning.editor.window.model.AccuracyMode;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.StartupPreview;
+import lightning.editor.window.model.UiLanguage;
+import lightning.editor.window.traced.TracedPane;
+import lightning.render.image.DisplayCurve;
+import lightning.render.image.ViewTransform;
+
+/**
+ * A document that is being traced, as the artist left the editor, and its picture in a frame: all that is seen while the rest of
+ * the editor is made.
+ */
+final class StartupSession implements AutoCloseable {
+    /** How long the rest of the window waits for a picture, nanoseconds. */
+    private static final long PICTURE_TIMEOUT_NS = 600_000_000;
+
+    private final EditorModel model;
+    private final TracedPane traced;
+    private final EditorLayout layout;
+
+    /** @param preview of the document's scene, as {@link #startPreview} does */
+    StartupSession(EditorLayout layout, OpenDocument document, StartupPreview preview, Preferences preferences, RecoveryFolder recovery,
+            FileThread thread) {
+        model = new EditorModel(document, preview, recovery, thread);
+        model.accuracyModeProperty().set(preferences.enumValue("precision", AccuracyMode.EXACT));
+        ColorTableActions.restore(model, preferences);
+        model.previewSettings().restore(preferences);
+        model.commands().keyBindings().restore(preferences);
+        model.layout().restore(preferences);
+        model.renderMachines().restore(preferences);
+        model.languageProperty().set(UiLanguage.of(preferences));
+        traced = new TracedPane(model, layout.picture());
+        this.layout = layout;
+        layout.showTraced(traced);
+    }
+
+    /** Begins to look at a document's scene, as the artist left the view. */
+    static StartupPreview startPreview(OpenDocument document, Preferences preferences) {
+        ViewTransform view = ViewTransform.DEFAULT.withCurve(preferences.enumValue("curve", DisplayCurve.SRGB));
+        // Without its table the picture would have other colors for a moment.
+        return ColorTableActions.hasStoredTable(preferences) ? StartupPreview.none(view) : StartupPreview.start(document.scene(), view);
+    }
+
+    EditorModel model() {
+        return model;
+    }
+
+    TracedPane traced() {
+        return traced;
+    }
+
+    EditorLayout frame() {
+        return layout;
+    }
+
+    /** Goes on when the picture was drawn, be it a coarse one, or lets wait for long. */
+    void whenPainted(Runnable callback) {
+        PaintCallbacks.afterPaintOf(() -> !traced.isEmpty(), PICTURE_TIMEOUT_NS, callback);
+    }
+
+    @Override
+    public void close() {
+        traced.close();
+        model.close();
+    }
+}

@@ -1,0 +1,30 @@
+package lightning.editor.window;
+
+import java.util.Optional;
+import java.util.logging.Logger;
+import javafx.application.Platform;
+
+/** Where windows open. */
+final class WindowToolkit {
+    /** Kept, since a logger that nobody keeps forgets its filter. */
+    private static final Logger LOGGER = Logger.getLogger("javafx");
+
+    private WindowToolkit() {}
+
+    /**
+     * Starts the window toolkit, at most once in a process.
+     *
+     * @return why no window can be opened, in one clause without a full stop; empty if one can
+     */
+    static Optional<String> start() {
+        // The launcher starts on the class path, of which JavaFX warns: docs/decisions/0030-an-archive-of-classes.md.
+        LOGGER.setFilter(line -> !line.getMessage().startsWith("Unsupported JavaFX configuration"));
+        try {
+            Platform.startup(() -> {});
+            return Optional.empty();
+        } catch (RuntimeException | LinkageError e) {
+            return Optional.of("no window can be opened here (" + e.getMessage()
+                    + "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)");
+        }
+    }
+}

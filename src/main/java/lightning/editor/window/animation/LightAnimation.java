@@ -1,0 +1,195 @@
+package lightning.editor.window.animation;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.beans.property.IntegerProperty;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleIntegerProperty;
+import javafx.beans.value.ChangeListener;
+import lightning.editor.document.KeyEdits;
+import lightning.editor.document.ShotFrame;
+import lightning.editor.document.motion.MotionExport;
+import lightning.editor.document.motion.MotionPathFile;
+import lightning.editor.document.motion.MotionRecorder;
+import lightning.editor.document.motion.RecordedShot;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.FramePlayer;
+import lightning.editor.window.model.SceneEditor;
+import lightning.scene.shot.AnimatedScene;
+import lightning.scene.shot.Shot;
+
+/** The animation of one light, from Make Animation to Close: what it does, without a window. */
+final class LightAnimation {
+    private final EditorModel model;
+    private final SceneEditor editor;
+    private final String light;
+    private final ReadOnlyBooleanWrapper recording = new ReadOnlyBooleanWrapper();
+    private final ReadOnlyObjectWrapper<RecordedShot> recorded = new ReadOnlyObjectWrapper<>();
+    private final IntegerProperty frame = new SimpleIntegerProperty();
+    private final ChangeListener<Number> frameListener = (_, _, _) -> recordFrame();
+    private final FramePlayer player;
+    private MotionRecorder recorder;
+    private boolean isClosed;
+
+    /** Begins an animation of the selected light, which must be there. */
+    LightAnimation(EditorModel model) {
+        this.model = model;
+        editor = model.editor();
+        light = editor.selection().lightName();
+        player = new FramePlayer(editor, model.picture(), () -> model.picture().renderStateProperty().get().canceled(),
+                _ -> show(frame.get() >= lastFrame() ? 0 : frame.get() + 1));
+        editor.beginAnimation();
+        model.previewSettings().framesProperty().addListener(frameListener);
+        recorded.addListener((_, _, now) -> model.workbench().setMotionRecorded(now != null));
+    }
+
+    /** Takes another recorded shot of the light, and shows its begin. */
+    void setRecorded(RecordedShot newShot) {
+        stop();
+        recorded.set(newShot);
+        show(0);
+    }
+
+    /** Ends, and adds what was recorded to the document's shot from the frame that is shown on; the message says why not. */
+    void convertToKeys() {
+        RecordedShot recordedShot = recorded.get();
+        close();
+        Optional<String> refusal = editor.editShotOrReport(scene -> {
+            AnimatedScene sceneWithShot = KeyEdits.addShot(scene);
+            Shot shot = sceneWithShot.shot().orElseThrow();
+            int first = editor.document().shotFrame().map(ShotFrame::frame).orElse(shot.first());
+            return sceneWithShot.withShot(recordedShot.addTo(shot, first));
+        }, null);
+        if (refusal.isEmpty()) {
+            model.layout().timelineShownProperty().set(true);
+        }
+    }
+
+    String light() {
+        return light;
+    }
+
+    ReadOnlyBooleanProperty recordingProperty() {
+        return recording.getReadOnlyProperty();
+    }
+
+    boolean isRecording() {
+        return recording.get();
+    }
+
+    ReadOnlyBooleanProperty playingProperty() {
+        return player.playingProperty();
+    }
+
+    boolean isPlaying() {
+        return player.isPlaying();
+    }
+
+    /** The shot recorded or loaded; null before. */
+    ReadOnlyObjectProperty<RecordedShot> recordedProperty() {
+        return recorded.getReadOnlyProperty();
+    }
+
+    Optional<RecordedShot> recorded() {
+        return Optional.ofNullable(recorded.get());
+    }
+
+    /** The frame that is shown, from 0. */
+    IntegerProperty frameProperty() {
+        return frame;
+    }
+
+    /** @param interval the resolution number: frames of the preview from one key to the next, 1…{@value RecordedShot#MAX_INTERVAL} */
+    void record(int interval) {
+        stop();
+        recorder = new MotionRecorder(interval);
+        recording.set(true);
+        recordFrame();
+    }
+
+    private void recordFrame() {
+        if (recording.get()) {
+            editor.scene().light(light).ifPresent(recorder::recordFrame);
+            frame.set(recorder.frameCount() - 1);
+        }
+    }
+
+    /** From the begin if it stands at the end. */
+    void play() {
+        stop();
+        if (recorded.get() != null) {
+            show(frame.get() >= lastFrame() ? 0 : frame.get());
+            player.play();
+        }
+    }
+
+    void stop() {
+        player.stop();
+        if (recording.get()) {
+            recorded.set(recorder.recordedShot().orElse(null));
+            frame.set(lastFrame());
+            recording.set(false);
+        }
+    }
+
+    /** Shows one frame of what was recorded; returns false if there is nothing to show. */
+    boolean show(int number) {
+        frame.set(number);
+        boolean canShow = recorded.get() != null && editor.scene().light(light).isPresent();
+        if (canShow) {
+            editor.showAnimationScene(recorded.get().shot().sceneAt(editor.scene(), number));
+        }
+        return canShow;
+    }
+
+    private int lastFrame() {
+        return recorded.get() == null ? 0 : recorded.get().shot().last();
+    }
+
+    /**
+     * Writes what was recorded.
+     *
+     * @param onFailure hears why the file could not be written
+     */
+    void save(Path file, Runnable onSaved, Consumer<Throwable> onFailure) {
+        RecordedShot shot = recorded.get();
+        model.files().runInOrder(() -> {
+            MotionPathFile.save(shot, file);
+            return file;
+        }, _ -> onSaved.run(), onFailure);
+    }
+
+    /**
+     * Takes a recorded shot from a file.
+     *
+     * @param onFailure hears why it cannot be read or is no motion path; nothing changes then
+     */
+    void load(Path file, Consumer<Throwable> onFailure) {
+        model.files().runConcurrently(() -> MotionPathFile.load(file, light), loaded -> {
+            if (!isClosed) {
+                setRecorded(loaded);
+            }
+        }, onFailure);
+    }
+
+    /** The pictures of what was recorded. */
+    MotionExport export(int pictures) {
+        return new MotionExport(editor.scene(), recorded.get(), pictures, model.picture().viewProperty().get().forOutput());
+    }
+
+    /** Restores the scene as it was. */
+    void close() {
+        if (isClosed) {
+            return;
+        }
+        isClosed = true;
+        player.stop();
+        recording.set(false);
+        model.previewSettings().framesProperty().removeListener(frameListener);
+        editor.endAnimation();
+    }
+}

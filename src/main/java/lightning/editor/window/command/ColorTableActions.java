@@ -1,0 +1,86 @@
+package lightning.editor.window.command;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.Preferences;
+import lightning.format.image.CubeLutReader;
+import lightning.render.image.CubeLut;
+import lightning.render.image.ViewTransform;
+
+/** The table of colours that the view shows through: chosen by its file, kept from one run to the next. */
+public final class ColorTableActions {
+    private static final String KEY = "table";
+
+    private final EditorModel model;
+    private final FilePrompt prompt;
+    private final EditorDialogs notices;
+    private final Preferences preferences;
+
+    private ColorTableActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences) {
+        this.model = model;
+        this.prompt = prompt;
+        this.notices = notices;
+        this.preferences = preferences;
+    }
+
+    /** Does the command. */
+    static void register(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences) {
+        var actions = new ColorTableActions(model, prompt, notices, preferences);
+        model.commands().setToggle(Command.COLOR_TABLE, model.picture().viewProperty().map(view -> view.lut().isPresent()),
+                actions::toggle);
+    }
+
+    private void toggle() {
+        ViewTransform view = model.picture().viewProperty().get();
+        if (view.lut().isPresent()) {
+            setTable(Optional.empty());
+        } else {
+            prompt.tableToOpen(model.fileImporter().folder()).ifPresent(file -> model.files()
+                    .runConcurrently(() -> CubeLutReader.read(file), table -> {
+                        setTable(Optional.of(table));
+                        model.editor().message()
+                                .show(Messages.tr("Shown through {0}, {1}", Quote.path(file.getFileName()), table.sizeText()));
+                    }, failure -> notices.showFailure(Messages.tr("The table could not be read"), failure)));
+        }
+    }
+
+    private void setTable(Optional<CubeLut> table) {
+        show(model, table);
+        preferences.set(KEY, table.map(t -> t.file().toAbsolutePath().toString()).orElse(""));
+        preferences.save();
+    }
+
+    private static void show(EditorModel model, Optional<CubeLut> table) {
+        var view = model.picture().viewProperty();
+        view.set(view.get().withLut(table));
+    }
+
+    /** Whether the view was through a table in the run before. */
+    public static boolean hasStoredTable(Preferences preferences) {
+        return !preferences.hasValue(KEY, "");
+    }
+
+    /** Reads the table of the run before, beside the window's thread. */
+    public static void restore(EditorModel model, Preferences preferences) {
+        if (hasStoredTable(preferences)) {
+            String storedPath = preferences.text(KEY, "");
+            model.files().runConcurrently(() -> CubeLutReader.read(path(storedPath)), table -> show(model, Optional.of(table)),
+                    failure -> model.editor().message().show(ErrorMessage.of(failure)));
+        }
+    }
+
+    private static Path path(String text) {
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException e) {
+            // Another system wrote it: there is no such file here.
+            return Path.of("table" + CubeLutReader.EXTENSION);
+        }
+    }
+}

@@ -1,0 +1,208 @@
+package lightning.editor.window.command;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.scene.Node;
+import javafx.scene.control.Alert;
+import javafx.scene.control.ButtonBar.ButtonData;
+import javafx.scene.control.ButtonType;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.ListView;
+import javafx.scene.layout.Region;
+import javafx.stage.Window;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.editor.document.FileThread;
+import lightning.editor.document.RecoveryFolder;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.widget.WindowPlacement;
+import lightning.format.exchange.LightUnits;
+import lightning.format.jen.JenException;
+import lightning.format.jen.Problem;
+import lightning.render.image.Film;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignH;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
+
+/** What the editor tells and asks in windows of their own. */
+public final class EditorDialogs {
+    static final ButtonType SAVE = new ButtonType(Messages.tr("Save"), ButtonData.YES);
+    static final ButtonType DISCARD = new ButtonType(Messages.tr("Don't Save"), ButtonData.NO);
+    static final ButtonType GO_FIRST = new ButtonType(Messages.tr("Go First"), ButtonData.NO);
+    static final ButtonType SAVE_AS_IT_IS = new ButtonType(Messages.tr("Save As It Is"), ButtonData.YES);
+    public static final ButtonType RECOVER = new ButtonType(Messages.tr("Recover"), ButtonData.YES);
+    public static final ButtonType FORGET = new ButtonType(Messages.tr("Discard"), ButtonData.NO);
+    static final ButtonType OVERWRITE = new ButtonType(Messages.tr("Overwrite"), ButtonData.YES);
+    static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.YES);
+    static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
+    static final ButtonType RELOAD = new ButtonType(Messages.tr("Take the File's"), ButtonData.NO);
+    private static final ButtonType LATER = new ButtonType(Messages.tr("Ask Later"), ButtonData.CANCEL_CLOSE);
+    private static final double WIDTH = 560;
+    /** What a dialog's content has beside it, of the dialog and of its window, at most. */
+    private static final double FRAME_WIDTH = 40;
+    private static final double LIST_HEIGHT = 320;
+    private static final double ROW_HEIGHT = 36;
+
+    private static final int ICON = 28;
+
+    private final Window owner;
+
+    public EditorDialogs(Window owner) {
+        this.owner = owner;
+    }
+
+    /** Says that something failed; the window beside lives on. */
+    public void showFailure(String header, Throwable cause) {
+        failureAlert(header, cause).show();
+    }
+
+    /** The same, and goes on when it was read. */
+    public void showFailureAndWait(String header, Throwable cause) {
+        failureAlert(header, cause).showAndWait();
+    }
+
+    private Alert failureAlert(String header, Throwable cause) {
+        return cause instanceof JenException wrong ? problemAlert(header, wrong.problems())
+                : alert(Alert.AlertType.ERROR, header, ErrorMessage.of(cause), ButtonType.CLOSE);
+    }
+
+    private Alert problemAlert(String header, List<Problem> problems) {
+        Alert alert = alert(Alert.AlertType.ERROR, header, "", ButtonType.CLOSE);
+        var list = new ListView<Problem>();
+        list.setId("problems");
+        list.setAccessibleText(Messages.tr("What is wrong with the file"));
+        list.getItems().setAll(problems);
+        list.setCellFactory(_ -> new ProblemCell());
+        list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (problems.size() + 1)));
+        alert.getDialogPane().setContent(list);
+        return alert;
+    }
+
+    Optional<ButtonType> askUnsaved(String name) {
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the changes of {0}?", name),
+                Messages.tr("The scene was edited since it was last saved."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
+    }
+
+    /** @param message why the picture is not what the artist may expect: a clause */
+    Optional<ButtonType> askPending(String message) {
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the picture as it is?"),
+                Character.toUpperCase(message.charAt(0)) + message.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
+                .showAndWait();
+    }
+
+    public Optional<ButtonType> askRecover(RecoveryFolder.RecoverableScene recoverable) {
+        return alert(Alert.AlertType.CONFIRMATION,
+                Messages.tr("Recover unsaved edits of {0}?", Quote.path(recoverable.file().getFileName())),
+                Messages.tr("Lightning ended before they were saved to {0}.", Quote.path(recoverable.file())), RECOVER, FORGET, LATER)
+                .showAndWait();
+    }
+
+    /** @param comparison the open scene beside the file */
+    Optional<ButtonType> askChangedFile(String name, Node comparison) {
+        Alert alert = alert(Alert.AlertType.CONFIRMATION, Messages.tr("{0} was changed by another program", name),
+                "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
+        alert.getDialogPane().setContent(comparison);
+        alert.setResizable(true);
+        return alert.showAndWait();
+    }
+
+    /**
+     * Asks what the numbers of a file's lights are.
+     *
+     * @param pictures what each choice makes of them
+     * @return empty where the artist thought better of it
+     */
+    Optional<LightUnits> askLightUnits(Path file, Map<LightUnits, Film> pictures) {
+        Alert alert =
+                alert(Alert.AlertType.CONFIRMATION, Messages.tr("Which of these is {0}?", Quote.path(file.getFileName())), "",
+                        ButtonType.CANCEL);
+        var cards = new LightUnitChooser(pictures, WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
+        alert.getDialogPane().setContent(cards);
+        alert.showAndWait();
+        return cards.chosen();
+    }
+
+    Optional<ButtonType> askReadOnly(Path file) {
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace {0}, which is read-only?", Quote.path(file.getFileName())),
+                Messages.tr("Somebody wanted it to stay as it is. If you replace it, it is read-only again."), REPLACE, SAVE_AS,
+                ButtonType.CANCEL).showAndWait();
+    }
+
+    /**
+     * Adds the ending of a kind of files to a chosen name that lacks it. Asks before a file of the longer name is replaced: the system's
+     * dialog asked about the name as it was typed only.
+     *
+     * @param action gets the file, unless the artist wants to keep the one that exists
+     */
+    void withExtension(FileThread files, Path chosen, String extension, Consumer<Path> action) {
+        if (chosen.getFileName().toString().endsWith(extension)) {
+            action.accept(chosen);
+            return;
+        }
+        Path file = chosen.resolveSibling(chosen.getFileName() + extension);
+        files.runConcurrently(() -> Files.exists(file), exists -> {
+            if (!exists || askReplace(file)) {
+                action.accept(file);
+            }
+        }, cause -> showFailure(Messages.tr("{0} could not be looked at", Quote.path(file)), cause));
+    }
+
+    private boolean askReplace(Path file) {
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace {0}?", Quote.path(file.getFileName())),
+                Messages.tr("{0} is there already.", Quote.path(file)), REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals)
+                .isPresent();
+    }
+
+    public void showText(String title, String text) {
+        alert(Alert.AlertType.INFORMATION, title, text, ButtonType.CLOSE).show();
+    }
+
+    private Alert alert(Alert.AlertType type, String header, String text, ButtonType... buttons) {
+        var alert = new Alert(type, "", buttons);
+        alert.initOwner(owner);
+        alert.setTitle("Lightning");
+        alert.setHeaderText(header);
+        Ikon icon = switch (type) {
+            case ERROR -> MaterialDesignA.ALERT_CIRCLE_OUTLINE;
+            case CONFIRMATION -> MaterialDesignH.HELP_CIRCLE_OUTLINE;
+            case INFORMATION, WARNING, NONE -> MaterialDesignI.INFORMATION_OUTLINE;
+        };
+        alert.setGraphic(FontIcon.of(icon, ICON));
+        alert.getDialogPane().setContent(new WrappedLabel(text));
+        alert.getDialogPane().setMinHeight(Region.USE_PREF_SIZE);
+        alert.setOnShown(_ -> WindowPlacement.fit(alert.getDialogPane().getScene().getWindow()));
+        return alert;
+    }
+
+    /** Lines that are no longer than can be read, also where a dialog asks how wide they are to set itself in the middle of its window. */
+    private static final class WrappedLabel extends Label {
+        WrappedLabel(String text) {
+            super(text);
+            setWrapText(true);
+        }
+
+        @Override
+        protected double computePrefWidth(double height) {
+            return Math.min(super.computePrefWidth(height), WIDTH);
+        }
+    }
+
+    /** Line and column, then what is wrong. */
+    private static final class ProblemCell extends ListCell<Problem> {
+        @Override
+        protected void updateItem(Problem problem, boolean empty) {
+            super.updateItem(problem, empty);
+            setWrapText(true);
+            setPrefWidth(0);
+            setText(empty || problem == null ? ""
+                    : Messages.tr("Line {0}, column {1}:  {2}", problem.line(), problem.column(), problem.message()));
+        }
+    }
+}

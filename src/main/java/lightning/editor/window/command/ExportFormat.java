@@ -1,0 +1,43 @@
+package lightning.editor.window.command;
+
+import lightning.base.text.Messages;
+import lightning.format.image.ImageFormat;
+
+/** What a picture can be exported as. */
+enum ExportFormat {
+    LAYERS_HALF(Messages.key("Layers as OpenEXR, Half…"), ImageFormat.EXR, 16, true),
+    LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32 Bits…"), ImageFormat.EXR, 32, true),
+    EXR(Messages.key("Picture as OpenEXR, 32 Bits…"), ImageFormat.EXR, 32, false),
+    HDR(Messages.key("Picture as Radiance HDR…"), ImageFormat.HDR, 8, false),
+    PNG(Messages.key("Picture as PNG, 16 Bits…"), ImageFormat.PNG, 16, false);
+
+    private final String title;
+    private final ImageFormat format;
+    private final int bits;
+    private final boolean hasLayers;
+
+    ExportFormat(String title, ImageFormat format, int bits, boolean layers) {
+        this.title = title;
+        this.format = format;
+        this.bits = bits;
+        this.hasLayers = layers;
+    }
+
+    /** As a menu has it. */
+    String title() {
+        return Messages.tr(title);
+    }
+
+    ImageFormat format() {
+        return format;
+    }
+
+    /** Of a number. */
+    int bits() {
+        return bits;
+    }
+
+    boolean hasLayers() {
+        return hasLayers;
+    }
+}

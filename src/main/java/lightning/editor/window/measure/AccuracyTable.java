@@ -1,0 +1,50 @@
+package lightning.editor.window.measure;
+
+import java.util.function.Function;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.scene.control.Label;
+import javafx.scene.control.TableColumn;
+import javafx.scene.control.TableView;
+import lightning.base.text.Messages;
+import lightning.bench.accuracy.AccuracySweep;
+import lightning.bench.accuracy.SweepPoint;
+
+/** The grades of accuracy, a row each: time, saving and errors. */
+final class AccuracyTable extends TableView<SweepPoint> {
+    private static final double NUMBER_WIDTH = 116;
+    private static final double SHARE_WIDTH = 170;
+    private static final double SETTING_WIDTH = 170;
+    private static final double ROW_HEIGHT = 30;
+
+    private AccuracySweep sweep;
+
+    AccuracyTable() {
+        setId("ladder");
+        setAccessibleText(Messages.tr("Grades of accuracy"));
+        getStyleClass().add("dense");
+        setPlaceholder(new Label(Messages.tr("Measure shows what each grade costs for the last edit, and how far it is off.")));
+        setColumnResizePolicy(CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
+        setFixedCellSize(ROW_HEIGHT);
+        addColumn(Messages.tr("Grade"), SETTING_WIDTH, r -> (r.setting().ordinal() + 1) + "  " + r.setting().label());
+        addColumn(Messages.tr("Time"), NUMBER_WIDTH, AccuracyText::time);
+        addColumn(Messages.tr("Of a full trace"), SHARE_WIDTH, r -> AccuracyText.saving(sweep, r));
+        addColumn(Messages.tr("Largest error"), NUMBER_WIDTH, r -> AccuracyText.largest(r.error()));
+        addColumn(Messages.tr("Values off"), NUMBER_WIDTH, r -> AccuracyText.values(r.error()));
+        addColumn("PSNR", NUMBER_WIDTH, r -> AccuracyText.psnr(r.error()));
+        addColumn("SSIM", NUMBER_WIDTH, r -> AccuracyText.ssim(r.error()));
+    }
+
+    private void addColumn(String title, double width, Function<SweepPoint, String> text) {
+        var column = new TableColumn<SweepPoint, String>(title);
+        column.setPrefWidth(width);
+        column.setSortable(false);
+        column.setReorderable(false);
+        column.setCellValueFactory(cell -> new ReadOnlyStringWrapper(text.apply(cell.getValue())));
+        getColumns().add(column);
+    }
+
+    void show(AccuracySweep newSweep) {
+        sweep = newSweep;
+        getItems().setAll(newSweep.points());
+    }
+}

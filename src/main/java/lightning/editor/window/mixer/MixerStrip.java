@@ -1,0 +1,216 @@
+package lightning.editor.window.mixer;
+
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.OverrunStyle;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import lightning.base.text.Messages;
+import lightning.editor.document.MixerChannel;
+import lightning.editor.document.MixerEdits;
+import lightning.editor.document.StepRange;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.DisplayColors;
+import lightning.editor.window.widget.LightTypes;
+import lightning.editor.window.widget.NumberField;
+import lightning.editor.window.widget.NumberSetting;
+import lightning.scene.Scene;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.javafx.FontIcon;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
+import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
+
+/** One strip of the board: a light, a bank or the environment, with its picture, its part, its fader and its switches. */
+final class MixerStrip extends VBox {
+    /** Stops up and down that a fader goes; numbers go farther. */
+    private static final double FADER_RANGE = 10;
+    private static final double MIN_STOPS = -1000;
+    private static final PseudoClass SELECTED = PseudoClass.getPseudoClass("chosen");
+    private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
+    private static final PseudoClass DROP_TARGET = PseudoClass.getPseudoClass("drop");
+    private static final PseudoClass DRAGGED = PseudoClass.getPseudoClass("dragged");
+
+    private final MixerModel model;
+    private final MixerChannel channel;
+    private final Label name = new Label();
+    private final HBox head = new HBox();
+    private final FontIcon type = new FontIcon();
+    private final Thumbnail thumbnail;
+    private final Meter meter = new Meter();
+    private final Fader fader;
+    private final NumberField stops;
+    private final DisabledReason stopsReason;
+    private final NumberField intensity;
+    private final Button color = new Button();
+    private final ToggleButton solo = new ToggleButton("S");
+    private final ToggleButton mute = new ToggleButton("M");
+
+    MixerStrip(MixerModel model, MixerChannel channel) {
+        this.model = model;
+        this.channel = channel;
+        String id = channel.title();
+        setId("strip-" + id);
+        getStyleClass().add("strip");
+        thumbnail = new Thumbnail(id);
+        name.setText(id);
+        // Names of one kind differ at their ends.
+        name.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
+        name.setWrapText(true);
+        name.setTooltip(new Tooltip(id));
+        if (channel instanceof MixerChannel.OfLightGroup) {
+            getStyleClass().add("bank-strip");
+        }
+        head.getStyleClass().add("strip-head");
+        head.setId("strip-head-" + id);
+        head.getChildren().addAll(type, name);
+        fader = new Fader(Messages.tr("{0} fader", id), FADER_RANGE, true, new FaderCallbacks());
+        fader.setId("fader-" + id);
+        stops = new NumberField(Messages.tr("{0} stops", id),
+                NumberSetting.of("stops", new StepRange(0.1, MIN_STOPS, MixerEdits.stops(channel.maxIntensity())),
+                        (v, gesture) -> setIntensity(MixerEdits.intensityOfStops(v), gesture)));
+        stops.setId("stops-" + id);
+        var stopsRow = row(Messages.tr("stops"), stops);
+        stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Stops: 0 is intensity 1, one more is twice the light"));
+        intensity = new NumberField(Messages.tr("{0} intensity", id),
+                NumberSetting.of("intensity", new StepRange(0.1, 0, channel.maxIntensity()), this::setIntensity));
+        intensity.setId("intensity-" + id);
+        stops.refusalProperty().subscribe(model::reportRefusal);
+        intensity.refusalProperty().subscribe(model::reportRefusal);
+        intensity.setTooltip(new Tooltip(Messages.tr("Intensity")));
+        solo.setId("solo-" + id);
+        solo.setAccessibleText(Messages.tr("{0} solo", id));
+        solo.setTooltip(new Tooltip(Messages.tr("Solo: only lights that are solo shine")));
+        solo.getStyleClass().add("solo");
+        solo.setOnAction(_ -> toggleSolo());
+        mute.setId("mute-" + id);
+        mute.setAccessibleText(Messages.tr("{0} mute", id));
+        mute.setTooltip(new Tooltip(Messages.tr("Mute: switch it off")));
+        mute.getStyleClass().add("mute");
+        mute.setOnAction(_ -> toggleMute());
+        color.setId("color-" + id);
+        color.setAccessibleText(Messages.tr("{0} colour", id));
+        color.setTooltip(new Tooltip(Messages.tr("Colour")));
+        color.getStyleClass().add("color-chip");
+        color.setOnAction(_ -> new ColorPopup(model, channel).show(color));
+        var switches = new HBox(color, solo, mute);
+        switches.getStyleClass().add("switches");
+        if (channel instanceof MixerChannel.OfEnvironment) {
+            switches.getChildren().forEach(part -> part.setVisible(false));
+        }
+        var faderRow = new HBox(meter, fader);
+        faderRow.getStyleClass().add("throw");
+        HBox.setHgrow(fader, Priority.ALWAYS);
+        VBox.setVgrow(faderRow, Priority.ALWAYS);
+        getChildren().addAll(head, thumbnail, faderRow, stopsRow, row("×", intensity), switches);
+    }
+
+    private static HBox row(String caption, NumberField field) {
+        var label = new Label(caption);
+        label.getStyleClass().add("caption");
+        label.setMinWidth(Region.USE_PREF_SIZE);
+        HBox.setHgrow(field, Priority.ALWAYS);
+        var row = new HBox(label, field);
+        row.getStyleClass().add("number-row");
+        return row;
+    }
+
+    /** The fader, by the mouse and the keys. */
+    private final class FaderCallbacks implements Fader.Callbacks {
+        @Override
+        public void startDrag() {
+            model.beginDrag(channel);
+        }
+
+        @Override
+        public void move(double newStops, Object gesture) {
+            setIntensity(Math.min(MixerEdits.intensityOfStops(newStops), channel.maxIntensity()), gesture);
+        }
+
+        @Override
+        public void endDrag() {
+            model.endDrag();
+        }
+    }
+
+    private Optional<String> setIntensity(double v, Object gesture) {
+        return model.setIntensity(channel, v, gesture);
+    }
+
+    private void toggleSolo() {
+        boolean on = solo.isSelected();
+        model.editSelected(channel, (scene, c) -> c.withSolo(scene, on), null);
+        show(model.editor().scene());
+    }
+
+    private void toggleMute() {
+        boolean on = !mute.isSelected();
+        model.editSelected(channel, (scene, c) -> c.withOn(scene, on), null);
+        show(model.editor().scene());
+    }
+
+    Fader fader() {
+        return fader;
+    }
+
+    MixerChannel channel() {
+        return channel;
+    }
+
+    /** What takes the mouse for selecting and dragging. */
+    HBox head() {
+        return head;
+    }
+
+    /** Shows what the channel is in a scene. */
+    void show(Scene scene) {
+        Ikon icon = switch (channel) {
+            case MixerChannel.OfLight(String light) -> LightTypes.icon(scene.light(light).orElseThrow().type());
+            case MixerChannel.OfLightGroup _ -> MaterialDesignT.TUNE_VERTICAL;
+            case MixerChannel.OfEnvironment _ -> MaterialDesignI.IMAGE_FILTER_HDR;
+        };
+        if (type.getIconCode() != icon) {
+            type.setIconCode(icon);
+        }
+        double v = channel.intensity(scene);
+        double stopsValue = MixerEdits.stops(v);
+        fader.show(stopsValue);
+        intensity.show(v);
+        stopsReason.set(v == 0 ? Optional.of(Messages.tr("the intensity is 0")) : Optional.empty());
+        if (v == 0) {
+            stops.showNothing();
+        } else {
+            stops.show(Math.rint(stopsValue * 1000) / 1000);
+        }
+        solo.setSelected(channel.isSolo(scene));
+        mute.setSelected(!channel.isOn(scene));
+        channel.color(scene).ifPresent(c -> color.setStyle("-fx-background-color: " + DisplayColors.css(c) + ";"));
+        pseudoClassStateChanged(DARK, !channel.isShining(scene));
+        setAccessibleText(
+                channel.title() + (channel.isOn(scene) ? "" : Messages.tr(", muted"))
+                        + (channel.isSolo(scene) ? Messages.tr(", solo") : ""));
+    }
+
+    void show(Optional<ChannelImages.ChannelImage> channelImage) {
+        thumbnail.show(channelImage);
+        meter.show(channelImage.map(ChannelImages.ChannelImage::fraction).orElse(0.0));
+    }
+
+    void setSelected(boolean on) {
+        pseudoClassStateChanged(SELECTED, on);
+    }
+
+    /** Whether a strip that is dragged would come before this one. */
+    void setDropTarget(boolean on) {
+        pseudoClassStateChanged(DROP_TARGET, on);
+    }
+
+    void setDragged(boolean on) {
+        pseudoClassStateChanged(DRAGGED, on);
+    }
+}

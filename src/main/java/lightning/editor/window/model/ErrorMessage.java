@@ -1,0 +1,22 @@
+package lightning.editor.window.model;
+
+import java.io.IOException;
+import lightning.base.file.FileErrorMessage;
+import lightning.base.text.Messages;
+import lightning.base.text.UserFacingException;
+import lightning.render.relight.PictureTooLargeException;
+
+/** What went wrong, as a sentence for the artist. */
+public final class ErrorMessage {
+    private ErrorMessage() {}
+
+    public static String of(Throwable problem) {
+        return switch (problem) {
+            case UserFacingException told -> told.getMessage();
+            case IOException e -> FileErrorMessage.of(e);
+            case PictureTooLargeException e -> Messages.tr("This is too large: {0}", e.getMessage());
+            case OutOfMemoryError _ -> Messages.tr("There is not enough memory for this picture; choose a smaller size");
+            default -> Messages.tr("An error of the program itself, not of your input: {0}; please report it with the scene", problem);
+        };
+    }
+}

@@ -1,0 +1,63 @@
+package lightning.editor.window.model;
+
+import java.util.Set;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
+import lightning.base.text.Messages;
+
+/**
+ * A key as the editor calls it wherever it speaks of it: the window toolkit writes {@code Ctrl} in menus whatever language is spoken,
+ * and where texts say {@code Strg} nobody should have to know that this is the same.
+ */
+public final class KeyLabel extends KeyCombination {
+    private static final Set<String> MODIFIERS = Set.of(Messages.key("Ctrl"), Messages.key("Shift"), Messages.key("Alt"));
+    private static final Set<String> NAMED_KEYS =
+            Set.of(Messages.key("Delete"), Messages.key("Insert"), Messages.key("Home"), Messages.key("End"),
+                    Messages.key("Space"), Messages.key("Backspace"), Messages.key("Page Up"), Messages.key("Page Down"));
+
+    private final KeyCombination key;
+
+    /** The same key. */
+    public KeyLabel(KeyCombination key) {
+        super(key.getShift(), key.getControl(), key.getAlt(), key.getMeta(), key.getShortcut());
+        this.key = key;
+    }
+
+    /** How a key is called: {@code Strg+Umschalt+P}. */
+    public static String text(KeyCombination key) {
+        var text = new StringBuilder();
+        String rest = key.getDisplayText();
+        int plus = rest.indexOf('+');
+        while (plus > 0 && MODIFIERS.contains(rest.substring(0, plus))) {
+            text.append(Messages.tr(rest.substring(0, plus))).append('+');
+            rest = rest.substring(plus + 1);
+            plus = rest.indexOf('+');
+        }
+        return text.append(NAMED_KEYS.contains(rest) ? Messages.tr(rest) : rest).toString();
+    }
+
+    @Override
+    public boolean match(KeyEvent event) {
+        return key.match(event);
+    }
+
+    @Override
+    public String getName() {
+        return key.getName();
+    }
+
+    @Override
+    public String getDisplayText() {
+        return text(key);
+    }
+
+    @Override
+    public boolean equals(Object o) {
+        return o instanceof KeyLabel other && key.equals(other.key);
+    }
+
+    @Override
+    public int hashCode() {
+        return key.hashCode();
+    }
+}

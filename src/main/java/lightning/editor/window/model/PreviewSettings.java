@@ -1,0 +1,54 @@
+package lightning.editor.window.model;
+
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.LongProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.property.SimpleLongProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import lightning.editor.document.PreviewCamera;
+
+/** How the preview looks, which is no part of the scene. */
+public final class PreviewSettings {
+    private static final String GLOWING_TEXTURES = "glowing textures";
+
+    private final BooleanProperty glowingTextures = new SimpleBooleanProperty();
+    private final BooleanProperty gizmosHidden = new SimpleBooleanProperty();
+    private final ObjectProperty<GizmoSize> gizmoSize = new SimpleObjectProperty<>(GizmoSize.NORMAL);
+    private final ObjectProperty<PreviewCamera> camera = new SimpleObjectProperty<>();
+    private final LongProperty frames = new SimpleLongProperty();
+
+    public ObjectProperty<PreviewCamera> cameraProperty() {
+        return camera;
+    }
+
+    /** Counts the frames that the preview has drawn. */
+    public LongProperty framesProperty() {
+        return frames;
+    }
+
+    /** Whether textures glow, as in 1998; else lights fall on them. */
+    public BooleanProperty glowingTexturesProperty() {
+        return glowingTextures;
+    }
+
+    /** Whether the lights' wireframes and markers are hidden; what is hidden cannot be taken by the mouse. */
+    public BooleanProperty gizmosHiddenProperty() {
+        return gizmosHidden;
+    }
+
+    public ObjectProperty<GizmoSize> gizmoSizeProperty() {
+        return gizmoSize;
+    }
+
+    /** As it was left. Gizmos are shown in any case: without them nobody would find the lights. */
+    public void restore(Preferences preferences) {
+        glowingTextures.set(preferences.hasValue("preview", GLOWING_TEXTURES));
+        gizmoSize.set(preferences.enumValue("gizmos", GizmoSize.NORMAL));
+    }
+
+    public void save(Preferences preferences) {
+        preferences.set("preview", glowingTextures.get() ? GLOWING_TEXTURES : "");
+        preferences.set("gizmos", gizmoSize.get().name());
+    }
+}

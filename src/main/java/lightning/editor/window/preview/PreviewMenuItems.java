@@ -1,0 +1,29 @@
+package lightning.editor.window.preview;
+
+import java.util.List;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuItem;
+import lightning.editor.document.Command;
+import lightning.editor.window.command.CommandMenuItems;
+import lightning.editor.window.model.GizmoSize;
+import lightning.editor.window.model.PreviewSettings;
+
+/** The choices of how the preview looks. */
+public final class PreviewMenuItems {
+    private PreviewMenuItems() {}
+
+    /** @param items make the menu's items */
+    public static List<MenuItem> of(PreviewSettings settings, CommandMenuItems items) {
+        return List.of(items.item(Command.HIDE_GIZMOS), sizes(settings, items), items.item(Command.GLOWING_TEXTURES));
+    }
+
+    private static Menu sizes(PreviewSettings settings, CommandMenuItems items) {
+        Menu menu = items.menu(Command.GIZMO_SIZE);
+        var chosen = settings.gizmoSizeProperty();
+        for (GizmoSize size : GizmoSize.values()) {
+            menu.getItems().add(items.choice(Command.GIZMO_SIZE, "gizmos-" + size.name(), size.toString(), chosen.map(s -> s == size),
+                    () -> chosen.set(size)));
+        }
+        return menu;
+    }
+}

@@ -1,0 +1,57 @@
+package lightning.editor.window.preview;
+
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import javafx.beans.property.ObjectProperty;
+import javafx.scene.Node;
+import lightning.editor.document.PreviewCamera;
+import lightning.editor.document.ScenePicker;
+import lightning.editor.document.Viewport;
+import lightning.editor.loop.Frame;
+import lightning.editor.window.command.ShapeMenu;
+import lightning.editor.window.model.SceneEditor;
+import lightning.scene.Scene;
+
+/** Finds the shape under the mouse in the preview, beside the window's thread, and offers what to do with it. */
+final class ShapePicker {
+    private final SceneEditor editor;
+    private final ObjectProperty<PreviewCamera> camera;
+    private final Executor windowExecutor;
+    private final Node canvas;
+    private final ShapeMenu menu;
+    private volatile ScenePicker picker;
+
+    /** @param windowExecutor runs tasks in turn on the window's thread */
+    ShapePicker(SceneEditor editor, ShapeMenu menu, ObjectProperty<PreviewCamera> camera, Executor windowExecutor, Node canvas) {
+        this.editor = editor;
+        this.menu = menu;
+        this.camera = camera;
+        this.windowExecutor = windowExecutor;
+        this.canvas = canvas;
+    }
+
+    /**
+     * Opens the menu of the shape at a place; nothing where there is none.
+     *
+     * @param x of the screen, pixels; likewise {@code y}
+     */
+    void showMenu(Viewport viewport, Viewport.Pixel point, double x, double y) {
+        find(viewport, point, shape -> menu.show(canvas, shape, x, y));
+    }
+
+    /** Selects the shape at a place; nothing where there is none. */
+    void select(Viewport viewport, Viewport.Pixel point) {
+        find(viewport, point, editor.selection()::selectNode);
+    }
+
+    private void find(Viewport viewport, Viewport.Pixel point, Consumer<String> onFound) {
+        Scene scene = editor.scene();
+        Frame frame = editor.editorStateProperty().get().frame().orElse(null);
+        PreviewCamera view = camera.get();
+        Thread.ofVirtual().name("lightning-pick").start(() -> {
+            picker = frame != null && frame.geometry().canServe(scene) ? ScenePicker.of(scene, frame.geometry())
+                    : picker == null ? new ScenePicker(scene) : picker.forScene(scene);
+            picker.pick(view, viewport, point).ifPresent(hit -> windowExecutor.execute(() -> onFound.accept(hit.shape())));
+        });
+    }
+}

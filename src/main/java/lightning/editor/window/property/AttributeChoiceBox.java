@@ -1,0 +1,65 @@
+package lightning.editor.window.property;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import javafx.scene.control.ComboBox;
+import javafx.scene.layout.StackPane;
+import lightning.base.text.Messages;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.scene.ChoiceKind;
+import lightning.scene.SceneAttribute;
+
+/** A box of the words of an attribute that is a choice. */
+final class AttributeChoiceBox<V> extends StackPane {
+    private final ComboBox<String> box = new ComboBox<>();
+    private final ChoiceKind<V> choice;
+    private final DisabledReason disabledReason;
+    private boolean isUpdating;
+
+    /**
+     * @param help what the tooltip says; may be empty
+     * @param onChosen  gets what the artist chooses
+     */
+    AttributeChoiceBox(SceneAttribute<?, V> attribute, ChoiceKind<V> choice, String help, Consumer<V> onChosen) {
+        this.choice = choice;
+        box.setId(attribute.title());
+        box.setAccessibleText(Messages.tr(attribute.title()));
+        box.setMaxWidth(Double.MAX_VALUE);
+        choice.words().forEach(word -> box.getItems().add(SectionLayout.title(word)));
+        getChildren().add(box);
+        disabledReason = new DisabledReason(this, box, help);
+        box.valueProperty().addListener((_, _, now) -> {
+            if (!isUpdating && now != null) {
+                onChosen.accept(value(now));
+            }
+        });
+    }
+
+    /** The value of the word that is shown so. */
+    private V value(String title) {
+        return choice.parse(choice.words().stream().filter(w -> SectionLayout.title(w).equals(title)).findFirst().orElseThrow());
+    }
+
+    ComboBox<String> box() {
+        return box;
+    }
+
+    void show(V value) {
+        setWord(SectionLayout.title(choice.format(value)));
+    }
+
+    void showNothing() {
+        setWord(null);
+    }
+
+    private void setWord(String word) {
+        isUpdating = true;
+        box.setValue(word);
+        isUpdating = false;
+    }
+
+    /** Disables it with a reason, a clause; or enables it. */
+    void setDisabledReason(Optional<String> reason) {
+        disabledReason.set(reason);
+    }
+}

@@ -1,0 +1,155 @@
+package lightning.editor.window.property;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.MenuButton;
+import javafx.scene.layout.StackPane;
+import lightning.base.text.Messages;
+import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.EditorState;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.FileImporter;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.format.jen.FileKind;
+import lightning.format.jen.PropertyEdit;
+import lightning.scene.Environment;
+import lightning.scene.FileAsset;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.ValueKind;
+import lightning.scene.World;
+
+/** What the selected light or the world has from a file: one of those that lie beside the scene. It is read on a thread of its own. */
+final class FileField<F extends FileAsset> extends StackPane {
+    private final SceneEditor editor;
+    private final FileImporter files;
+    private final Owner<F> owner;
+    private final MenuButton choice;
+    private final DisabledReason disabledReason;
+
+    /** Who has it. */
+    private sealed interface Owner<F extends FileAsset> {
+        SceneAttribute<?, Optional<F>> attribute();
+
+        /** What it has now, for people. */
+        String text(EditorState now);
+
+        /** Why it can have none now: a clause; empty where it can. */
+        Optional<String> disabledReason(EditorState now);
+
+        /** The scene with what a file holds; {@code lightName} is the selected light's name. */
+        Scene read(Scene scene, String lightName, String file, Path folder);
+
+        /** {@code target} with what {@code source} has. */
+        Scene copy(Scene source, Scene target, String lightName);
+    }
+
+    private record LightOwner<F extends FileAsset>(LightAttribute<Optional<F>> attribute) implements Owner<F> {
+        @Override
+        public String text(EditorState now) {
+            return now.selectedLight().map(attribute::format).map(Messages::tr).orElse(Messages.tr("none"));
+        }
+
+        @Override
+        public Optional<String> disabledReason(EditorState now) {
+            return now.selectedLight().isEmpty() ? Optional.of(Messages.tr("no light is selected"))
+                    : attribute.inactiveReason(now.selectedLight().get().type());
+        }
+
+        @Override
+        public Scene read(Scene scene, String who, String file, Path folder) {
+            return PropertyEdit.setFile(scene, who, attribute, file, folder);
+        }
+
+        @Override
+        public Scene copy(Scene from, Scene to, String who) {
+            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException(Messages.tr("the light is gone")));
+            return to.withLight(attribute.copy(from.light(who).orElseThrow(), light));
+        }
+    }
+
+    private record WorldOwner(SceneAttribute<World, Optional<Environment>> attribute) implements Owner<Environment> {
+        @Override
+        public String text(EditorState now) {
+            return attribute.format(now.scene().world());
+        }
+
+        @Override
+        public Optional<String> disabledReason(EditorState now) {
+            return Optional.empty();
+        }
+
+        @Override
+        public Scene read(Scene scene, String who, String file, Path folder) {
+            return PropertyEdit.setEnvironment(scene, file, folder);
+        }
+
+        @Override
+        public Scene copy(Scene from, Scene to, String who) {
+            return to.withWorld(attribute.copy(from.world(), to.world()));
+        }
+    }
+
+    private FileField(SceneEditor editor, CommandRegistry commands, FileImporter files, Owner<F> owner, FileChoice fileChoice,
+            ObservableValue<EditorState> visibleState) {
+        this.editor = editor;
+        this.files = files;
+        this.owner = owner;
+        choice = new FileMenu(commands, files, Messages.tr("none"), fileChoice.command(), fileChoice.kind(), this::set,
+                () -> browse(fileChoice.command(), fileChoice.kind()));
+        choice.setId(owner.attribute().name());
+        choice.setAccessibleText(Messages.tr(owner.attribute().title()));
+        choice.setMaxWidth(Double.MAX_VALUE);
+        getChildren().add(choice);
+        disabledReason = new DisabledReason(this, choice, fileChoice.help());
+        visibleState.subscribe(this::show);
+    }
+
+    /**
+     * Of the selected light.
+     *
+     * @param kind that of the attribute
+     * @param visibleState as in {@link PropertyPane}
+     */
+    static <F extends FileAsset> FileField<F> forLight(SceneEditor editor, CommandRegistry commands, FileImporter files,
+            LightAttribute<Optional<F>> attribute, ValueKind.AssetKind<?> kind, ObservableValue<EditorState> visibleState) {
+        return new FileField<>(editor, commands, files, new LightOwner<>(attribute), FileChoice.of(kind), visibleState);
+    }
+
+    /** The same of the environment. */
+    static FileField<Environment> forWorld(SceneEditor editor, CommandRegistry commands, FileImporter files,
+            ObservableValue<EditorState> visibleState) {
+        return new FileField<>(editor, commands, files, new WorldOwner(World.ENVIRONMENT), FileChoice.of(new ValueKind.EnvironmentKind()),
+                visibleState);
+    }
+
+    private void show(EditorState state) {
+        choice.setText(owner.text(state));
+        disabledReason.set(owner.disabledReason(state));
+    }
+
+    private void browse(Command command, FileKind kind) {
+        String lightName = editor.selection().lightName();
+        files.promptAndImport(command.plainTitle(), kind, file -> {
+            if (editor.selection().lightName().equals(lightName)) {
+                set(file);
+            }
+        }, editor.message()::show);
+    }
+
+    /** What was read is taken over by the scene as it is then. */
+    private void set(String file) {
+        String lightName = editor.selection().lightName();
+        Path folder = files.folder();
+        Scene requestScene = editor.scene();
+        files.files().runConcurrently(() -> owner.read(requestScene, lightName, file, folder),
+                loaded -> editor.editOrReport(scene -> EditOutcome.of(() -> owner.copy(loaded, scene, lightName))),
+                e -> editor.message().show(ErrorMessage.of(e)));
+    }
+}

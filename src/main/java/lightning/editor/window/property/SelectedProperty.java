@@ -1,0 +1,171 @@
+package lightning.editor.window.property;
+
+import java.util.Optional;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.MaterialEdits;
+import lightning.editor.document.NodeEdits;
+import lightning.editor.window.model.MaterialSelection;
+import lightning.editor.window.model.SceneSelection;
+import lightning.format.jen.NameSyntax;
+import lightning.format.jen.PropertyEdit;
+import lightning.scene.KeyframeSupport;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.SceneNode;
+import lightning.scene.shot.TrackTarget;
+
+/** One property of what is selected, in the words of the scene file. */
+sealed interface SelectedProperty {
+    /** As the scene file calls it. */
+    String name();
+
+    /** As people know it. */
+    String title();
+
+    /** Its value as the scene file writes it; empty where nothing is selected that has it. */
+    Optional<String> text();
+
+    /** @param value as the scene file writes it, of what the scene holds: no file is read */
+    default EditOutcome set(Scene scene, String value) {
+        return EditOutcome.of(() -> PropertyEdit.set(scene, target(), name(), value));
+    }
+
+    /** The value that a new one has. */
+    EditOutcome reset(Scene scene);
+
+    /** What would have its keys. */
+    TrackTarget keyTarget();
+
+    /** Whether it can have keys in the scene. */
+    default boolean canHaveKeys(Scene scene) {
+        return text().isPresent() && keyTarget().existsIn(scene)
+                && keyTarget().attribute(scene, name()).<SceneAttribute<?, ?>>map(a -> a)
+                        .filter(a -> a.kind().keyframeSupport() != KeyframeSupport.NONE)
+                        .isPresent();
+    }
+
+    /** As an edit of a scene by text names it. */
+    String target();
+
+    /** Of the selected light. */
+    record LightProperty(SceneSelection selection, LightAttribute<?> attribute) implements SelectedProperty {
+        @Override
+        public String name() {
+            return attribute.name();
+        }
+
+        @Override
+        public String title() {
+            return attribute.title();
+        }
+
+        @Override
+        public Optional<String> text() {
+            return Optional.ofNullable(selection.light()).map(light -> PropertyEdit.text(light, attribute));
+        }
+
+        @Override
+        public String target() {
+            return NameSyntax.format(selection.light().name());
+        }
+
+        @Override
+        public EditOutcome reset(Scene scene) {
+            return LightEdits.edit(scene, selection.light().name(), light -> initial(light, attribute));
+        }
+
+        @Override
+        public TrackTarget keyTarget() {
+            return TrackTarget.light(selection.light().name());
+        }
+
+        private static <V> Light initial(Light light, LightAttribute<V> attribute) {
+            return attribute.with(light, attribute.initial());
+        }
+    }
+
+    /** Of the material that is edited. */
+    record MaterialProperty(MaterialSelection materials, MaterialAttribute<?> attribute) implements SelectedProperty {
+        @Override
+        public String name() {
+            return attribute.name();
+        }
+
+        @Override
+        public String title() {
+            return attribute.title();
+        }
+
+        @Override
+        public Optional<String> text() {
+            return Optional.ofNullable(materials.material()).map(material -> PropertyEdit.text(material, attribute.name()));
+        }
+
+        @Override
+        public String target() {
+            return PropertyEdit.target(materials.material());
+        }
+
+        @Override
+        public EditOutcome reset(Scene scene) {
+            return MaterialEdits.edit(scene, materials.material().name(), material -> initial(material, attribute));
+        }
+
+        @Override
+        public TrackTarget keyTarget() {
+            return TrackTarget.CAMERA;
+        }
+
+        @Override
+        public boolean canHaveKeys(Scene scene) {
+            return false;
+        }
+
+        private static <V> Material initial(Material material, MaterialAttribute<V> attribute) {
+            return attribute.with(material, attribute.initial());
+        }
+    }
+
+    /** Of the placement of the selected shape or group. */
+    record NodeProperty(SceneSelection selection, String name) implements SelectedProperty {
+        @Override
+        public String title() {
+            return switch (name) {
+                case "at" -> "position";
+                case "rotate" -> "rotation";
+                default -> name;
+            };
+        }
+
+        @Override
+        public Optional<String> text() {
+            return selection.node().map(node -> PropertyEdit.text(node, name));
+        }
+
+        @Override
+        public String target() {
+            return NameSyntax.format(selection.node().map(SceneNode::name).orElse(""));
+        }
+
+        @Override
+        public TrackTarget keyTarget() {
+            return TrackTarget.node(selection.node().map(SceneNode::name).orElse(""));
+        }
+
+        @Override
+        public EditOutcome reset(Scene scene) {
+            Placement identity = Placement.IDENTITY;
+            return NodeEdits.setPlacement(scene, selection.node().map(SceneNode::name).orElse(""), p -> switch (name) {
+                case "at" -> new Placement(identity.position(), p.rotation(), p.scale());
+                case "rotate" -> new Placement(p.position(), identity.rotation(), p.scale());
+                default -> new Placement(p.position(), p.rotation(), identity.scale());
+            });
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package lightning.editor.window.property;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import lightning.base.text.Messages;
+import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.MaterialEdits;
+import lightning.editor.document.StepRange;
+import lightning.editor.window.model.CommandRegistry;
+import lightning.editor.window.model.ErrorMessage;
+import lightning.editor.window.model.FileImporter;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.widget.ArrowWidget;
+import lightning.editor.window.widget.DisabledReason;
+import lightning.editor.window.widget.NumberSetting;
+import lightning.format.jen.FileKind;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.SceneLimits;
+import lightning.scene.TextureMap;
+import lightning.scene.ValueKind;
+
+/**
+ * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
+ * often it repeats. It is read on a thread of its own.
+ */
+final class TextureField extends VBox {
+    private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
+
+    private final SceneEditor editor;
+    private final FileImporter files;
+    private final MaterialAttribute<Optional<TextureMap>> attribute;
+    private final Optional<String> missingReason;
+    private final TextField file = new TextField();
+    private final FileMenu fileMenu;
+    private final Label refusal = new Label();
+    private final ArrowWidget repeatU;
+    private final ArrowWidget repeatV;
+    private final DisabledReason disabledReason;
+    private Material shownMaterial;
+
+    TextureField(SceneEditor editor, CommandRegistry commands, FileImporter files, MaterialAttribute<Optional<TextureMap>> attribute) {
+        this.editor = editor;
+        this.files = files;
+        this.attribute = attribute;
+        String title = attribute.title();
+        missingReason = Optional.of(Messages.tr("the material has no {0}", title));
+        getStyleClass().add("texture-part");
+        file.setId(title);
+        file.setAccessibleText(Messages.tr("{0}: file name", title));
+        file.setPromptText(Messages.tr("none"));
+        file.setOnAction(_ -> commit());
+        file.focusedProperty().addListener((_, was, _) -> {
+            if (was) {
+                commit();
+            }
+        });
+        file.addEventFilter(KeyEvent.KEY_PRESSED, event -> {
+            if (event.getCode() == KeyCode.ESCAPE && !file.getText().equals(name(shownMaterial))) {
+                revert();
+                event.consume();
+            }
+        });
+        HBox.setHgrow(file, Priority.ALWAYS);
+        fileMenu = new FileMenu(commands, files, Messages.tr("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
+        fileMenu.setId(title + "-found");
+        fileMenu.setAccessibleText(Messages.tr("Choose a picture: {0}", title));
+        fileMenu.setMinWidth(USE_PREF_SIZE);
+        refusal.setId(title + "-refusal");
+        refusal.getStyleClass().add("refusal");
+        refusal.setWrapText(true);
+        refusal.managedProperty().bind(refusal.visibleProperty());
+        refusal.visibleProperty().bind(refusal.textProperty().isNotEmpty());
+        var row = new HBox(file, fileMenu);
+        row.getStyleClass().add("header-row");
+        disabledReason = new DisabledReason(this, row);
+        repeatU = repeatWidget(id("u"), Messages.tr("Repeat around"), repeatTitle("u"),
+                (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
+        repeatV = repeatWidget(id("v"), Messages.tr("Repeat along"), repeatTitle("v"),
+                (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
+        getChildren().addAll(row, refusal, repeatU, repeatV);
+    }
+
+    private String id(String axis) {
+        return repeatTitle(axis).replace('_', '-').replace(' ', '-');
+    }
+
+    /** As the scene file calls it. */
+    private String repeatTitle(String axis) {
+        return (attribute.kind() instanceof ValueKind.TextureKind t ? t.repeatName() : "repeat") + " " + axis;
+    }
+
+    private interface RepeatEdit {
+        TextureMap apply(TextureMap map, double v);
+    }
+
+    private ArrowWidget repeatWidget(String id, String label, String title, RepeatEdit edit) {
+        var widget = new ArrowWidget(label, title,
+                NumberSetting.of(title, new StepRange(1, -SceneLimits.MAX_REPEAT, SceneLimits.MAX_REPEAT),
+                        (v, gesture) -> editor.edit(scene -> MaterialEdits.edit(scene, shownMaterial.name(),
+                                m -> attribute.with(m, attribute.get(m).map(map -> edit.apply(map, v)))), gesture)));
+        widget.setId(id);
+        return widget;
+    }
+
+    void show(Material material) {
+        boolean isOther =
+                shownMaterial == null || !shownMaterial.name().equals(material.name()) || !name(shownMaterial).equals(name(material));
+        shownMaterial = material;
+        if (isOther) {
+            revert();
+        }
+        Optional<String> reason = attribute.get(material).isEmpty() ? missingReason : Optional.empty();
+        repeatU.setDisabledReason(reason);
+        repeatV.setDisabledReason(reason);
+        repeatU.show(attribute.get(material).map(TextureMap::repeatU).orElse(1.0));
+        repeatV.show(attribute.get(material).map(TextureMap::repeatV).orElse(1.0));
+    }
+
+    /** Shows that there is no material. */
+    void showNothing() {
+        shownMaterial = null;
+        revert();
+        repeatU.showNothing();
+        repeatV.showNothing();
+    }
+
+    void setDisabledReason(Optional<String> reason) {
+        disabledReason.set(reason);
+        if (reason.isPresent()) {
+            repeatU.setDisabledReason(reason);
+            repeatV.setDisabledReason(reason);
+        }
+    }
+
+    private String name(Material material) {
+        return material == null ? "" : attribute.get(material).map(TextureMap::file).orElse("");
+    }
+
+    private void revert() {
+        file.setText(name(shownMaterial));
+        showRefusal("");
+    }
+
+    private void showRefusal(String reason) {
+        refusal.setText(reason);
+        file.setAccessibleHelp(reason);
+        file.pseudoClassStateChanged(REFUSED, !reason.isEmpty());
+    }
+
+    private void commit() {
+        String typed = file.getText().strip();
+        if (typed.equals(name(shownMaterial))) {
+            revert();
+        } else {
+            set(typed);
+        }
+    }
+
+    private void set(String fileName) {
+        String material = shownMaterial.name();
+        if (fileName.isEmpty()) {
+            editor.edit(scene -> MaterialEdits.set(scene, material, attribute, Optional.empty())).ifPresent(this::showRefusal);
+            return;
+        }
+        var scene = editor.scene();
+        Path folder = files.folder();
+        files.files().runConcurrently(() -> MaterialEdits.setTexture(scene, material, attribute, fileName, folder),
+                loaded -> applyLoaded(material, loaded),
+                failure -> showRefusal(ErrorMessage.of(failure)));
+    }
+
+    private void browse() {
+        String material = shownMaterial.name();
+        files.promptAndImport(Command.CHOOSE_TEXTURE.plainTitle(), FileKind.TEXTURE, name -> {
+            if (shownMaterial.name().equals(material)) {
+                set(name);
+            }
+        }, this::showRefusal);
+    }
+
+    private void applyLoaded(String material, EditOutcome loaded) {
+        switch (loaded) {
+            case EditOutcome.Refused refused -> showRefusal(refused.reason());
+            case EditOutcome.Applied to -> editor.edit(scene -> MaterialEdits.edit(scene, material,
+                    m -> attribute.copy(to.scene().materialsByName().get(material), m))).ifPresentOrElse(this::showRefusal, this::revert);
+        }
+    }
+}

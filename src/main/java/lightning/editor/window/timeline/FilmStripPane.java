@@ -1,0 +1,328 @@
+package lightning.editor.window.timeline;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.image.ImageView;
+import javafx.scene.input.MouseButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Pane;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import javafx.stage.Window;
+import javafx.stage.WindowEvent;
+import javafx.util.Subscription;
+import lightning.base.text.Messages;
+import lightning.base.work.HeapBudget;
+import lightning.editor.document.EditorState;
+import lightning.editor.window.command.PathPrompt;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.SceneEditor;
+import lightning.editor.window.widget.PixelImage;
+import lightning.render.image.Film;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import lightning.shot.FrameState;
+
+/** The film strip below the keys: frames as small pictures, as many as have room; a click goes to the frame. Nothing is kept before it is asked. */
+final class FilmStripPane extends StackPane implements AutoCloseable {
+    static final double HEIGHT = 64;
+    private static final PseudoClass STALE = PseudoClass.getPseudoClass("stale");
+    private static final PseudoClass MISSING = PseudoClass.getPseudoClass("missing");
+    private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
+    private static final PseudoClass CURRENT = PseudoClass.getPseudoClass("here");
+    private static final double MEGABYTE = 1e6;
+    /** The width of what is told while no machine is there, pixels. */
+    private static final double MESSAGE_WIDTH = 420;
+
+    private final EditorModel model;
+    private final SceneEditor editor;
+    private final TimelineModel timeline;
+    private final Pane slots = new Pane();
+    private final Label cost = new Label();
+    private final Label progress = new Label();
+    private final Button localButton = new Button(Messages.tr("Keep Here Again"));
+    /** Below the names, beside the pictures. */
+    private final VBox statusBox = new VBox();
+    private final HBox question;
+    private final Button startButton = new Button(Messages.tr("Keep the Frames"));
+    private final Button remoteButton = new Button(Messages.tr("On Other Machines…"));
+    private final List<Slot> visibleSlots = new ArrayList<>();
+    private final Subscription subscription;
+    private final RemoteFramePreview remotePreview;
+    private MachinesWindow machinesWindow;
+    private FilmStrip strip;
+
+    /** One picture, at its place. */
+    private static final class Slot extends StackPane {
+        private final ImageView image = new ImageView();
+        private final Label number = new Label();
+        private int frame = -1;
+        private int[] pixels;
+
+        Slot() {
+            getStyleClass().add("strip-slot");
+            number.getStyleClass().add("strip-number");
+            image.setPreserveRatio(true);
+            image.setFitHeight(HEIGHT);
+            setAlignment(number, Pos.BOTTOM_LEFT);
+            getChildren().addAll(image, number);
+            setManaged(false);
+        }
+    }
+
+    FilmStripPane(EditorModel model, TimelineModel timeline) {
+        this.model = model;
+        editor = model.editor();
+        this.timeline = timeline;
+        remotePreview = new RemoteFramePreview(editor, model.files().windowExecutor(), this::showRemoteFilm);
+        setId("strip");
+        getStyleClass().add("film-strip");
+        setMinHeight(HEIGHT + 4);
+        setMaxHeight(HEIGHT + 4);
+        cost.setId("strip-cost");
+        cost.getStyleClass().add("pane-note");
+        cost.setWrapText(true);
+        startButton.setId("strip-begin");
+        startButton.setMinWidth(USE_PREF_SIZE);
+        startButton.setOnAction(_ -> useLocalFrames());
+        remoteButton.setId("strip-elsewhere");
+        remoteButton.setMinWidth(USE_PREF_SIZE);
+        remoteButton.setOnAction(_ -> askMachines());
+        question = new HBox(cost, startButton, remoteButton);
+        question.getStyleClass().add("no-shot");
+        progress.setId("strip-progress");
+        progress.getStyleClass().add("strip-progress");
+        progress.setMouseTransparent(true);
+        localButton.setId("strip-here");
+        localButton.getStyleClass().addAll("small", "strip-here");
+        localButton.setOnAction(_ -> useLocalFrames());
+        progress.setWrapText(true);
+        statusBox.getChildren().addAll(progress, localButton);
+        statusBox.getStyleClass().add("strip-told");
+        statusBox.setPickOnBounds(false);
+        statusBox.setMaxSize(TrackCell.NAME_WIDTH, USE_PREF_SIZE);
+        setAlignment(statusBox, Pos.TOP_LEFT);
+        getChildren().addAll(slots, statusBox, question);
+        slots.setOnMouseClicked(e -> {
+            if (e.getButton() == MouseButton.PRIMARY && !editor.isAnimating()) {
+                visibleSlots.stream().filter(s -> s.getBoundsInParent().contains(e.getX(), e.getY())).findFirst()
+                        .ifPresent(s -> editor.showFrame(s.frame));
+            }
+        });
+        subscription = Subscription.combine(timeline.scaleProperty().subscribe(_ -> draw()),
+                editor.editorStateProperty().subscribe(this::update),
+                model.picture().viewProperty().subscribe(v -> {
+                    if (strip != null) {
+                        strip.setView(v.forOutput());
+                    }
+                }));
+    }
+
+    private void useLocalFrames() {
+        closeStrip();
+        EditorState state = editor.editorStateProperty().get();
+        state.shotFrame().filter(m -> fitsInMemory(m.shot())).ifPresent(m -> {
+            var status = new FilmStripStatus();
+            openStrip(LocalFrames.of(m.shot(), editor.document().content().base(), status), status);
+        });
+        update(state);
+    }
+
+    private void openStrip(FilmStripFrames frames, FilmStripStatus status) {
+        strip = new FilmStrip(frames, status, model.picture().viewProperty().get().forOutput(), model.files().windowExecutor(),
+                this::stripChanged,
+                editor.message()::show);
+    }
+
+    /** Empty where no frames are kept. */
+    Optional<FilmStrip> strip() {
+        return Optional.ofNullable(strip);
+    }
+
+    private Path folder() {
+        return model.fileImporter().folder();
+    }
+
+    /** Shows a film in the large picture until that is rendered here, unless something else is rendered or only a part is shown. */
+    private void showRemoteFilm(Film film, Scene scene) {
+        if (editor.editorStateProperty().get().sceneInProgress().filter(s -> s == scene).isPresent()
+                && model.pictureDisplay().isFullPicture()) {
+            model.picture().showRemote(film, scene);
+        }
+    }
+
+    private void askMachines() {
+        if (machinesWindow != null) {
+            machinesWindow.toFront();
+            return;
+        }
+        Window owner = getScene().getWindow();
+        machinesWindow = new MachinesWindow(
+                new MachinesPane(editor, model.files(), model.renderMachines(), PathPrompt.ofSystem(owner, folder())), owner,
+                model.commands(),
+                this::useRemoteFrames);
+        machinesWindow.addEventHandler(WindowEvent.WINDOW_HIDDEN, _ -> machinesWindow = null);
+        machinesWindow.show();
+    }
+
+    private void useRemoteFrames(RemoteFrames frames) {
+        closeStrip();
+        openStrip(frames, frames.status());
+        update(editor.editorStateProperty().get());
+    }
+
+    /** Lets go of all frames, and hears no more. */
+    @Override
+    public void close() {
+        subscription.unsubscribe();
+        if (machinesWindow != null) {
+            machinesWindow.close();
+        }
+        closeStrip();
+    }
+
+    private void closeStrip() {
+        if (strip != null) {
+            strip.close();
+            strip = null;
+        }
+        draw();
+    }
+
+    private void update(EditorState state) {
+        Optional<Shot> shot = state.shotFrame().map(m -> m.shot());
+        if (strip != null && (shot.filter(strip::matches).isEmpty() || !isSameFolder())) {
+            // Other frames take other room: that is asked anew.
+            closeStrip();
+        }
+        if (strip != null && !editor.isAnimating()) {
+            strip.frames().setPictureBusy(state.sceneInProgress().isPresent() || state.verifying());
+            strip.show(editor.document().content(), state.shotFrame().orElseThrow().frame());
+            remotePreview.update(state, strip);
+        }
+        if (strip == null) {
+            shot.ifPresent(this::showCost);
+        }
+        question.setVisible(strip == null);
+        draw();
+    }
+
+    private boolean isSameFolder() {
+        return !(strip.frames() instanceof RemoteFrames far) || far.folder().equals(folder());
+    }
+
+    private void stripChanged() {
+        if (strip != null && !editor.isAnimating()) {
+            remotePreview.update(editor.editorStateProperty().get(), strip);
+        }
+        draw();
+    }
+
+    private boolean fitsInMemory(Shot shot) {
+        return LocalFrames.maxBytes(editor.document().content().base(), shot) <= HeapBudget.availableBytes() / 2;
+    }
+
+    private void showCost(Shot shot) {
+        long bytes = LocalFrames.maxBytes(editor.document().content().base(), shot);
+        cost.setText(Messages.tr("The strip keeps {0} small frames and relights them after each edit: at most {1} MB of memory.",
+                (long) shot.last() - shot.first() + 1, Math.max(1, Math.round(bytes / MEGABYTE)))
+                + (fitsInMemory(shot) ? "" : " " + Messages.tr("That is more than there is for it.")));
+        startButton.setDisable(!fitsInMemory(shot));
+    }
+
+    private void draw() {
+        if (strip == null || timeline.shotProperty().get() == null || !strip.matches(timeline.shotProperty().get())) {
+            slots.getChildren().clear();
+            visibleSlots.clear();
+            showStatus("", false);
+            return;
+        }
+        Shot shot = timeline.shotProperty().get();
+        FrameScale scale = timeline.scaleProperty().get();
+        PictureSettings picture = FilmStrip.thumbnailScene(editor.document().content().base()).picture();
+        double width = Math.max(8, HEIGHT * picture.width() / picture.height()) + 2;
+        List<SlotPosition> positions = slotPositions(shot, scale, width);
+        while (visibleSlots.size() < positions.size()) {
+            var slot = new Slot();
+            visibleSlots.add(slot);
+            slots.getChildren().add(slot);
+        }
+        while (visibleSlots.size() > positions.size()) {
+            slots.getChildren().remove(visibleSlots.removeLast());
+        }
+        int currentFrame = nearest(positions, editor.document().shotFrame().map(m -> m.frame()).orElse(-1));
+        strip.setVisibleFrames(nearestFirst(positions, currentFrame));
+        for (int i = 0; i < positions.size(); i++) {
+            show(visibleSlots.get(i), positions.get(i), width, currentFrame);
+        }
+        showStatus(FilmStripText.status(strip, shot), strip.frames().machineCount().isPresent());
+    }
+
+    private void showStatus(String text, boolean isRemote) {
+        progress.setText(text);
+        progress.setVisible(!text.isEmpty());
+        // Where nobody makes any, what is told may lie over the pictures.
+        statusBox.setMaxWidth(isRemote && strip.frames().machineCount().orElseThrow() == 0 ? MESSAGE_WIDTH : TrackCell.NAME_WIDTH);
+        localButton.setVisible(isRemote);
+        localButton.setManaged(isRemote);
+    }
+
+    /**
+     * A frame and where its picture begins.
+     *
+     * @param x pixels behind the names
+     */
+    private record SlotPosition(int frame, double x) {}
+
+    private static int nearest(List<SlotPosition> positions, int currentFrame) {
+        return nearestFirst(positions, currentFrame).stream().findFirst().orElse(-1);
+    }
+
+    private static List<Integer> nearestFirst(List<SlotPosition> positions, int currentFrame) {
+        return positions.stream().map(SlotPosition::frame)
+                .sorted((a, b) -> Integer.compare(Math.abs(a - currentFrame), Math.abs(b - currentFrame))).toList();
+    }
+
+    /** Those that have room beside each other, each about its frame, from the first of the shot that is seen on. */
+    private static List<SlotPosition> slotPositions(Shot shot, FrameScale scale, double width) {
+        List<SlotPosition> positions = new ArrayList<>();
+        double freeX = 0;
+        int frame = Math.max(shot.first(), scale.frame(0));
+        while (frame <= shot.last() && scale.isVisible(frame)) {
+            double x = Math.max(0, Math.min(scale.x(frame) - width / 2, scale.width() - width));
+            if (x >= freeX) {
+                positions.add(new SlotPosition(frame, x));
+                freeX = x + width;
+            }
+            frame = Math.max(frame + 1, scale.frame(freeX + width / 2));
+        }
+        return positions;
+    }
+
+    private void show(Slot slot, SlotPosition position, double width, int currentFrame) {
+        int frame = position.frame();
+        slot.frame = frame;
+        slot.setId("strip-" + frame);
+        slot.number.setText(String.valueOf(frame));
+        FrameState state = strip.state(frame);
+        slot.pseudoClassStateChanged(STALE, state != FrameState.FAILED && !strip.isUpToDate(frame));
+        slot.pseudoClassStateChanged(MISSING, state == FrameState.MISSING);
+        slot.pseudoClassStateChanged(FAILED, state == FrameState.FAILED);
+        slot.pseudoClassStateChanged(CURRENT, frame == currentFrame);
+        FilmStrip.Thumbnail thumbnail = strip.thumbnail(frame).orElse(null);
+        int[] pixels = thumbnail == null ? null : thumbnail.pixels();
+        if (pixels != slot.pixels) {
+            slot.pixels = pixels;
+            slot.image.setImage(thumbnail == null ? null : PixelImage.of(thumbnail.film().width(), thumbnail.film().height(), pixels));
+        }
+        slot.setAccessibleText(FilmStripText.frameText(strip, frame));
+        slot.resizeRelocate(TrackCell.NAME_WIDTH + position.x(), 2, width - 2, HEIGHT);
+    }
+}

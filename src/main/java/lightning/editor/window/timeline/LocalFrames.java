@@ -1,0 +1,62 @@
+package lightning.editor.window.timeline;
+
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicBoolean;
+import lightning.base.work.WorkerPool;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+import lightning.scene.shot.Shot;
+import lightning.shot.LocalFrameHost;
+import lightning.shot.ShotListener;
+import lightning.shot.ShotRelighter;
+
+/**
+ * Small frames in this process, which give way to the large picture wherever that is worked at.
+ *
+ * @param pictureBusy whether it is
+ */
+record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements FilmStripFrames {
+    static LocalFrames of(Shot shot, Scene scene, ShotListener listener) {
+        int threads = Math.max(1, WorkerPool.processorCount() - 1);
+        var host = new LocalFrameHost(options().withThreads(threads), maxBytes(scene, shot));
+        var pictureBusy = new AtomicBoolean();
+        return new LocalFrames(ShotRelighter.of(shot.first(), shot.last(), new PausingFrameHost(host, pictureBusy::get), listener),
+                pictureBusy);
+    }
+
+    private static RenderOptions options() {
+        return RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
+    }
+
+    /** The most bytes that the pictures of a shot take with all that they are relit from. */
+    static long maxBytes(Scene scene, Shot shot) {
+        Scene small = FilmStrip.thumbnailScene(scene);
+        PictureSettings picture = small.picture();
+        long bytesPerFrame = MemoryEstimate.upperBound(small, options()) + 4L * picture.width() * picture.height();
+        return bytesPerFrame * ((long) shot.last() - shot.first() + 1);
+    }
+
+    @Override
+    public Scene frameScene(Scene scene) {
+        return FilmStrip.thumbnailScene(scene);
+    }
+
+    @Override
+    public OptionalInt machineCount() {
+        return OptionalInt.empty();
+    }
+
+    @Override
+    public void setPictureBusy(boolean v) {
+        pictureBusy.set(v);
+    }
+
+    @Override
+    public void close() {
+        pictureBusy.set(false);
+        shot.close();
+    }
+}

@@ -1,0 +1,36 @@
+package lightning.editor.window.timeline;
+
+import java.util.List;
+import lightning.base.text.Messages;
+import lightning.scene.Camera;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightGroup;
+import lightning.scene.SceneAttribute;
+import lightning.scene.shot.ShotDiff;
+import lightning.scene.shot.Track;
+import lightning.scene.shot.TrackTarget;
+
+/** How the timeline calls what has keys. */
+final class TrackNames {
+    private TrackNames() {}
+
+    static String name(TrackTarget target) {
+        return ShotDiff.name(target);
+    }
+
+    /** {@code key: intensity}. */
+    static String name(Track track) {
+        return name(track.target()) + ": " + attribute(track);
+    }
+
+    static String attribute(Track track) {
+        List<? extends SceneAttribute<?, ?>> attributes = switch (track.target().kind()) {
+            case CAMERA -> Camera.ATTRIBUTES;
+            case LIGHT -> LightAttribute.ALL;
+            case LIGHT_GROUP -> LightGroup.ATTRIBUTES;
+            case NODE -> List.of();
+        };
+        return Messages.tr(attributes.stream().filter(a -> a.name().equals(track.attribute())).map(SceneAttribute::title).findFirst()
+                .orElse(track.attribute()));
+    }
+}

@@ -1,0 +1,145 @@
+package lightning.format.exr;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.base.text.Quote;
+
+/** Reads the header of a file of one part with lines. */
+final class ExrHeaderReader {
+    private static final int MAX_CHANNELS = 4096;
+    private static final List<String> COMPRESSIONS = List.of("none", "RLE", "ZIPS", "ZIP", "PIZ", "PXR24", "B44", "B44A", "DWAA", "DWAB");
+
+    private final ByteBuffer in;
+    private int compression = -1;
+    private int[] dataWindow;
+    private List<ExrChannel> channels;
+    private final Map<String, String> attributes = new LinkedHashMap<>();
+
+    /** @param in little-endian, the beginning of a file */
+    ExrHeaderReader(ByteBuffer in) {
+        this.in = in;
+    }
+
+    /** What was read. */
+    record Result(ExrHeader header, int compression, int top, int headerBytes) {}
+
+    /**
+     * Reads it.
+     *
+     * @throws EOFException if it does not end here
+     * @throws IOException  if it is none, or that of a file of another kind
+     */
+    Result read() throws IOException {
+        require(8);
+        if (in.getInt() != ExrHeader.MAGIC) {
+            throw new IOException("is no OpenEXR picture: its first four bytes are others");
+        }
+        int version = in.getInt();
+        if ((version & ~ExrHeader.LONG_NAMES_FLAG) != ExrHeader.VERSION) {
+            throw new IOException("is an OpenEXR picture of tiles, parts or deep samples; expected one part with lines");
+        }
+        for (String name = readText(); !name.isEmpty(); name = readText()) {
+            readAttribute(name, readText());
+        }
+        if (channels == null || dataWindow == null || compression < 0) {
+            throw new IOException("has a damaged OpenEXR header: expected channels, dataWindow and compression");
+        }
+        long width = (long) dataWindow[2] - dataWindow[0] + 1;
+        long height = (long) dataWindow[3] - dataWindow[1] + 1;
+        if (width < 1 || height < 1 || width > Integer.MAX_VALUE || height > Integer.MAX_VALUE) {
+            throw new IOException("has a damaged OpenEXR header: its data window has no pixels");
+        }
+        return new Result(new ExrHeader((int) width, (int) height, channels, attributes), compression, dataWindow[1], in.position());
+    }
+
+    private void readAttribute(String name, String type) throws IOException {
+        require(Integer.BYTES);
+        int size = in.getInt();
+        if (size < 0) {
+            throw new IOException("has a damaged OpenEXR header: attribute " + Quote.of(name) + " has " + size + " bytes");
+        }
+        require(size);
+        int end = in.position() + size;
+        switch (name + " " + type) {
+            case "channels chlist" -> channels = readChannels(end);
+            case "compression compression" -> compression = readCompression(size);
+            case "dataWindow box2i" -> {
+                if (size != 4 * Integer.BYTES) {
+                    throw new IOException("has a damaged OpenEXR header: a data window must have 16 bytes, has " + size);
+                }
+                dataWindow = new int[] {in.getInt(), in.getInt(), in.getInt(), in.getInt()};
+            }
+            default -> {
+                if (type.equals("string")) {
+                    byte[] bytes = new byte[size];
+                    in.get(bytes);
+                    attributes.put(name, new String(bytes, StandardCharsets.UTF_8));
+                }
+            }
+        }
+        in.position(end);
+    }
+
+    private int readCompression(int size) throws IOException {
+        int code = size == 1 ? in.get() : -1;
+        if (code != 0 && code != 2 && code != 3) {
+            throw new IOException("is compressed as " + (code >= 0 && code < COMPRESSIONS.size() ? COMPRESSIONS.get(code) : "nobody knows")
+                    + "; expected none, ZIPS or ZIP");
+        }
+        return code;
+    }
+
+    private List<ExrChannel> readChannels(int end) throws IOException {
+        List<ExrChannel> result = new ArrayList<>();
+        for (String name = readText(); !name.isEmpty(); name = readText()) {
+            require(4 * Integer.BYTES);
+            int type = in.getInt();
+            in.getInt();
+            int xSampling = in.getInt();
+            int ySampling = in.getInt();
+            if (type < 0 || type >= ExrType.values().length || xSampling != 1 || ySampling != 1 || result.size() == MAX_CHANNELS) {
+                throw new IOException("has a channel " + Quote.of(name) + " that is not read: expected at most " + MAX_CHANNELS
+                        + " channels of whole numbers, half or float, one for each pixel");
+            }
+            result.add(channel(name, ExrType.values()[type]));
+        }
+        if (in.position() != end || result.stream().map(ExrChannel::name).distinct().count() != result.size()) {
+            throw new IOException("has a damaged OpenEXR header: its list of channels");
+        }
+        return result;
+    }
+
+    private static ExrChannel channel(String name, ExrType type) throws IOException {
+        try {
+            return new ExrChannel(name, type);
+        } catch (IllegalArgumentException e) {
+            throw new IOException("has a channel " + Quote.of(name) + "; expected a name of ASCII", e);
+        }
+    }
+
+    private String readText() throws IOException {
+        int start = in.position();
+        do {
+            require(1);
+        } while (in.get() != 0 && in.position() - start <= ExrChannel.MAX_NAME_LENGTH + 1);
+        int length = in.position() - 1 - start;
+        if (length > ExrChannel.MAX_NAME_LENGTH) {
+            throw new IOException("has a damaged OpenEXR header: a name is longer than " + ExrChannel.MAX_NAME_LENGTH + " bytes");
+        }
+        byte[] bytes = new byte[length];
+        in.get(start, bytes);
+        return new String(bytes, StandardCharsets.ISO_8859_1);
+    }
+
+    private void require(int bytes) throws IOException {
+        if (in.remaining() < bytes) {
+            throw new EOFException("is cut short: its OpenEXR header has no end");
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package lightning.format.gltf;
+
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.base.file.RegularFile;
+import lightning.base.text.Quote;
+import lightning.format.mesh.ByteSource;
+import lightning.format.mesh.MeshException;
+
+/** The bytes that a glTF file names: embedded, beside its JSON, or in files of its folder. Each is read once. */
+final class BufferReader {
+    private final GltfFile file;
+    private final Map<Integer, byte[]> buffersByIndex = new HashMap<>();
+    private final Map<String, byte[]> buffersByUri = new HashMap<>();
+
+    BufferReader(GltfFile file) {
+        this.file = file;
+    }
+
+    /**
+     * The bytes of a view.
+     *
+     * @return from the first to the last byte of it, in the order of glTF, the smallest first
+     */
+    ByteBuffer view(JsonValue index) throws IOException, MeshException {
+        JsonValue view = index.resolve(file.array("bufferViews"));
+        byte[] bytes = buffer(view.get("buffer").index(file.array("buffers")));
+        int offset = view.get("byteOffset").integer(0, bytes.length, 0);
+        int length = view.get("byteLength").integer(0, bytes.length - offset);
+        return GltfFile.littleEndian(bytes).slice(offset, length).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private byte[] buffer(int index) throws IOException, MeshException {
+        byte[] cached = buffersByIndex.get(index);
+        if (cached != null) {
+            return cached;
+        }
+        JsonValue buffer = file.array("buffers").element(index);
+        JsonValue uri = buffer.get("uri");
+        byte[] bytes;
+        if (uri.isPresent()) {
+            bytes = cachedBytes(uri);
+        } else if (index == 0 && file.binaryChunk() != null) {
+            bytes = file.binaryChunk();
+        } else {
+            throw buffer.problem("must have a uri: there are no data beside the JSON for it");
+        }
+        int length = buffer.get("byteLength").integer(0, Integer.MAX_VALUE);
+        if (length > bytes.length) {
+            throw buffer.get("byteLength").problem("must be at most the bytes that are there, " + bytes.length + ", was " + length);
+        }
+        buffersByIndex.put(index, bytes);
+        return bytes;
+    }
+
+    /** The files of this folder that hold buffers, each once. */
+    Set<Path> files() throws IOException, MeshException {
+        Set<Path> files = new LinkedHashSet<>();
+        JsonValue buffers = file.array("buffers");
+        for (int i = 0; i < buffers.size(); i++) {
+            JsonValue uri = buffers.element(i).get("uri");
+            if (uri.isPresent() && !uri.text().orElse("").startsWith("data:")) {
+                files.add(siblingFile(uri));
+            }
+        }
+        return files;
+    }
+
+    /** The same, read once however many buffers name it. */
+    private byte[] cachedBytes(JsonValue uri) throws IOException, MeshException {
+        String text = uri.text().orElse("");
+        byte[] cached = buffersByUri.get(text);
+        if (cached == null) {
+            cached = bytes(uri);
+            buffersByUri.put(text, cached);
+        }
+        return cached;
+    }
+
+    /** What a URI names: data in it, or a file of this folder. */
+    byte[] bytes(JsonValue uri) throws IOException, MeshException {
+        String text = uri.text().orElse("");
+        if (text.startsWith("data:")) {
+            int comma = text.indexOf(',');
+            if (comma < 0 || !text.substring(0, comma).endsWith(";base64")) {
+                throw uri.problem("must hold its data as base64");
+            }
+            try {
+                return Base64.getDecoder().decode(text.substring(comma + 1));
+            } catch (IllegalArgumentException e) {
+                throw uri.problem("must hold its data as base64: " + e.getMessage());
+            }
+        }
+        Path path = siblingFile(uri);
+        try (ByteSource source = ByteSource.open(path, file.progress())) {
+            return source.bytes((int) source.remaining());
+        } catch (MeshException e) {
+            throw uri.problem(e.getMessage());
+        }
+    }
+
+    /** The file of this folder, or of one inside it, that a URI names. */
+    Path siblingFile(JsonValue uri) throws IOException, MeshException {
+        String text = uri.text().orElse("");
+        Path folder = file.path().toAbsolutePath().getParent().toRealPath();
+        try {
+            // A plus is a plus in paths.
+            Path path = folder.resolve(URLDecoder.decode(text.replace("+", "%2B"), StandardCharsets.UTF_8)).normalize();
+            if (text.isEmpty() || text.contains(":") || !path.startsWith(folder)) {
+                throw uri.problem("must be data or a file in the folder of this one, was " + Quote.of(text));
+            }
+            if (!Files.exists(path)) {
+                throw uri.problem("there is no file " + Quote.of(text));
+            }
+            Optional<String> otherKind = RegularFile.describeIrregular(path);
+            if (otherKind.isPresent()) {
+                throw uri.problem("must be a file in the folder of this one, was " + Quote.of(text) + ", which is " + otherKind.get());
+            }
+            if (!path.toRealPath().startsWith(folder)) {
+                throw uri.problem("must be in the folder of this file, found a link that leads out of it, " + Quote.of(text));
+            }
+            return path;
+        } catch (IllegalArgumentException e) {
+            throw uri.problem("must be data or a file in the folder of this one, was " + Quote.of(text));
+        }
+    }
+}

@@ -1,0 +1,245 @@
+package lightning.format.gltf;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import lightning.base.work.HeapBudget;
+import lightning.format.mesh.ConversionNotes;
+import lightning.format.mesh.MeshException;
+import lightning.format.mesh.MeshLimits;
+import lightning.format.mesh.Tangents;
+import lightning.format.mesh.UniqueNames;
+import lightning.format.mesh.VertexColors;
+import lightning.format.mesh.VertexNormals;
+import lightning.scene.Mesh;
+
+/**
+ * The meshes of a glTF file, a part for each primitive: triangles, strips and fans. A part keeps the vertices that its triangles
+ * name: many parts of one pool of vertices are common, and no vertex is kept twice for them.
+ */
+public final class GltfMeshReader {
+    private static final int TRIANGLES_MODE = 4;
+    private static final int FAN_MODE = 6;
+
+    private final GltfFile file;
+    private final ConversionNotes notes;
+    private final AccessorReader accessors;
+    private final ExpansionLimit expansionLimit;
+    private final UniqueNames names = new UniqueNames();
+    private final List<GltfPart> parts = new ArrayList<>();
+    /** The numbers of accessors that were read, by accessor and what they are read as. */
+    private final Map<String, float[]> cachedValues = new HashMap<>();
+    /** The new number of each vertex of a pool; −1 between two parts. */
+    private int[] vertexMap = {};
+    private long bytes;
+
+    private GltfMeshReader(GltfFile file, ConversionNotes notes) throws IOException, MeshException {
+        this.file = file;
+        expansionLimit = new ExpansionLimit(file);
+        this.notes = notes;
+        accessors = new AccessorReader(file);
+    }
+
+    /**
+     * Reads all meshes.
+     *
+     * @param notes hears what is left out
+     * @throws MeshException if anything of them is wrong, or there are none
+     * @throws IOException   if a file beside it cannot be read
+     */
+    public static List<GltfPart> read(GltfFile file, ConversionNotes notes) throws IOException, MeshException {
+        return new GltfMeshReader(file, notes).read();
+    }
+
+    private List<GltfPart> read() throws IOException, MeshException {
+        JsonValue meshes = file.array("meshes");
+        for (int i = 0; i < meshes.size(); i++) {
+            JsonValue primitives = meshes.element(i).get("primitives");
+            String name = meshes.element(i).get("name").text().orElse("");
+            for (int j = 0; j < primitives.size(); j++) {
+                if (file.progress().isCanceled()) {
+                    throw new CancellationException("cancelled after " + parts.size() + " parts");
+                }
+                readPrimitive(i, name, primitives.element(j), primitives.size() > 1);
+            }
+            if (meshes.element(i).get("weights").isPresent()) {
+                notes.add("meshes with morph targets");
+            }
+        }
+        if (parts.isEmpty()) {
+            throw file.root().get("meshes").problem("must have triangles: without them there is nothing to light");
+        }
+        return List.copyOf(parts);
+    }
+
+    private static int mode(JsonValue primitive) throws MeshException {
+        return primitive.get("mode").integer(0, 6, TRIANGLES_MODE);
+    }
+
+    /** Whether a primitive is one of triangles with positions, as far as its own words say. */
+    static boolean isDrawable(JsonValue primitive) throws MeshException {
+        return mode(primitive) >= TRIANGLES_MODE && primitive.get("attributes").get("POSITION").isPresent();
+    }
+
+    private void readPrimitive(int mesh, String name, JsonValue primitive, boolean hasSiblings) throws IOException, MeshException {
+        int mode = mode(primitive);
+        if (mode < TRIANGLES_MODE) {
+            notes.add(mode == 0 ? "primitives of points" : "primitives of lines");
+            return;
+        }
+        JsonValue position = primitive.get("attributes").get("POSITION");
+        if (!position.isPresent()) {
+            notes.add("primitives without positions, or in a compressed form");
+            return;
+        }
+        // Read first: from here on there are as many vertices as it says.
+        int vertices = readValues(position, 3).length / 3;
+        JsonValue indices = primitive.get("indices");
+        int[] triangles = triangles(mode, indices.isPresent() ? accessors.indices(indices, vertices) : null, vertices);
+        if (triangles.length == 0) {
+            notes.add("primitives without triangles");
+            return;
+        }
+        if (parts.size() == MeshLimits.PARTS) {
+            throw primitive.problem("a file must have at most " + MeshLimits.PARTS + " primitives");
+        }
+        JsonValue material = primitive.get("material");
+        int materialIndex = material.isPresent() ? material.index(file.array("materials")) : -1;
+        String materialName = materialIndex < 0 ? "" : file.array("materials").element(materialIndex).get("name").text().orElse("");
+        String requestedName =
+                hasSiblings && !materialName.isEmpty() ? (name.isEmpty() ? materialName : name + " (" + materialName + ")") : name;
+        Mesh triangleMesh = mesh(primitive, triangles, vertices, materialIndex);
+        parts.add(new GltfPart(mesh, names.unique(requestedName, "mesh"), materialIndex, triangleMesh));
+    }
+
+    private static int[] triangles(int mode, int[] indices, int vertices) {
+        int corners = indices == null ? vertices : indices.length;
+        int count = mode == TRIANGLES_MODE ? corners / 3 : Math.max(0, corners - 2);
+        int[] triangles = new int[3 * Math.min(count, MeshLimits.TRIANGLES)];
+        for (int t = 0; t < triangles.length / 3; t++) {
+            // glTF 2.0, §3.7.2.1.
+            int a = mode == TRIANGLES_MODE ? 3 * t : mode == FAN_MODE ? t + 1 : t;
+            int b = mode == TRIANGLES_MODE ? 3 * t + 1 : mode == FAN_MODE ? t + 2 : t + 1 + t % 2;
+            int c = mode == TRIANGLES_MODE ? 3 * t + 2 : mode == FAN_MODE ? 0 : t + 2 - t % 2;
+            triangles[3 * t] = indices == null ? a : indices[a];
+            triangles[3 * t + 1] = indices == null ? b : indices[b];
+            triangles[3 * t + 2] = indices == null ? c : indices[c];
+        }
+        return triangles;
+    }
+
+    private Mesh mesh(JsonValue primitive, int[] triangles, int vertices, int material) throws IOException, MeshException {
+        JsonValue attributes = primitive.get("attributes");
+        TextureTransform textureCoordinates = TextureTransform.of(file, material);
+        int[] used = compact(triangles, vertices);
+        JsonValue uvAccessor = attributes.get("TEXCOORD_" + textureCoordinates.set());
+        reserveBytes(triangles.length
+                + (long) used.length * (3 + (attributes.get("NORMAL").isPresent() ? 3 : 0) + (uvAccessor.isPresent() ? 2 : 0)
+                        + (attributes.get("COLOR_0").isPresent() ? 3 : 0) + (hasTangents(attributes) ? 4 : 0)),
+                primitive);
+        float[] positions = gather(attributes.get("POSITION"), 3, vertices, used);
+        float[] normals = gather(attributes.get("NORMAL"), 3, vertices, used);
+        float[] coordinates = gather(uvAccessor, 2, vertices, used);
+        float[] colors = gather(attributes.get("COLOR_0"), 3, vertices, used);
+        float[] tangents = hasTangents(attributes) ? gather(attributes.get("TANGENT"), 4, vertices, used) : null;
+        if (tangents != null) {
+            Tangents.normalizeAll(tangents, notes);
+        }
+        if (colors != null) {
+            VertexColors.clamp(colors, used.length, notes);
+        }
+        noteUnusedAttributes(primitive, textureCoordinates.set());
+        if (normals != null) {
+            VertexNormals.normalizeAll(normals, positions, triangles);
+        }
+        if (coordinates != null) {
+            textureCoordinates.apply(coordinates);
+        }
+        try {
+            return new Mesh(positions, triangles, normals, coordinates, colors, tangents);
+        } catch (IllegalArgumentException e) {
+            throw primitive.problem(e.getMessage());
+        }
+    }
+
+    /** Reckons with so many numbers more. */
+    private void reserveBytes(long count, JsonValue primitive) throws MeshException {
+        bytes += 4 * count;
+        expansionLimit.checkBytes(bytes, primitive);
+        if (bytes > HeapBudget.availableBytes() / 2) {
+            throw primitive.problem("the meshes up to here take " + (bytes >> 20) + " MiB, more than half of the memory that there is");
+        }
+    }
+
+    private void noteUnusedAttributes(JsonValue primitive, int set) throws MeshException {
+        boolean tangents = hasTangents(primitive.get("attributes"));
+        primitive.get("attributes").node().propertyNames().forEach(name -> {
+            if (!name.equals("POSITION") && !name.equals("NORMAL") && !name.equals("COLOR_0") && !name.equals("TEXCOORD_" + set)
+                    && !(tangents && name.equals("TANGENT"))) {
+                notes.add("attributes " + name + " of primitives");
+            }
+        });
+        if (primitive.get("targets").isPresent()) {
+            notes.add("primitives with morph targets");
+        }
+    }
+
+    /** Tangents without normals must be ignored: glTF 2.0, §3.7.2.1. */
+    private static boolean hasTangents(JsonValue attributes) throws MeshException {
+        return attributes.get("TANGENT").isPresent() && attributes.get("NORMAL").isPresent();
+    }
+
+    /** Renumbers the vertices that are named, and tells which they were. */
+    private int[] compact(int[] triangles, int vertices) {
+        if (vertexMap.length < vertices) {
+            vertexMap = new int[vertices];
+            Arrays.fill(vertexMap, -1);
+        }
+        int[] used = new int[Math.min(vertices, triangles.length)];
+        int count = 0;
+        for (int i = 0; i < triangles.length; i++) {
+            int v = triangles[i];
+            if (vertexMap[v] < 0) {
+                used[count] = v;
+                vertexMap[v] = count++;
+            }
+            triangles[i] = vertexMap[v];
+        }
+        for (int i = 0; i < count; i++) {
+            vertexMap[used[i]] = -1;
+        }
+        return Arrays.copyOf(used, count);
+    }
+
+    /** The numbers of the named vertices; null where there are none. */
+    private float[] gather(JsonValue accessor, int components, int vertices, int[] used) throws IOException, MeshException {
+        if (!accessor.isPresent()) {
+            return null;
+        }
+        if (accessors.count(accessor) != vertices) {
+            throw accessor.problem("must have as many as there are positions, " + vertices + ", has " + accessors.count(accessor));
+        }
+        float[] values = readValues(accessor, components);
+        float[] result = new float[components * used.length];
+        for (int i = 0; i < used.length; i++) {
+            System.arraycopy(values, components * used[i], result, components * i, components);
+        }
+        return result;
+    }
+
+    /** All numbers of an accessor, read once. */
+    private float[] readValues(JsonValue accessor, int components) throws IOException, MeshException {
+        String key = accessor.index(file.array("accessors")) + " " + components;
+        float[] values = cachedValues.get(key);
+        if (values == null) {
+            values = accessors.floats(accessor, components);
+            reserveBytes(values.length, accessor);
+            cachedValues.put(key, values);
+        }
+        return values;
+    }
+}

@@ -1,0 +1,129 @@
+package lightning.format.gltf;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import lightning.base.text.Quote;
+import lightning.format.mesh.MeshException;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.node.MissingNode;
+
+/**
+ * A value in a file of JSON, which knows its place: every problem names it, as in {@code accessors[3].count}.
+ *
+ * @param path from the root; empty at the root
+ */
+record JsonValue(Path file, String path, JsonNode node) {
+    MeshException problem(String message) {
+        return new MeshException(file, path, message);
+    }
+
+    boolean isPresent() {
+        return !node.isMissingNode();
+    }
+
+    /** A property, which need not be there. */
+    JsonValue get(String name) throws MeshException {
+        if (isPresent() && !node.isObject()) {
+            throw problem("must be an object, was " + describe());
+        }
+        JsonNode value = node.get(name);
+        return new JsonValue(file, path.isEmpty() ? name : path + "." + name, value == null ? MissingNode.getInstance() : value);
+    }
+
+    /** How many values an array has; 0 where there is none. */
+    int size() throws MeshException {
+        if (isPresent() && !node.isArray()) {
+            throw problem("must be an array, was " + describe());
+        }
+        return node.size();
+    }
+
+    /** A value of an array, which must be there. */
+    JsonValue element(int index) throws MeshException {
+        if (index < 0 || index >= size()) {
+            throw problem("must have a value " + index + ", has " + size());
+        }
+        return new JsonValue(file, path + "[" + index + "]", node.get(index));
+    }
+
+    /** The value of {@code array} that this whole number names. */
+    JsonValue resolve(JsonValue array) throws MeshException {
+        return array.element(index(array));
+    }
+
+    /** This whole number, which names a value of {@code array}. */
+    int index(JsonValue array) throws MeshException {
+        if (array.size() == 0) {
+            throw problem("there are no " + array.path);
+        }
+        return integer(0, array.size() - 1);
+    }
+
+    int integer(int min, int max) throws MeshException {
+        double value = numericValue();
+        if (!(value >= min && value <= max) || value != Math.rint(value)) {
+            throw problem("must be a whole number from " + min + " to " + max + ", was " + describe());
+        }
+        return (int) value;
+    }
+
+    int integer(int min, int max, int fallback) throws MeshException {
+        return isPresent() ? integer(min, max) : fallback;
+    }
+
+    double number() throws MeshException {
+        double value = numericValue();
+        if (Double.isNaN(value)) {
+            throw problem("must be a number, was " + describe());
+        }
+        if (Double.isInfinite(value)) {
+            throw problem("must be a number of at most 1.8e308, was " + describe());
+        }
+        return value;
+    }
+
+    /** The nearest double, which is infinite beyond the range of doubles; NaN where this is no number. */
+    private double numericValue() {
+        return node.isNumber() ? node.numberValue().doubleValue() : Double.NaN;
+    }
+
+    double number(double fallback) throws MeshException {
+        return isPresent() ? number() : fallback;
+    }
+
+    boolean bool(boolean fallback) throws MeshException {
+        if (isPresent() && !node.isBoolean()) {
+            throw problem("must be true or false, was " + describe());
+        }
+        return isPresent() ? node.asBoolean() : fallback;
+    }
+
+    Optional<String> text() throws MeshException {
+        if (isPresent() && !node.isString()) {
+            throw problem("must be text in quotes, was " + describe());
+        }
+        return isPresent() ? Optional.of(node.asString()) : Optional.empty();
+    }
+
+    /** So many numbers, or those given where there are none. */
+    double[] numbers(double... fallback) throws MeshException {
+        if (!isPresent()) {
+            return fallback;
+        }
+        if (size() != fallback.length) {
+            throw problem("must have " + fallback.length + " numbers, has " + size());
+        }
+        double[] numbers = new double[fallback.length];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = element(i).number();
+        }
+        return numbers;
+    }
+
+    private String describe() {
+        if (!isPresent()) {
+            return "missing";
+        }
+        return node.isObject() ? "an object" : node.isArray() ? "an array" : Quote.of(node.asString(""));
+    }
+}

@@ -1,0 +1,50 @@
+package lightning.format.gltf;
+
+import java.util.Arrays;
+import lightning.format.mesh.MeshException;
+
+/**
+ * Which texture coordinates the base colour of a material has, or its normals where that has no picture, and how they are moved (KHR_texture_transform).
+ *
+ * @param set which of a primitive's coordinates
+ * @param matrix u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅
+ */
+record TextureTransform(int set, double[] matrix) {
+    static TextureTransform of(GltfFile file, int material) throws MeshException {
+        if (material < 0) {
+            return new TextureTransform(0, new double[] {1, 0, 0, 0, 1, 0});
+        }
+        JsonValue json = file.array("materials").element(material);
+        JsonValue base = json.get("pbrMetallicRoughness").get("baseColorTexture");
+        return of(base.isPresent() ? base : json.get("normalTexture"));
+    }
+
+    private static TextureTransform of(JsonValue texture) throws MeshException {
+        JsonValue transform = texture.get("extensions").get("KHR_texture_transform");
+        int set = transform.get("texCoord").integer(0, 100, texture.get("texCoord").integer(0, 100, 0));
+        double[] offset = transform.get("offset").numbers(0, 0);
+        double[] scale = transform.get("scale").numbers(1, 1);
+        double angle = transform.get("rotation").number(0);
+        double c = Math.cos(angle);
+        double s = Math.sin(angle);
+        // Moved · turned · scaled; the extension turns as v points downwards.
+        return new TextureTransform(set, new double[] {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]});
+    }
+
+    /** Whether two textures of a material lie on it alike. */
+    static boolean areSame(JsonValue texture, JsonValue other) throws MeshException {
+        TextureTransform one = of(texture);
+        TextureTransform two = of(other);
+        return one.set == two.set && Arrays.equals(one.matrix, two.matrix);
+    }
+
+    /** Moves coordinates of glTF, v downwards, and lets v point upwards. */
+    void apply(float[] coordinates) {
+        for (int i = 0; i < coordinates.length; i += 2) {
+            double u = coordinates[i];
+            double v = coordinates[i + 1];
+            coordinates[i] = (float) (matrix[0] * u + matrix[1] * v + matrix[2]);
+            coordinates[i + 1] = (float) (1 - (matrix[3] * u + matrix[4] * v + matrix[5]));
+        }
+    }
+}

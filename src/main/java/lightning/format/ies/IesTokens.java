@@ -1,0 +1,85 @@
+package lightning.format.ies;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Quote;
+import lightning.format.mesh.MeshException;
+
+/** The words behind the line {@code TILT=} of a file, between spaces, commas and ends of lines, with the line of each. */
+final class IesTokens {
+    private static final String TILT = "TILT=";
+    /** Some programs end a file with it. */
+    private static final String END_OF_FILE = "\u001a";
+
+    private final Path file;
+    private final String tilt;
+    private final List<String> tokens = new ArrayList<>();
+    private final List<Integer> lineNumbers = new ArrayList<>();
+    private int next;
+
+    IesTokens(Path file, byte[] bytes) throws MeshException {
+        this.file = file;
+        String[] fileLines = new String(bytes, StandardCharsets.ISO_8859_1).split("\r\n|\r|\n", -1);
+        int start = 0;
+        while (start < fileLines.length && !fileLines[start].strip().toUpperCase(Locale.ROOT).startsWith(TILT)) {
+            start++;
+        }
+        if (start == fileLines.length) {
+            throw new MeshException(file, "", "a file of intensities must have a line that begins with " + TILT + ", found none");
+        }
+        tilt = fileLines[start].strip().substring(TILT.length()).strip();
+        for (int i = start + 1; i < fileLines.length; i++) {
+            for (String token : fileLines[i].split("[ \t,]+")) {
+                if (!token.isEmpty() && !token.equals(END_OF_FILE)) {
+                    tokens.add(token);
+                    lineNumbers.add(i + 1);
+                }
+            }
+        }
+    }
+
+    /** What stands behind {@code TILT=}. */
+    String tilt() {
+        return tilt;
+    }
+
+    /** @throws MeshException if another number of words is left */
+    void requireRemaining(long count) throws MeshException {
+        if (tokens.size() - next != count) {
+            throw problem("expected " + count + " angles and intensities, found " + (tokens.size() - next));
+        }
+    }
+
+    /** @throws MeshException if the next word is no whole number in the range */
+    int integer(String label, int min, int max) throws MeshException {
+        double v = number(label, min, max);
+        if (v != Math.rint(v)) {
+            throw problem(label + " must be a whole number, was " + DecimalNumber.format(v));
+        }
+        return (int) v;
+    }
+
+    /** @throws MeshException if the next word is no number in the range */
+    double number(String label, double min, double max) throws MeshException {
+        if (next == tokens.size()) {
+            throw problem("expected the " + label + ", found the end of the file");
+        }
+        String token = tokens.get(next++);
+        OptionalDouble v = DecimalNumber.parse(token);
+        if (v.isEmpty() || !(v.getAsDouble() >= min && v.getAsDouble() <= max)) {
+            throw problem(label + " must be a number from " + DecimalNumber.format(min) + " to " + DecimalNumber.format(max) + ", was "
+                    + Quote.of(token));
+        }
+        return v.getAsDouble();
+    }
+
+    /** A problem with the line of the word that was read last. */
+    MeshException problem(String message) {
+        return new MeshException(file, next == 0 ? "" : "line " + lineNumbers.get(next - 1), message);
+    }
+}

@@ -1,0 +1,155 @@
+package lightning.format.image;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import lightning.base.file.RegularFile;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Quote;
+import lightning.render.image.CubeLut;
+
+/**
+ * Reads {@code .cube} files (Cube LUT Specification 1.0, Adobe, 2013): {@code TITLE}, {@code LUT_1D_SIZE} or {@code LUT_3D_SIZE},
+ * {@code DOMAIN_MIN}, {@code DOMAIN_MAX}, then three numbers a line, red fastest. {@code LUT_1D_INPUT_RANGE} and {@code LUT_3D_INPUT_RANGE} of
+ * other programs are a domain with the same ends for all channels.
+ */
+public final class CubeLutReader {
+    /** Bytes of a file: 64 MiB. */
+    public static final int MAX_BYTES = 1 << 26;
+
+    private static final List<String> KEYWORDS =
+            List.of("TITLE", "LUT_1D_SIZE", "LUT_3D_SIZE", "DOMAIN_MIN", "DOMAIN_MAX", "LUT_1D_INPUT_RANGE", "LUT_3D_INPUT_RANGE");
+    /** What the names of such files end in. */
+    public static final String EXTENSION = ".cube";
+    private static final double MAX_VALUE = 1e9;
+    private static final int MAX_QUOTED_LENGTH = 40;
+
+    private final Path file;
+    private int line;
+    private boolean is3d;
+    private int size;
+    private float[] colors = new float[0];
+    private int filledCount;
+    private float[] min = {0, 0, 0};
+    private float[] max = {1, 1, 1};
+
+    private CubeLutReader(Path file) {
+        this.file = file;
+    }
+
+    /**
+     * The table of a file.
+     *
+     * @throws IOException if it cannot be read, has more than {@link #MAX_BYTES} bytes, or is no such table; the message is a sentence that
+     *                     names the file and the line, what was expected and what was found
+     */
+    public static CubeLut read(Path file) throws IOException {
+        return new CubeLutReader(file)
+                .readTable(new String(RegularFile.readBytes(file, "a .cube table", MAX_BYTES), StandardCharsets.UTF_8));
+    }
+
+    private CubeLut readTable(String text) throws IOException {
+        int start = 0;
+        while (start < text.length()) {
+            int end = text.indexOf('\n', start);
+            end = end < 0 ? text.length() : end;
+            line++;
+            readLine(text.substring(start, end).strip());
+            start = end + 1;
+        }
+        if (size == 0) {
+            throw problem("LUT_1D_SIZE or LUT_3D_SIZE", "the end of the file");
+        }
+        if (filledCount < colors.length) {
+            throw problem(colors.length / 3 + " lines of three numbers", filledCount / 3 + " before the end of the file");
+        }
+        for (int c = 0; c < 3; c++) {
+            if (!(min[c] < max[c])) {
+                throw problem("DOMAIN_MIN below DOMAIN_MAX in each channel", min[c] + " and " + max[c]);
+            }
+        }
+        return new CubeLut(file, is3d, size, colors, min, max);
+    }
+
+    private void readLine(String text) throws IOException {
+        if (text.isEmpty() || text.startsWith("#")) {
+            return;
+        }
+        String[] words = text.split("[ \t]+", 5);
+        switch (words[0]) {
+            case "TITLE" -> {}
+            case "LUT_1D_SIZE" -> readSize(words, false, CubeLut.MAX_ENTRIES);
+            case "LUT_3D_SIZE" -> readSize(words, true, CubeLut.MAX_POINTS);
+            case "DOMAIN_MIN" -> min = readDomain(words);
+            case "DOMAIN_MAX" -> max = readDomain(words);
+            case "LUT_1D_INPUT_RANGE", "LUT_3D_INPUT_RANGE" -> {
+                float[] range = readNumbers(words, 1, 2);
+                Arrays.fill(min, range[0]);
+                Arrays.fill(max, range[1]);
+            }
+            default -> readColor(words, text);
+        }
+    }
+
+    private void readSize(String[] words, boolean isCubic, int maxSize) throws IOException {
+        if (size > 0) {
+            throw problem("one size in a file", words[0] + " again");
+        }
+        float[] count = readNumbers(words, 1, 1);
+        if (!(count[0] >= 2 && count[0] <= maxSize) || count[0] != Math.rint(count[0])) {
+            throw problem("a whole number from 2 to " + maxSize + " behind " + words[0], Quote.of(words[1]));
+        }
+        is3d = isCubic;
+        size = (int) count[0];
+        colors = new float[3 * (isCubic ? size * size * size : size)];
+    }
+
+    private float[] readDomain(String[] words) throws IOException {
+        if (filledCount > 0) {
+            throw problem(words[0] + " before the table", "it behind " + filledCount / 3 + " lines of numbers");
+        }
+        return readNumbers(words, 1, 3);
+    }
+
+    private void readColor(String[] words, String text) throws IOException {
+        boolean isNumber = DecimalNumber.parse(words[0]).isPresent();
+        if (!isNumber) {
+            throw problem("three numbers or one of " + String.join(", ", KEYWORDS), quoted(text));
+        }
+        if (size == 0) {
+            throw problem("LUT_1D_SIZE or LUT_3D_SIZE before the numbers", quoted(text));
+        }
+        float[] color = readNumbers(words, 0, 3);
+        if (filledCount == colors.length) {
+            throw problem(colors.length / 3 + " lines of three numbers", "one more");
+        }
+        System.arraycopy(color, 0, colors, filledCount, 3);
+        filledCount += 3;
+    }
+
+    private float[] readNumbers(String[] words, int start, int count) throws IOException {
+        float[] numbers = new float[count];
+        boolean isValid = words.length == start + count;
+        for (int i = 0; isValid && i < count; i++) {
+            OptionalDouble v = DecimalNumber.parse(words[start + i]);
+            isValid = v.isPresent() && Math.abs(v.getAsDouble()) <= MAX_VALUE;
+            numbers[i] = (float) v.orElse(0);
+        }
+        if (!isValid) {
+            String expected = (count == 1 ? "a number" : count == 2 ? "two numbers" : "three numbers") + " from -10⁹ to 10⁹";
+            throw problem(start == 0 ? expected : expected + " behind " + words[0], quoted(String.join(" ", words)));
+        }
+        return numbers;
+    }
+
+    private static String quoted(String text) {
+        return Quote.of(text.length() <= MAX_QUOTED_LENGTH ? text : text.substring(0, MAX_QUOTED_LENGTH));
+    }
+
+    private IOException problem(String expected, String found) {
+        return new IOException(Quote.path(file) + ", line " + line + ": expected " + expected + ", found " + found);
+    }
+}

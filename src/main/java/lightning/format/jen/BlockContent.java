@@ -1,0 +1,59 @@
+package lightning.format.jen;
+
+import java.util.List;
+import java.util.Map;
+import lightning.scene.Light;
+import lightning.scene.LightGroup;
+import lightning.scene.Material;
+import lightning.scene.NodeGroup;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+
+/**
+ * A record of the scene as the file would say it.
+ *
+ * @param name   empty where the type has none
+ * @param values all values by property name, written or not
+ */
+record BlockContent(BlockType<?> type, String name, Map<String, Value> values, List<BlockContent> children) {
+
+    static <T> BlockContent of(BlockType<T> type, T record) {
+        return new BlockContent(type, "", type.values(record), List.of());
+    }
+
+    static BlockContent of(Material m) {
+        return of(BlockTypes.MATERIAL, m).withName(m.name());
+    }
+
+    static BlockContent of(Light l) {
+        return of(BlockTypes.LIGHT, l).withName(l.name());
+    }
+
+    static BlockContent of(LightGroup b) {
+        return of(BlockTypes.LIGHT_GROUP, b).withName(b.name());
+    }
+
+    static BlockContent of(SceneNode node) {
+        BlockContent element = switch (node) {
+            case NodeGroup g -> new BlockContent(BlockTypes.GROUP, "", BlockTypes.GROUP.values(g),
+                    g.children().stream().map(BlockContent::of).toList());
+            case Shape s -> of(BlockTypes.of(s.solid()), s);
+        };
+        return element.withName(node.name());
+    }
+
+    private BlockContent withName(String newName) {
+        return new BlockContent(type, newName, values, children);
+    }
+
+    /** Whether the file must say {@code property}: it is there and not what it is by default. */
+    boolean mustWrite(Property<?> property) {
+        Value value = values.get(property.name());
+        return !(value instanceof Value.Absent) && !value.equals(property.initial());
+    }
+
+    /** Whether everything is as it is by default, so that no block is needed. */
+    boolean isInitial() {
+        return type.properties().stream().noneMatch(this::mustWrite);
+    }
+}

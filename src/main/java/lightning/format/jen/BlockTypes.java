@@ -1,0 +1,152 @@
+package lightning.format.jen;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightGroup;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.NodeGroup;
+import lightning.scene.PictureSettings;
+import lightning.scene.Placement;
+import lightning.scene.SamplingSettings;
+import lightning.scene.SceneLimits;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
+import lightning.scene.shot.Shot;
+
+/** The table of all blocks and their properties: the one place that knows what a file may say. */
+final class BlockTypes {
+    /** What a mesh says of the file that it is in. */
+    static final String FILE = "file";
+    static final String PART = "part";
+    static final String COLORS = "colors";
+
+    static final BlockType<PictureSettings> PICTURE = new BlockType<>("picture", false, Optional.empty(), List.of(
+            Property.<PictureSettings>numbers("size", List.of(" width", " height"),
+                    Value.of(PictureSettings.DEFAULT.width(), PictureSettings.DEFAULT.height()), 1, SceneLimits.MAX_SIZE, "pixels",
+                    p -> Value.of(p.width(), p.height())).asIntegers(),
+            Property.of(PictureSettings.DEPTH).getFirst(),
+            Property.choice("antialias", word(SamplingSettings.DEFAULT.antialias()), words(AntialiasMode.values()),
+                    p -> word(p.sampling().antialias())),
+            Property.<PictureSettings>number("samples", SamplingSettings.DEFAULT.grid(), SceneLimits.MIN_SAMPLES, SceneLimits.MAX_SAMPLES,
+                    "along each side of a pixel", p -> (double) p.sampling().grid()).asIntegers()),
+            (name, v, children) -> new PictureSettings(v.integer("size", 0), v.integer("size", 1), v.integer("depth", 0),
+                    new SamplingSettings(AntialiasMode.valueOf(v.word("antialias").toUpperCase(Locale.ROOT)), v.integer("samples", 0))));
+
+    static final BlockType<Camera> CAMERA = new BlockType<>("camera", false, Optional.empty(), Property.of(Camera.ATTRIBUTES),
+            (name, v, children) -> new Camera(v.vector("from"), v.vector("to"), v.vector("up"), v.number("fov")));
+
+    static final BlockType<World> WORLD = new BlockType<>("world", false, Optional.empty(), Property.of(World.ATTRIBUTES),
+            (name, v, children) -> v.applyAll(World.DEFAULT, World.ATTRIBUTES));
+
+    static final BlockType<Material> MATERIAL = new BlockType<>("material", true, Optional.empty(),
+            MaterialAttribute.ALL.stream().flatMap(a -> Property.of(a).stream().map(p -> p.presentIf(m -> a.appliesTo(m.model()))))
+                    .toList(),
+            (name, v, children) -> v.applyAll(Material.of(name), MaterialAttribute.ALL));
+
+    private static final BlockType<Shape> MESH = shape("mesh", List.of(
+            Property.quoted(FILE, "a PLY, OBJ, NFF or glTF file", v -> FileName.check(FILE, ((Value.Quoted) v).file(), MeshFolder.NAME),
+                    s -> new Value.Quoted(((Solid.TriangleMesh) s.solid()).file())),
+            Property.name(PART, new Value.Absent(), "a part of the file; all of it where none is named", BlockTypes::part),
+            Property.choice(COLORS, new Value.Word("yes"), List.of("yes", "no"),
+                    s -> new Value.Word(((Solid.TriangleMesh) s.solid()).showsColors() ? "yes" : "no"))),
+            PropertyValues::triangles);
+
+    static final BlockType<NodeGroup> GROUP = new BlockType<>("group", true, Optional.empty(), placementProperties(),
+            (name, v, children) -> new NodeGroup(name, placement(v), children, isVisible(v)));
+
+    static final BlockType<Light> LIGHT = new BlockType<>("light", true, Optional.of(Property.of(LightAttribute.TYPE).getFirst()),
+            Property.of(LightAttribute.ALL.stream().filter(a -> a != LightAttribute.TYPE).toList()),
+            (name, v, children) -> v.applyAll(Light.of(name, LightType.POINT), LightAttribute.ALL));
+
+    static final BlockType<LightGroup> LIGHT_GROUP = new BlockType<>("bank", true, Optional.empty(), Property.of(LightGroup.ATTRIBUTES),
+            (name, v, children) -> v.applyAll(LightGroup.of(name), LightGroup.ATTRIBUTES));
+
+    /** The tracks stand in its braces beside these. */
+    static final BlockType<Shot> SHOT = new BlockType<>("shot", false, Optional.empty(), List.of(
+            Property.<Shot>numbers("frames", List.of(" first", " last"), Value.of(Shot.DEFAULT.first(), Shot.DEFAULT.last()), 0,
+                    Shot.MAX_FRAME, "the first not behind the last", s -> Value.of(s.first(), s.last())).asIntegers(),
+            Property.number("rate", Shot.DEFAULT.rate(), Shot.MIN_RATE, Shot.MAX_RATE, "frames per second", Shot::rate)),
+            (name, v, children) -> new Shot(v.integer("frames", 0), v.integer("frames", 1), v.number("rate"), List.of()));
+
+    /** The blocks of shapes, in the order of the documents. */
+    private static final List<BlockType<Shape>> SHAPES =
+            Stream.concat(Solid.CANONICAL.stream().map(BlockTypes::shape), Stream.of(MESH)).toList();
+    private static final Map<String, BlockType<Shape>> SHAPES_BY_NOUN =
+            SHAPES.stream().collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+    private static final Map<String, BlockType<?>> BY_KEYWORD = Stream
+            .concat(SHAPES.stream(), Stream.of(PICTURE, CAMERA, WORLD, MATERIAL, GROUP, LIGHT_GROUP, LIGHT, SHOT))
+            .collect(Collectors.toUnmodifiableMap(BlockType::keyword, b -> b));
+
+    /** The keywords of all blocks. */
+    static final List<String> KEYWORDS = BY_KEYWORD.keySet().stream().sorted().toList();
+    /** The keywords of the blocks that may stand in a group. */
+    static final List<String> NODE_KEYWORDS = Stream.concat(SHAPES.stream(), Stream.of(GROUP)).map(BlockType::keyword).toList();
+
+    /** The keywords of the blocks that may stand in a shot: those of what has keys. */
+    static final List<String> KEYED_KEYWORDS =
+            Stream.concat(Stream.of(CAMERA, LIGHT, LIGHT_GROUP).map(BlockType::keyword), NODE_KEYWORDS.stream()).toList();
+
+    private BlockTypes() {}
+
+    static Optional<BlockType<?>> of(String keyword) {
+        return Optional.ofNullable(BY_KEYWORD.get(keyword));
+    }
+
+    /** The block of a shape. */
+    static BlockType<Shape> of(Solid solid) {
+        return SHAPES_BY_NOUN.get(solid.typeName());
+    }
+
+    private static BlockType<Shape> shape(Solid.Canonical solid) {
+        List<Property<Shape>> solidProperties = Property.of(solid.attributes()).stream()
+                .map(p -> p.<Shape>adapt(s -> (Solid.Canonical) s.solid())).toList();
+        return shape(solid.typeName(), solidProperties, v -> v.applyAll(solid, solid.attributes()));
+    }
+
+    /** @param solidProperties the properties of the solid itself */
+    private static BlockType<Shape> shape(String noun, List<Property<Shape>> solidProperties, Function<PropertyValues, Solid> solid) {
+        Property<Shape> material = Property.name("material", new Value.Name(Material.DEFAULT.name()),
+                "the name of a material", s -> new Value.Name(s.material()));
+        return new BlockType<>(noun, true, Optional.empty(),
+                Stream.of(List.of(material), solidProperties, BlockTypes.<Shape>placementProperties()).flatMap(List::stream).toList(),
+                (name, v, children) -> new Shape(solid.apply(v), name, v.name("material"), placement(v), isVisible(v)));
+    }
+
+    private static <T extends SceneNode> List<Property<T>> placementProperties() {
+        return Property.of(SceneNode.ATTRIBUTES).stream().map(p -> p.<T>adapt(n -> n)).toList();
+    }
+
+    private static Value part(Shape mesh) {
+        String part = ((Solid.TriangleMesh) mesh.solid()).part();
+        return part.isEmpty() ? new Value.Absent() : new Value.Name(part);
+    }
+
+    private static boolean isVisible(PropertyValues v) {
+        return v.word("visible").equals("yes");
+    }
+
+    private static Placement placement(PropertyValues v) {
+        return new Placement(v.vector("at"), v.vector("rotate"), v.vector("scale"));
+    }
+
+    private static Value word(Enum<?> choice) {
+        return new Value.Word(choice.name().toLowerCase(Locale.ROOT));
+    }
+
+    private static List<String> words(Enum<?>[] choices) {
+        return Stream.of(choices).map(c -> c.name().toLowerCase(Locale.ROOT)).toList();
+    }
+}

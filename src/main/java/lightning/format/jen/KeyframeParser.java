@@ -1,0 +1,216 @@
+package lightning.format.jen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.base.text.Quote;
+import lightning.format.jen.TokenList.Kind;
+import lightning.scene.SceneLimits;
+import lightning.scene.shot.Interpolation;
+import lightning.scene.shot.Keyframe;
+import lightning.scene.shot.KeyframeValue;
+import lightning.scene.shot.Shot;
+
+/** Reads the keys of one thing in a shot. Each method returns the token to go on at. */
+final class KeyframeParser {
+    private final TokenList tokens;
+    private final ProblemList problems;
+    private final PropertyParser properties;
+    private final Block target;
+
+    /** @param target where the keys come to */
+    KeyframeParser(TokenList tokens, ProblemList problems, PropertyParser properties, Block target) {
+        this.tokens = tokens;
+        this.problems = problems;
+        this.properties = properties;
+        this.target = target;
+        target.keys = new ArrayList<>();
+    }
+
+    /** Whether values of this property stay until the next key. */
+    static boolean isStepped(Property<?> property) {
+        return property.form() == Property.Form.WORD || property.isInteger();
+    }
+
+    /** Reads properties with their keys from behind the brace that opens the thing. */
+    int parseBody(int start) {
+        int token = start;
+        while (kind(token) != Kind.CLOSE) {
+            if (kind(token) == Kind.END) {
+                return problem(token, token, "expected '}', found " + tokens.describe(token));
+            }
+            if (kind(token) != Kind.WORD) {
+                problem(token, token, "expected a property with keys, found " + tokens.describe(token));
+                token = skipBraces(token);
+            } else {
+                token = parseProperty(token);
+            }
+        }
+        target.closeToken = token;
+        return token + 1;
+    }
+
+    private int parseProperty(int nameToken) {
+        Optional<Property<?>> property = targetProperties().filter(p -> p.name().equals(tokens.text(nameToken))).findFirst();
+        List<String> knownNames = targetProperties().filter(KeyframeParser::canHaveKeys).map(Property::name).toList();
+        if (property.isEmpty()) {
+            problem(nameToken, nameToken,
+                    "unknown property " + Quote.of(tokens.text(nameToken)) + ", expected one of " + String.join(", ", knownNames)
+                            + NameSuggestion.hint(tokens.text(nameToken), knownNames));
+        } else if (!canHaveKeys(property.get())) {
+            problem(nameToken, nameToken, property.get().name() + " has no keys: only numbers and words have");
+        } else if (kind(nameToken + 1) != Kind.OPEN) {
+            problem(nameToken + 1, nameToken, property.get().name() + ": expected '{' and keys, found " + tokens.describe(nameToken + 1));
+        } else {
+            return parseKeys(property.get(), nameToken);
+        }
+        return kind(nameToken + 1) == Kind.OPEN ? skipBraces(nameToken + 1) : skipLiterals(nameToken + 1);
+    }
+
+    private Stream<Property<?>> targetProperties() {
+        return Stream.concat(target.type.header().stream(), target.type.properties().stream());
+    }
+
+    private static boolean canHaveKeys(Property<?> property) {
+        return property.form() == Property.Form.NUMBERS || property.form() == Property.Form.WORD;
+    }
+
+    private int parseKeys(Property<?> property, int nameToken) {
+        if (target.keys.stream().anyMatch(k -> k.property() == property)) {
+            problem(nameToken, nameToken, property.name() + " must have its keys once, found it again");
+        }
+        List<Keyframe> keys = new ArrayList<>();
+        int token = nameToken + 2;
+        while (kind(token) != Kind.CLOSE) {
+            int next = parseKey(property, token, keys);
+            if (next < 0) {
+                return skipBraces(nameToken + 1);
+            }
+            token = next;
+        }
+        if (keys.isEmpty()) {
+            problem(token, token, property.name() + ": expected a key, as in '24 " + property.initial().text() + "', found '}'");
+        }
+        target.keys.add(new Block.PropertyKeys(property, nameToken, nameToken + 1, token, keys));
+        return token + 1;
+    }
+
+    /** Reads one key; −1 where there is none. */
+    private int parseKey(Property<?> property, int start, List<Keyframe> keys) {
+        try {
+            int frame = parseFrame(property, start, keys);
+            int interpolationToken = start + 1 + property.count();
+            Optional<KeyframeValue> setting = parseSetting(property, start + 1);
+            boolean hasInterpolation = kind(interpolationToken) == Kind.WORD;
+            if (setting.isPresent()) {
+                keys.add(new Keyframe(frame, setting.get(),
+                        hasInterpolation ? parseInterpolation(property, interpolationToken) : defaultInterpolation(property)));
+            }
+            return setting.isEmpty() ? -1 : hasInterpolation ? interpolationToken + 1 : interpolationToken;
+        } catch (IllegalArgumentException e) {
+            problem(start, start, e.getMessage());
+            return -1;
+        }
+    }
+
+    private int parseFrame(Property<?> property, int token, List<Keyframe> keys) {
+        double frame = kind(token) == Kind.NUMBER ? tokens.number(token) : Double.NaN;
+        if (frame != Math.rint(frame)) {
+            throw new IllegalArgumentException(property.name() + ": expected a frame, a whole number, found " + tokens.describe(token));
+        }
+        SceneLimits.checkRange(property.name() + ": a frame", frame, 0, Shot.MAX_FRAME);
+        if (!keys.isEmpty() && frame <= keys.getLast().frame()) {
+            throw new IllegalArgumentException(
+                    property.name() + ": keys must be in the order of their frames, found " + tokens.describe(token)
+                            + " behind " + keys.getLast().frame());
+        }
+        return (int) frame;
+    }
+
+    /** The value from {@code start} on; nothing where it is told to be wrong. */
+    private Optional<KeyframeValue> parseSetting(Property<?> property, int start) {
+        int token = start;
+        try {
+            if (property.form() == Property.Form.WORD) {
+                if (kind(token) != Kind.WORD) {
+                    throw new IllegalArgumentException(
+                            property.name() + " must be " + property.expected() + ", found " + tokens.describe(token));
+                }
+                property.checkWord(tokens.text(token));
+                return Optional.of(new KeyframeValue.Word(tokens.text(token)));
+            }
+            List<Double> numbers = new ArrayList<>();
+            for (; token < start + property.count(); token++) {
+                numbers.add(properties.parseNumber(property, token - start, token));
+            }
+            token = start;
+            property.checkValue(new Value.Numbers(numbers));
+            return Optional.of(new KeyframeValue.Numbers(numbers));
+        } catch (IllegalArgumentException e) {
+            problem(token, token, e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private static Interpolation defaultInterpolation(Property<?> property) {
+        return isStepped(property) ? Interpolation.STEPPED : Interpolation.LINEAR;
+    }
+
+    private Interpolation parseInterpolation(Property<?> property, int token) {
+        for (Interpolation interpolation : Interpolation.values()) {
+            if (word(interpolation).equals(tokens.text(token))) {
+                if (isStepped(property) && interpolation != Interpolation.STEPPED) {
+                    problem(token, token,
+                            property.name() + " stays until its next key, expected stepped or nothing, found " + tokens.describe(token));
+                }
+                return interpolation;
+            }
+        }
+        problem(token, token,
+                property.name() + ": expected linear, smooth or stepped, or the frame of the next key, found " + tokens.describe(token));
+        return defaultInterpolation(property);
+    }
+
+    /** How a file says how a key goes on; empty where it need not. */
+    static String text(Property<?> property, Interpolation interpolation) {
+        return interpolation == defaultInterpolation(property) ? "" : " " + word(interpolation);
+    }
+
+    private static String word(Interpolation interpolation) {
+        return interpolation.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Behind the braces that open here, or behind the token. */
+    private int skipBraces(int start) {
+        int depth = 0;
+        int token = start;
+        do {
+            if (kind(token) == Kind.END) {
+                return token;
+            }
+            depth += kind(token) == Kind.OPEN ? 1 : kind(token) == Kind.CLOSE ? -1 : 0;
+            token++;
+        } while (depth > 0);
+        return token;
+    }
+
+    /** At the next word or brace. */
+    private int skipLiterals(int start) {
+        int token = start;
+        while (kind(token) == Kind.NUMBER || kind(token) == Kind.BAD_NUMBER || kind(token) == Kind.STRING) {
+            token++;
+        }
+        return token;
+    }
+
+    private Kind kind(int token) {
+        return problems.isFull() ? Kind.END : tokens.kind(token);
+    }
+
+    private int problem(int token, int nextToken, String message) {
+        problems.add(tokens.start(token), target.title() + ": " + message);
+        return nextToken;
+    }
+}

@@ -1,0 +1,108 @@
+package lightning.format.jen;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import lightning.base.math.Vec3;
+import lightning.scene.ChoiceKind;
+import lightning.scene.Environment;
+import lightning.scene.Gobo;
+import lightning.scene.IesProfile;
+import lightning.scene.NumericKind;
+import lightning.scene.SceneAttribute;
+import lightning.scene.Solid;
+import lightning.scene.TextureMap;
+import lightning.scene.TextureUsage;
+import lightning.scene.ValueKind;
+
+/**
+ * All values of one block, written or by default, in the types of the scene.
+ *
+ * @param lookup   the value of a property by its name; null where there is none
+ * @param files finds what the files hold that the block names
+ */
+record PropertyValues(Function<String, Value> lookup, AssetSource files) {
+
+    /** The record with all of these attributes as the block has them. */
+    <T> T applyAll(T record, List<? extends SceneAttribute<T, ?>> attributes) {
+        T result = record;
+        for (SceneAttribute<T, ?> attribute : attributes) {
+            result = applyAll(result, attribute);
+        }
+        return result;
+    }
+
+    private <T, V> T applyAll(T record, SceneAttribute<T, V> attribute) {
+        return attribute.with(record, attributeValue(attribute));
+    }
+
+    /** The value of an attribute. */
+    <V> V attributeValue(SceneAttribute<?, V> attribute) {
+        return switch (attribute.kind()) {
+            case NumericKind<V> n -> n.compose().apply(numbers(attribute.name()));
+            case ChoiceKind<V> c -> c.parse(word(attribute.name()));
+            case ValueKind.LinksKind _ -> unchecked(((Value.LinkSet) lookup.apply(attribute.name())).links());
+            case ValueKind.NameKind _ -> unchecked(lookup.apply(attribute.name()) instanceof Value.Name(String name) ? name : "");
+            case ValueKind.GoboKind _ -> unchecked(fileValue(attribute, file -> new Gobo(file, files.texture(file, TextureUsage.COLOR))));
+            case ValueKind.ProfileKind _ -> unchecked(fileValue(attribute, file -> new IesProfile(file, files.profile(file))));
+            case ValueKind.EnvironmentKind _ -> unchecked(fileValue(attribute, file -> new Environment(file, files.environment(file))));
+            case ValueKind.TextureKind t -> unchecked(fileValue(attribute, file -> textureMap(file, t)));
+        };
+    }
+
+    private <F> Optional<F> fileValue(SceneAttribute<?, ?> attribute, Function<String, F> reader) {
+        return lookup.apply(attribute.name()) instanceof Value.Quoted(String file) ? Optional.of(reader.apply(file)) : Optional.empty();
+    }
+
+    private TextureMap textureMap(String file, ValueKind.TextureKind kind) {
+        return new TextureMap(file, number(kind.repeatName(), 0), number(kind.repeatName(), 1), files.texture(file, kind.usage()));
+    }
+
+    /** A value of which the kind of the attribute has told that it is a {@code V}: the compiler cannot follow that. */
+    @SuppressWarnings("unchecked")
+    private static <V> V unchecked(Object value) {
+        return (V) value;
+    }
+
+    /**
+     * The triangles of the file that the block names.
+     *
+     * @throws IllegalArgumentException if it names none, or none that can be used
+     */
+    Solid.TriangleMesh triangles() {
+        if (!(lookup.apply(BlockTypes.FILE) instanceof Value.Quoted(String file))) {
+            throw new IllegalArgumentException("expected a " + BlockTypes.FILE + ", found none");
+        }
+        String part = lookup.apply(BlockTypes.PART) instanceof Value.Name(String name) ? name : "";
+        return new Solid.TriangleMesh(file, part, word(BlockTypes.COLORS).equals("yes"), files.mesh(file, part));
+    }
+
+    double number(String property) {
+        return numbers(property).get(0);
+    }
+
+    int integer(String property, int index) {
+        return numbers(property).get(index).intValue();
+    }
+
+    double number(String property, int index) {
+        return numbers(property).get(index);
+    }
+
+    Vec3 vector(String property) {
+        List<Double> n = numbers(property);
+        return new Vec3(n.get(0), n.get(1), n.get(2));
+    }
+
+    String word(String property) {
+        return ((Value.Word) lookup.apply(property)).text();
+    }
+
+    String name(String property) {
+        return ((Value.Name) lookup.apply(property)).name();
+    }
+
+    private List<Double> numbers(String property) {
+        return ((Value.Numbers) lookup.apply(property)).values();
+    }
+}

@@ -1,0 +1,92 @@
+package lightning.format.jen;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import lightning.base.text.Quote;
+import lightning.scene.FileAsset;
+import lightning.scene.Material;
+import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+
+/** The files that a scene names, for who takes them elsewhere. */
+public final class ReferencedFiles {
+    private final SortedMap<String, Path> files = new TreeMap<>();
+    private final Set<String> visitedMeshes = new HashSet<>();
+    private final AssetSearchPath textures;
+    private final AssetSearchPath meshes;
+
+    private ReferencedFiles(Path folder) {
+        textures = new AssetSearchPath(folder, "file", TextureFolder.NAME);
+        meshes = new AssetSearchPath(folder, "mesh file", MeshFolder.NAME);
+    }
+
+    /**
+     * Where each lies, by its name in the scene.
+     *
+     * @param folder the folder that holds the scene file
+     * @throws IOException if one is there no more, or one name means two files
+     */
+    public static SortedMap<String, Path> of(Scene scene, Path folder) throws IOException {
+        var referenced = new ReferencedFiles(folder);
+        for (String name : texturesAndProfiles(scene).distinct().toList()) {
+            referenced.put(name, referenced.textures);
+        }
+        referenced.putMeshes(scene.nodes());
+        return referenced.files;
+    }
+
+    /** Whether a scene may write the name: a relative path of plain names that leads nowhere else. */
+    public static boolean isAllowed(String name) {
+        return FileName.isAllowed(name);
+    }
+
+    private static Stream<String> texturesAndProfiles(Scene scene) {
+        Stream<String> materials = scene.materials().stream().flatMap(ReferencedFiles::texturesAndProfiles);
+        Stream<FileAsset> lights = scene.lights().stream().flatMap(l -> Stream.<FileAsset>concat(l.gobo().stream(), l.profile().stream()));
+        return Stream.concat(materials, Stream.concat(lights, scene.world().environment().stream()).map(FileAsset::file));
+    }
+
+    private static Stream<String> texturesAndProfiles(Material material) {
+        return Stream.of(material.texture(), material.bumpMapping().bump(), material.bumpMapping().normalMap()).flatMap(map -> map.stream())
+                .map(map -> map.file());
+    }
+
+    private void putMeshes(List<SceneNode> nodes) throws IOException {
+        for (SceneNode node : nodes) {
+            switch (node) {
+                case NodeGroup g -> putMeshes(g.children());
+                case Shape s -> {
+                    if (s.solid() instanceof Solid.TriangleMesh t) {
+                        put(t.file(), meshes);
+                    }
+                }
+            }
+        }
+    }
+
+    private void put(String name, AssetSearchPath folders) throws IOException {
+        // Many shapes show one mesh.
+        if (folders == meshes && !visitedMeshes.add(name)) {
+            return;
+        }
+        try {
+            Path path = folders.find(name);
+            Path other = files.putIfAbsent(name, path);
+            if (other != null && !other.equals(path)) {
+                throw new IOException(Quote.of(name) + " is the name of two files of the scene, " + Quote.path(other) + " and "
+                        + Quote.path(path) + "; elsewhere each needs a name of its own");
+            }
+        } catch (UnusableFileException e) {
+            throw new IOException(e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package lightning.format.jen;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.base.text.Quote;
+import lightning.scene.BumpMapping;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
+import lightning.scene.Gobo;
+import lightning.scene.IesProfile;
+import lightning.scene.Material;
+import lightning.scene.Mesh;
+import lightning.scene.NodeGroup;
+import lightning.scene.Photometry;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+import lightning.scene.TextureUsage;
+
+/**
+ * The files that a scene already holds, and others of a folder.
+ *
+ * @param folder where other files are looked for, as if the scene file were in it; empty where none is read
+ */
+record SceneAssets(Scene scene, Optional<Path> folder) implements AssetSource {
+    @Override
+    public Texture texture(String file, TextureUsage samples) {
+        Optional<Texture> existing = scene.materials().stream().flatMap(m -> maps(m, samples)).filter(t -> t.file().equals(file))
+                .map(TextureMap::image).findFirst();
+        Optional<Texture> projected =
+                scene.lights().stream().flatMap(l -> l.gobo().stream()).filter(g -> samples == TextureUsage.COLOR && g.file().equals(file))
+                        .map(Gobo::image).findFirst();
+        return existing.or(() -> projected).orElseGet(() -> read("texture", file, f -> new TextureFolder(f).load(file, samples)));
+    }
+
+    private static Stream<TextureMap> maps(Material material, TextureUsage samples) {
+        BumpMapping relief = material.bumpMapping();
+        return switch (samples) {
+            case COLOR -> material.texture().stream();
+            case DATA -> Stream.concat(relief.bump().stream(), relief.normalMap().stream());
+            case OPACITY -> material.cutout().map().stream();
+        };
+    }
+
+    @Override
+    public Photometry profile(String file) {
+        return scene.lights().stream().flatMap(l -> l.profile().stream()).filter(p -> p.file().equals(file)).map(IesProfile::photometry)
+                .findFirst()
+                .orElseGet(() -> read("profile", file, f -> new ProfileFolder(f).load(file)));
+    }
+
+    @Override
+    public EnvironmentMap environment(String file) {
+        return scene.world().environment().filter(p -> p.file().equals(file)).map(Environment::map)
+                .orElseGet(() -> read("environment", file, f -> new EnvironmentFolder(f).load(file)));
+    }
+
+    @Override
+    public Mesh mesh(String file, String part) {
+        Mesh existing = findMesh(scene.nodes(), file, part);
+        return existing != null ? existing : read("file", file, f -> new MeshFolder(f).load(file, part));
+    }
+
+    private static Mesh findMesh(List<SceneNode> nodes, String file, String part) {
+        for (SceneNode node : nodes) {
+            Mesh existing = switch (node) {
+                case NodeGroup g -> findMesh(g.children(), file, part);
+                case Shape s ->
+                        s.solid() instanceof Solid.TriangleMesh t && t.file().equals(file) && t.part().equals(part) ? t.mesh() : null;
+            };
+            if (existing != null) {
+                return existing;
+            }
+        }
+        return null;
+    }
+
+    private interface Reader<T> {
+        T read(Path folder) throws UnusableFileException;
+    }
+
+    private <T> T read(String property, String file, Reader<T> reader) {
+        Path assetFolder = folder.orElseThrow(() -> new IllegalArgumentException(
+                property + " must be one that the scene already has, was " + Quote.of(file)));
+        try {
+            return reader.read(assetFolder);
+        } catch (UnusableFileException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+}

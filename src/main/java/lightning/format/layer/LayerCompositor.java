@@ -1,0 +1,64 @@
+package lightning.format.layer;
+
+import java.util.Arrays;
+import lightning.render.cache.CachedTile;
+import lightning.render.cache.PixelCache;
+import lightning.render.engine.Engine;
+import lightning.render.image.Film;
+import lightning.render.shading.BounceImages;
+import lightning.render.shading.LightComponent;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.TileComposer;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.SamplePositions;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * Composes single layers of tiles from what is known of them: no ray is cast and no light's term computed. Holds scratch memory: one for
+ * each thread.
+ */
+final class LayerCompositor {
+    private static final WeightedLight[] NO_LIGHTS = {};
+    private static final LightLayer[] NO_LAYERS = {};
+    private static final BounceImages BLACK = new BounceImages(new float[3][Film.TILE_PIXELS], new float[3][Film.TILE_PIXELS]);
+
+    private final Scene scene;
+    private final World darkWorld;
+    private final WeightedLight[] lights;
+    private final TileComposer composer;
+
+    LayerCompositor(PixelCache cache, Engine engine) {
+        scene = cache.scene();
+        darkWorld = scene.world().withAmbience(0);
+        lights = WeightedLight.ofScene(scene);
+        composer = new TileComposer(cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
+    }
+
+    /** The colours of a layer: red, green, blue, {@code float[1024]} each; of a block of samples those of the samples. */
+    float[][] colors(Layer layer, CachedTile tile, SamplePositions samplePositions) {
+        float[][] result = new float[3][Film.TILE_PIXELS];
+        HitRows rows = tile.rows();
+        switch (layer) {
+            case Layer.Background _ -> {
+                composer.fillBackground(rows, scene, samplePositions, result);
+                composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, null, darkWorld, BLACK, result);
+            }
+            case Layer.Ambient _ -> composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, null, scene.world(), BLACK, result);
+            case Layer.Reflections _ -> {
+                if (rows.reflectiveCount > 0) {
+                    composer.composeLevel(rows, NO_LIGHTS, NO_LAYERS, null, darkWorld, tile.images, result);
+                }
+            }
+            case Layer.Lights some -> {
+                composer.setComponent(some.part());
+                composer.composeLevel(rows, Arrays.copyOfRange(lights, some.first(), some.end()),
+                        Arrays.copyOfRange(tile.levels[0].layers(), some.first(), some.end()), null, darkWorld, BLACK, result);
+                composer.setComponent(LightComponent.ALL);
+            }
+        }
+        return result;
+    }
+}

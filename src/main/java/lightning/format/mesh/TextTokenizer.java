@@ -1,0 +1,264 @@
+package lightning.format.mesh;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.OptionalDouble;
+import java.util.regex.Pattern;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.Quote;
+
+/** The words of a file of text, line by line, without an object for each. Lines end with {@code \n}, {@code \r\n} or {@code \r}. */
+public final class TextTokenizer {
+    /** 10⁰ to 10²², which doubles hold exactly. */
+    private static final double[] POWERS_OF_TEN = new double[23];
+    /** Whole numbers below it, and times a power of ten of the table, are one rounding away from the nearest double. */
+    private static final long MAX_EXACT_INTEGER = 1L << 53;
+    private static final int MAX_DIGITS = 18;
+    private static final Pattern NAN_PATTERN = Pattern.compile("[-+]?nan(\\(\\w*\\))?", Pattern.CASE_INSENSITIVE);
+
+    static {
+        double power = 1;
+        for (int i = 0; i < POWERS_OF_TEN.length; i++, power *= 10) {
+            POWERS_OF_TEN[i] = power;
+        }
+    }
+
+    private final ByteSource bytes;
+    private final byte[] token = new byte[MeshLimits.WORD_BYTES];
+    private int length;
+    private int line = 1;
+    /** Whether the first line ends with a return alone, so that a new line behind one is no part of it. */
+    private boolean endsLinesWithCr;
+
+    public TextTokenizer(ByteSource bytes) {
+        this.bytes = bytes;
+    }
+
+    /** The line of the word that was read last, from 1. */
+    public int line() {
+        return line;
+    }
+
+    /** A problem with this line. */
+    public MeshException problem(String message) {
+        return bytes.problem("line " + line, message);
+    }
+
+    /**
+     * Reads the next word of this line.
+     *
+     * @return false if there is none
+     * @throws MeshException if it is longer than {@link MeshLimits#WORD_BYTES}
+     */
+    public boolean readToken() throws IOException, MeshException {
+        int c = skipSpaces();
+        length = 0;
+        while (c >= 0 && c != ' ' && c != '\t' && c != '\n' && c != '\r') {
+            if (length == token.length) {
+                throw problem("a word must have at most " + token.length + " bytes, found more");
+            }
+            token[length++] = (byte) c;
+            bytes.next();
+            c = bytes.peek();
+        }
+        return length > 0;
+    }
+
+    /**
+     * Leaves the rest of this line out.
+     *
+     * @return false if it was the last
+     */
+    public boolean nextLine() throws IOException {
+        int c = bytes.next();
+        while (c != '\n' && c != '\r' && c >= 0) {
+            c = bytes.next();
+        }
+        if (c == '\r' && line == 1) {
+            endsLinesWithCr = bytes.peek() != '\n';
+        }
+        if (c == '\r' && !endsLinesWithCr && bytes.peek() == '\n') {
+            bytes.next();
+        }
+        line += c < 0 ? 0 : 1;
+        return c >= 0 && bytes.peek() >= 0;
+    }
+
+    /** Passes the end of a line where there is nothing else between here and there. */
+    public void skipLineEnd() throws IOException {
+        int c = skipSpaces();
+        if (c == '\n' || c == '\r') {
+            nextLine();
+        }
+    }
+
+    /** Whether nothing but spaces is left of this line. */
+    public boolean isAtLineEnd() throws IOException {
+        int c = skipSpaces();
+        return c < 0 || c == '\n' || c == '\r';
+    }
+
+    /** The first byte behind spaces, which stays to be read; negative at the end of the file. */
+    private int skipSpaces() throws IOException {
+        int c = bytes.peek();
+        while (c == ' ' || c == '\t') {
+            bytes.next();
+            c = bytes.peek();
+        }
+        return c;
+    }
+
+    /** Whether the last word is this one, which has ASCII letters only. */
+    public boolean isToken(String expected) {
+        if (length != expected.length()) {
+            return false;
+        }
+        for (int i = 0; i < length; i++) {
+            if (token[i] != expected.charAt(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The last word. */
+    public String text() {
+        return new String(token, 0, length, StandardCharsets.UTF_8);
+    }
+
+    /** What is left of this line, without spaces at its ends. */
+    public String restOfLine() throws IOException, MeshException {
+        var rest = new ByteArrayOutputStream();
+        for (int c = bytes.peek(); c >= 0 && c != '\n' && c != '\r'; c = bytes.peek()) {
+            if (rest.size() == MeshLimits.WORD_BYTES) {
+                throw problem("a name must have at most " + MeshLimits.WORD_BYTES + " bytes, found more");
+            }
+            rest.write(bytes.next());
+        }
+        return rest.toString(StandardCharsets.UTF_8).strip();
+    }
+
+    /** How many bytes the last word has. */
+    public int length() {
+        return length;
+    }
+
+    /** A byte of the last word. */
+    public byte byteAt(int index) {
+        return token[index];
+    }
+
+    /**
+     * The last word as a number: the nearest double.
+     *
+     * @param label what is expected, in messages
+     * @throws MeshException if it is no decimal number, or none that a double can hold
+     */
+    public double number(String label) throws MeshException {
+        double v = parseQuickly();
+        if (!Double.isNaN(v)) {
+            return v;
+        }
+        OptionalDouble parsed = DecimalNumber.parse(text());
+        if (parsed.isEmpty() || !Double.isFinite(parsed.getAsDouble())) {
+            throw problem(label + " must be a decimal number, was " + Quote.of(text()));
+        }
+        return parsed.getAsDouble();
+    }
+
+    /** The same, NaN where the word is C's way of writing that there is no number: {@code nan}, {@code -NaN(ind)}. */
+    public double numberOrNaN(String label) throws MeshException {
+        double v = parseQuickly();
+        return !Double.isNaN(v) || NAN_PATTERN.matcher(text()).matches() ? v : number(label);
+    }
+
+    /**
+     * The last word as a whole number.
+     *
+     * @throws MeshException if it is none from {@code min} to {@code max}
+     */
+    public long integer(String label, long min, long max) throws MeshException {
+        long v = 0;
+        int i = length > 0 && (token[0] == '-' || token[0] == '+') ? 1 : 0;
+        boolean valid = i < length && length - i <= MAX_DIGITS;
+        for (; i < length && valid; i++) {
+            valid = token[i] >= '0' && token[i] <= '9';
+            v = 10 * v + token[i] - '0';
+        }
+        v = length > 0 && token[0] == '-' ? -v : v;
+        if (!valid || v < min || v > max) {
+            throw problem(label + " must be a whole number from " + min + " to " + max + ", was " + Quote.of(text()));
+        }
+        return v;
+    }
+
+    /**
+     * The last word where it has few digits: a whole number below 2⁵³ times or over a power of ten up to 10²² is rounded once
+     * (Clinger, How to read floating point numbers accurately, 1990). NaN where it is anything else.
+     */
+    private double parseQuickly() {
+        int i = 0;
+        boolean negative = length > 0 && token[0] == '-';
+        if (length > 0 && (negative || token[0] == '+')) {
+            i++;
+        }
+        long digits = 0;
+        int count = 0;
+        int scale = 0;
+        boolean hasPoint = false;
+        for (; i < length; i++) {
+            byte c = token[i];
+            if (c >= '0' && c <= '9') {
+                digits = 10 * digits + c - '0';
+                count++;
+                scale -= hasPoint ? 1 : 0;
+            } else if (c == '.' && !hasPoint) {
+                hasPoint = true;
+            } else {
+                break;
+            }
+            if (count > MAX_DIGITS) {
+                return Double.NaN;
+            }
+        }
+        if (count == 0 || digits >= MAX_EXACT_INTEGER) {
+            return Double.NaN;
+        }
+        if (i < length) {
+            int exponent = parseExponent(i);
+            if (exponent == Integer.MIN_VALUE) {
+                return Double.NaN;
+            }
+            scale += exponent;
+        }
+        if (Math.abs(scale) >= POWERS_OF_TEN.length) {
+            return Double.NaN;
+        }
+        double v = scale < 0 ? digits / POWERS_OF_TEN[-scale] : digits * POWERS_OF_TEN[scale];
+        return negative ? -v : v;
+    }
+
+    /** The exponent from the letter at {@code start} to the end, of at most three digits; the least integer where there is none. */
+    private int parseExponent(int start) {
+        int i = start;
+        if (token[i] != 'e' && token[i] != 'E' || ++i == length) {
+            return Integer.MIN_VALUE;
+        }
+        boolean negative = token[i] == '-';
+        if (negative || token[i] == '+') {
+            i++;
+        }
+        if (i == length || length - i > 3) {
+            return Integer.MIN_VALUE;
+        }
+        int exponent = 0;
+        for (; i < length; i++) {
+            if (token[i] < '0' || token[i] > '9') {
+                return Integer.MIN_VALUE;
+            }
+            exponent = 10 * exponent + token[i] - '0';
+        }
+        return negative ? -exponent : exponent;
+    }
+}

@@ -1,0 +1,126 @@
+package lightning.format.pov;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.base.math.Rgb;
+import lightning.base.math.Transform;
+import lightning.base.math.Vec3;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+
+/** Writes lights; those that do not shine are left out. */
+final class PovLightWriter {
+    /** How far away a directional light is put, in sizes of the scene. */
+    private static final double DIRECTIONAL_DISTANCE = 100;
+
+    private final BoundingSphere bounds;
+    private final List<String> warnings;
+
+    PovLightWriter(BoundingSphere bounds, List<String> warnings) {
+        this.bounds = bounds;
+        this.warnings = warnings;
+    }
+
+    String text(Scene scene, Light light) {
+        if (!scene.isActive(light)) {
+            return "// light " + light.name() + " is off\n";
+        }
+        PovFade fade = light.type().hasPosition() ? fade(light) : new PovFade(1, 0, 0, true);
+        if (!fade.isExact()) {
+            warnings.add("light " + light.name() + ": attenuation is POV-Ray's nearest, 2/(1+(d/distance)^power), without the limit 1");
+        }
+        if (LightAttribute.PROFILE.appliesTo(light.type()) && light.profile().isPresent()) {
+            warnings.add("light " + light.name() + ": its profile is left out, POV-Ray reads no IES file");
+        }
+        if (LightAttribute.DOORS.appliesTo(light.type()) && !light.doors().isOpen()) {
+            warnings.add("light " + light.name() + ": its barn doors are left out");
+        }
+        if (light.isLinked()) {
+            // A light group takes its shapes out of all others, so that it can say only links of one light.
+            warnings.add("light " + light.name() + ": its links are left out, it lights all shapes and all throw shadows");
+        }
+        List<String> statements = new ArrayList<>();
+        statements.add(PovFormat.vector(position(light)));
+        statements.add(color(light, fade.gain()));
+        switch (light.type()) {
+            case DIRECTIONAL -> statements.add("parallel point_at " + PovFormat.vector(bounds.center()));
+            case POINT -> {}
+            case SPOT -> statements.addAll(spot(light));
+            case RECT, DISC -> statements.addAll(surface(light));
+        }
+        statements.addAll(area(light));
+        if (fade.distance() > 0) {
+            statements.add("fade_distance " + fade.distance() + " fade_power " + fade.power());
+        }
+        return "// " + light.name() + "\nlight_source {\n  " + String.join("\n  ", statements) + "\n}\n";
+    }
+
+    private PovFade fade(Light light) {
+        double middle = light.position().minus(bounds.center()).length();
+        double near = Math.max(middle - bounds.radius(), bounds.radius() / 20);
+        return PovFade.of(light.attenuation(), near, middle + bounds.radius());
+    }
+
+    private Vec3 position(Light light) {
+        return light.type().hasPosition() ? light.position()
+                : bounds.center().minus(light.direction().normalized().times(DIRECTIONAL_DISTANCE * bounds.radius()));
+    }
+
+    private static String color(Light light, double gain) {
+        Rgb c = light.color().times(light.intensity() * gain);
+        return PovFormat.rgb(c);
+    }
+
+    /** A hard edge at the angle, and the axis' cosine to the power of the dropoff. */
+    private List<String> spot(Light light) {
+        if (light.angle() == 180 && light.dropoff() == 0 && light.doors().isOpen() && light.gobo().isEmpty()) {
+            return List.of();
+        }
+        if (light.angle() >= 90) {
+            warnings.add("light " + light.name() + ": a cone of 90 degrees and more ends at 90 in POV-Ray");
+        }
+        if (light.gobo().isPresent()) {
+            warnings.add("light " + light.name() + ": its gobo is left out");
+        }
+        double angle = Math.min(light.angle(), 90);
+        Vec3 target = light.position().plus(light.direction().normalized().times(bounds.radius()));
+        return List.of("spotlight point_at " + PovFormat.vector(target),
+                "radius " + angle + " falloff " + angle + " tightness " + light.dropoff());
+    }
+
+    /** A half space, fading by the cosine. */
+    private List<String> surface(Light light) {
+        Vec3 target = light.position().plus(light.direction().normalized().times(bounds.radius()));
+        return List.of("spotlight point_at " + PovFormat.vector(target), "radius 90 falloff 90 tightness 1");
+    }
+
+    /** POV-Ray has a grid on a rectangle, whole or cut to an ellipse; a ball is one that always faces the point that is lit. */
+    private List<String> area(Light light) {
+        if (!light.isArea()) {
+            return List.of();
+        }
+        Vec3 axis = light.direction().normalized();
+        Vec3 right = light.area().right(axis);
+        Vec3 up = right.cross(axis);
+        boolean rect = light.type() == LightType.RECT;
+        double far = DIRECTIONAL_DISTANCE * bounds.radius();
+        double radius = light.type().hasPosition() ? light.area().radius()
+                : far * Transform.sinDegrees(light.area().spread()) / Math.max(Transform.cosDegrees(light.area().spread()), 0.01);
+        double width = rect ? light.area().width() : 2 * radius;
+        double height = rect ? light.area().height() : 2 * radius;
+        // A side of more than half the samples leaves no grid.
+        int gridSize = Math.max(2, (int) Math.round(Math.sqrt(light.area().samples())));
+        warnings.add("light " + light.name() + ": POV-Ray's area light has a grid of " + gridSize + " × " + gridSize
+                + " samples, and fades and highlights as its centre does");
+        String shape = switch (light.type()) {
+            case RECT -> "";
+            case DISC, DIRECTIONAL -> " circular";
+            case POINT, SPOT -> " circular orient";
+        };
+        return List.of(
+                "area_light " + PovFormat.vector(right.times(width)) + ", " + PovFormat.vector(up.times(height)) + ", " + gridSize + ", "
+                        + gridSize + shape + " jitter adaptive 2");
+    }
+}

@@ -1,0 +1,263 @@
+package lightning.format.pov;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import lightning.base.math.Rgb;
+import lightning.scene.BumpMapping;
+import lightning.scene.Material;
+import lightning.scene.ShadingModel;
+import lightning.scene.ShadowCasting;
+import lightning.scene.Solid;
+import lightning.scene.TextureMap;
+import lightning.scene.Transmission;
+
+/**
+ * Writes materials. POV-Ray's colour of a point is pigment·(ambient·ambient_light + Σ diffuse) + phong + reflection, so
+ * kd·(1 − kr) is the pigment, and what is emitted is divided by it.
+ */
+final class PovMaterialWriter {
+    /** Stands for a pigment of 0 where something is emitted: far below half a step of 8 bits. */
+    private static final double MIN_PIGMENT = 1e-5;
+
+    /** POV-Ray's amount for a height of 1. */
+    private static final double BUMP_SCALE = 7.5;
+
+    private final List<String> warnings;
+
+    PovMaterialWriter(List<String> warnings) {
+        this.warnings = warnings;
+    }
+
+    /**
+     * The texture of a shape, on one or several lines.
+     *
+     * @param image the texture's file
+     * @param mask  the file of what is there
+     * @param bumps the file of heights
+     */
+    String text(Material material, Solid solid, String image, String mask, String bumps) {
+        String text =
+                text(material, solid, image).replaceFirst("\n    finish",
+                        Matcher.quoteReplacement(normalPattern(material, solid, bumps)) + "$0");
+        return material.cutout().isActive() ? withCutout(material, solid, text, mask) : text;
+    }
+
+    /** The same where the picture's numbers reach the cutoff, and a texture that lets all through elsewhere. */
+    private String withCutout(Material m, Solid solid, String texture, String mask) {
+        double cutoff = m.cutout().cutoff();
+        String uv = solid instanceof Solid.TriangleMesh ? "uv_mapping " : "";
+        String rest = texture.substring(texture.indexOf('{') + 1);
+        int end = textureEnd(rest);
+        return "texture {\n    " + uv + "pigment_pattern { image_map { png \"" + mask + "\" " + mapping(solid) + " interpolate 2 } "
+                + String.join(" ", textureTransform(m, m.cutout().map().orElseThrow(), solid)) + " }\n    texture_map {\n      [" + cutoff
+                + " pigment { rgbt 1 } finish { ambient 0 diffuse 0 }]\n      [" + cutoff + " " + rest.substring(0, end)
+                + "]\n    }\n  }" + rest.substring(end + 1);
+    }
+
+    /** Where the brace stands that closes a texture whose opening one stands before the text. */
+    private static int textureEnd(String text) {
+        int depth = 1;
+        int index = 0;
+        for (; depth > 0; index++) {
+            char c = text.charAt(index);
+            depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+        }
+        return index - 1;
+    }
+
+    private String text(Material material, Solid solid, String image) {
+        Material m = material.isMetallic() ? phong(material) : material;
+        if (m.transmission().isTransparent()) {
+            return transparent(m) + shadows(m);
+        }
+        return (m.texture().isPresent() ? textured(m, m.texture().get(), solid, image) : untextured(m)) + shadows(m);
+    }
+
+    /**
+     * POV-Ray takes Σ 0.1·amount/accuracy·f(p + accuracy·e)·e from a normal, e being the four corners of a tetrahedron, which is
+     * 0.1·amount·4/3·∇f, and without a scale of bumps of normals in the scene. Its bump_map would lean along the axes of space instead of the picture's.
+     */
+    private String normalPattern(Material m, Solid solid, String bumps) {
+        BumpMapping relief = m.bumpMapping();
+        if (relief.hasNormalMap()) {
+            warn("material " + m.name() + ": its normal map is left out, POV-Ray has none");
+        }
+        if (relief.hasBumpMap() && solid instanceof Solid.TriangleMesh) {
+            warn("material " + m.name() + ": its bump map is left out on meshes, on which POV-Ray knows no slopes of pictures");
+        }
+        if (!relief.hasBumpMap() || solid instanceof Solid.TriangleMesh) {
+            return "";
+        }
+        TextureMap map = relief.bump().orElseThrow();
+        return "\n    normal { pigment_pattern { image_map { png \"" + bumps + "\" gamma 1.0 " + mapping(solid) + " interpolate 2 } } "
+                + BUMP_SCALE * relief.height() + " no_bump_scale accuracy " + bumpAccuracy(map, solid) + " "
+                + String.join(" ", textureTransform(m, map, solid))
+                + " }";
+    }
+
+    /** About a pixel of a picture, in the space of POV-Ray's maps: on a square, or around a body of radius 1. */
+    private static double bumpAccuracy(TextureMap map, Solid solid) {
+        double width = solid instanceof Solid.Plane ? 1 : 2 * Math.PI;
+        double height = solid instanceof Solid.Sphere ? Math.PI : 1;
+        return Math.sqrt(width / map.image().width() * height / map.image().height());
+    }
+
+    private static String shadows(Material m) {
+        return m.transmission().shadows() == ShadowCasting.NONE ? "\n  no_shadow" : "";
+    }
+
+    /**
+     * POV-Ray's colour of what is seen through a surface is pigment·filter, and of its body pigment·(1 − filter). Inside, from a fade_power of 1000
+     * on, a way d leaves exp(−(1 − fade_color)·d/fade_distance).
+     */
+    private String transparent(Material m) {
+        Transmission clarity = m.transmission();
+        double filter = clarity.color().max();
+        Rgb pigment = new Rgb(clarity.color().r() / filter, clarity.color().g() / filter, clarity.color().b() / filter);
+        if (m.texture().isPresent()) {
+            warn("material " + m.name() + ": the texture of a clear material is left out");
+        }
+        if (clarity.castsShadows()) {
+            warn("material " + m.name() + ": light passes its shapes");
+        }
+        if (clarity.thin()) {
+            warn("material " + m.name() + ": a thin pane mirrors nothing by its angle");
+        }
+        if (filter < 1 && m.transmission().color().min() < filter) {
+            warn("material " + m.name() + ": its body has the colour of what is seen through it");
+        }
+        if (filter < 1) {
+            warn("material " + m.name() + ": its body loses nothing where its angle mirrors more");
+        }
+        String reflection = clarity.thin() ? m.reflective().isBlack() ? "" : " reflection { " + PovFormat.rgb(m.reflective()) + " }"
+                : " reflection { " + PovFormat.rgb(m.reflective()) + ", rgb 1 fresnel on } conserve_energy";
+        String phong = m.specular().isBlack() ? ""
+                : " phong " + gray(m.name(), "specular", m.specular()) + " phong_size " + m.shininess();
+        String fade = clarity.isTinted() ? " fade_color " + PovFormat.rgb(new Rgb(fade(clarity.tint().r()), fade(clarity.tint().g()),
+                fade(clarity.tint().b()))) + " fade_distance " + clarity.tintDistance() + " fade_power 1001" : "";
+        return "texture {\n    pigment { rgbf <" + pigment.r() + ", " + pigment.g() + ", " + pigment.b() + ", " + filter + "> }\n"
+                + "    finish { ambient " + PovFormat.rgb(m.ambient()) + " diffuse " + gray(m.name(), "diffuse", m.diffuse()) + phong
+                + reflection + " }\n  }\n  interior { ior " + (clarity.thin() ? 1 : clarity.ior()) + fade + " }";
+    }
+
+    /** The fade_color that leaves a tint after the fade_distance. */
+    private static double fade(double tint) {
+        return 1 + Math.log(Math.max(tint, MIN_PIGMENT));
+    }
+
+    /**
+     * The nearest that Phong's model has: a lobe of exponent (2/α² − 2)/4, which is as wide at its top (Walter and others, Microfacet
+     * models for refraction, 2007, §5.2, a quarter for the angle to the mirrored direction), and as high head-on, at most 1.
+     */
+    private Material phong(Material m) {
+        warn("material " + m.name() + ": a metallic material is shown by Phong's model");
+        double alpha = m.alpha();
+        double height = Math.min(1, 1 / (4 * alpha * alpha));
+        double dielectric = (1 - m.metalness()) * m.f0();
+        Rgb metal = m.base().times(m.metalness());
+        Rgb f0 = new Rgb(dielectric + metal.r(), dielectric + metal.g(), dielectric + metal.b());
+        return m.withModel(ShadingModel.PHONG).withDiffuse(m.base().times((1 - m.metalness()) * (1 - m.f0())))
+                .withSpecular(f0.times(height)).withShininess((1 / (alpha * alpha) - 1) / 2);
+    }
+
+    private String untextured(Material m) {
+        Rgb unreflected = new Rgb(1 - m.reflective().r(), 1 - m.reflective().g(), 1 - m.reflective().b());
+        Rgb emission = times(m.ambient(), unreflected);
+        Rgb diffuse = times(m.diffuse(), unreflected);
+        Rgb pigment = new Rgb(pigment(diffuse.r(), emission.r()), pigment(diffuse.g(), emission.g()), pigment(diffuse.b(), emission.b()));
+        Rgb ambient = new Rgb(ratio(emission.r(), pigment.r()), ratio(emission.g(), pigment.g()), ratio(emission.b(), pigment.b()));
+        return "texture {\n    pigment { " + PovFormat.rgb(pigment) + " }\n    finish { ambient " + PovFormat.rgb(ambient)
+                + " diffuse 1 " + highlightText(m) + " }\n  }";
+    }
+
+    private String textured(Material m, TextureMap map, Solid solid, String image) {
+        double diffuse = gray(m.name(), "diffuse, with a texture,", m.diffuse());
+        double unreflected = 1 - gray(m.name(), "reflective, for what a texture keeps,", m.reflective());
+        if (!m.ambient().isBlack()) {
+            warn("material " + m.name() + ": ambient is multiplied by the texture");
+        }
+        Rgb ambient = m.ambient().times(unreflected);
+        return "texture {\n    pigment { " + (solid instanceof Solid.TriangleMesh ? "uv_mapping " : "") + "image_map { png \"" + image
+                + "\" "
+                + mapping(solid) + " interpolate 2 } "
+                + String.join(" ", textureTransform(m, map, solid)) + " }\n    finish { ambient " + PovFormat.rgb(ambient) + " diffuse "
+                + diffuse * unreflected + " " + highlightText(m) + " }\n  }";
+    }
+
+    private static String mapping(Solid solid) {
+        return switch (solid) {
+            case Solid.Canonical c -> switch (c.wrap()) {
+                case FLAT -> "map_type 0";
+                case SPHERICAL -> "map_type 1";
+                case CYLINDRICAL -> "map_type 2";
+            };
+            case Solid.TriangleMesh _ -> "map_type 0";
+        };
+    }
+
+    /** Puts POV-Ray's map, which lies in the xy plane or winds about y, where our texture coordinates are. */
+    private List<String> textureTransform(Material m, TextureMap map, Solid solid) {
+        List<String> statements = new ArrayList<>();
+        if (solid instanceof Solid.TriangleMesh) {
+            statements.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
+            return statements;
+        }
+        if (solid instanceof Solid.Plane) {
+            statements.add("scale <" + 1 / map.repeatU() + ", " + 1 / map.repeatV() + ", 1>");
+            statements.add("rotate <90, 0, 0> translate <-0.5, 0, -0.5>");
+            return statements;
+        }
+        if (map.repeatU() != 1 || map.repeatV() != 1) {
+            warn("material " + m.name() + ": a texture around a shape does not repeat");
+        }
+        if (hasCaps(solid)) {
+            warn("material " + m.name() + ": caps have the texture of the side's edge");
+        }
+        statements.add("scale <-1, 1, 1> rotate <0, -90, 0>");
+        return statements;
+    }
+
+    private static boolean hasCaps(Solid solid) {
+        return switch (solid) {
+            case Solid.Canonical c -> c.hasCaps();
+            case Solid.TriangleMesh _ -> false;
+        };
+    }
+
+    private String highlightText(Material m) {
+        List<String> statements = new ArrayList<>();
+        if (!m.specular().isBlack()) {
+            statements.add("phong " + gray(m.name(), "specular", m.specular()) + " phong_size " + m.shininess());
+        }
+        if (!m.reflective().isBlack()) {
+            statements.add("reflection { " + PovFormat.rgb(m.reflective()) + " }");
+        }
+        return String.join(" ", statements);
+    }
+
+    private double gray(String material, String label, Rgb c) {
+        if (c.min() != c.max()) {
+            warn("material " + material + ": " + label + " is grey in POV-Ray, the mean of the three channels");
+        }
+        return (c.r() + c.g() + c.b()) / 3;
+    }
+
+    private void warn(String warning) {
+        if (!warnings.contains(warning)) {
+            warnings.add(warning);
+        }
+    }
+
+    private static double pigment(double diffuse, double emission) {
+        return diffuse > 0 || emission == 0 ? diffuse : MIN_PIGMENT;
+    }
+
+    private static double ratio(double emission, double pigment) {
+        return emission == 0 ? 0 : emission / pigment;
+    }
+
+    private static Rgb times(Rgb a, Rgb b) {
+        return new Rgb(a.r() * b.r(), a.g() * b.g(), a.b() * b.b());
+    }
+}

@@ -1,0 +1,39 @@
+package lightning.render.engine;
+
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/**
+ * Who works on tiles in one thread: one for each engine that tiles are to come from, made when it is needed first.
+ *
+ * @param <W> who works on tiles, with one engine and scratch memory
+ */
+public final class EngineWorkers<W> {
+    private final EngineChoice engineChoice;
+    private final Function<Engine, W> factory;
+    private final Map<Engine, W> workers = new LinkedHashMap<>();
+
+    private EngineWorkers(EngineChoice engineChoice, Function<Engine, W> factory) {
+        this.engineChoice = engineChoice;
+        this.factory = factory;
+    }
+
+    /** One for each of some threads. */
+    public static <W> List<EngineWorkers<W>> perThread(int threads, EngineChoice engineChoice, Function<Engine, W> factory) {
+        return Stream.generate(() -> new EngineWorkers<>(engineChoice, factory)).limit(threads).toList();
+    }
+
+    /** Who works on tile {@code tile}. */
+    public W forTile(int tile) {
+        return workers.computeIfAbsent(engineChoice.forTile(tile), factory);
+    }
+
+    /** All who worked so far. */
+    public Collection<W> workers() {
+        return workers.values();
+    }
+}

@@ -1,0 +1,184 @@
+package lightning.render.engine.lanes;
+
+import java.util.Arrays;
+import lightning.render.shading.AreaSamples;
+import lightning.render.shading.TermKernel;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.ShadowRayHitFinder;
+import lightning.render.trace.Tracer;
+import lightning.render.trace.mesh.MeshPacketTraversal;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.solid.SolidGeometry;
+import lightning.render.trace.solid.SolidGeometryLanes;
+import lightning.render.trace.tree.CandidateList;
+
+/**
+ * {@link ShadowRayHitFinder} in lanes: 64 ways at a time are tested against the box of a shape, and those that enter it go through a mesh together, or
+ * against a solid in lanes. Rows with the same turn go together, whose ways end at the same place of an area: they are one beam, where those of
+ * neighbours are not. Ways of which any may end on a shape, shapes with holes and such that the eye is on are asked way by way. Holds
+ * scratch memory: one for each thread.
+ */
+final class ShadowRayHitLanes {
+    private static final int W = RayPacket.WIDTH;
+    private static final int MAX_PACKETS = MeshPacketTraversal.PACKETS;
+
+    private final PrimitiveTable primitives;
+    private final ShadowRayHitFinder hitFinder;
+    private final MeshPacketTraversal meshTraversal = new MeshPacketTraversal();
+    private final SolidGeometryLanes solidGeometry = new SolidGeometryLanes();
+    private final double[] distance = new double[W];
+    private final RayPacket[] packet = new RayPacket[MAX_PACKETS];
+    private final BoxTestLanes[] boxTest = new BoxTestLanes[MAX_PACKETS];
+    /** For each packet and candidate the rays that enter its box. */
+    private final int[][] masks = new int[MAX_PACKETS][0];
+    /** The rows that are asked, and the place there of each packet's first. */
+    private final int[] sortedRows = new int[TermKernel.MAX_ROWS];
+    private final int[] first = new int[MAX_PACKETS];
+    /** Where the rows of each turn begin. */
+    private final int[] rotationStarts = new int[AreaSamples.ROTATIONS + 1];
+    /** The packets that a mesh is asked for. */
+    private final int[] meshPackets = new int[MAX_PACKETS];
+    private int count;
+
+    ShadowRayHitLanes(PrimitiveTable primitives) {
+        this.primitives = primitives;
+        hitFinder = new ShadowRayHitFinder(primitives);
+        for (int k = 0; k < MAX_PACKETS; k++) {
+            packet[k] = new RayPacket();
+            boxTest[k] = new BoxTestLanes();
+        }
+    }
+
+    /** As {@link Tracer#findHits}. */
+    void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+        if (!shadowRays.isOffSurface) {
+            hitFinder.findHits(rows, selected, shadowRays, candidates, hits);
+            return;
+        }
+        int rowCount = sortRows(rows, selected, shadowRays);
+        count = 0;
+        for (int i = 0; i < rowCount; i += W) {
+            addPacket(rows, shadowRays, i, Math.min(W, rowCount - i), candidates);
+            if (count == MAX_PACKETS) {
+                testCandidates(candidates, shadowRays.limit(), hits);
+            }
+        }
+        testCandidates(candidates, shadowRays.limit(), hits);
+    }
+
+    /** Writes the chosen rows to {@link #sortedRows}, by their turns; how many there are. */
+    private int sortRows(HitRows rows, int[] selected, RowShadowRays shadowRays) {
+        Arrays.fill(rotationStarts, 0);
+        for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
+            for (int left = selected[b]; left != 0; left &= left - 1) {
+                rotationStarts[(int) shadowRays.rotation[first + Integer.numberOfTrailingZeros(left)] + 1]++;
+            }
+        }
+        for (int t = 0; t < AreaSamples.ROTATIONS; t++) {
+            rotationStarts[t + 1] += rotationStarts[t];
+        }
+        for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
+            for (int left = selected[b]; left != 0; left &= left - 1) {
+                int row = first + Integer.numberOfTrailingZeros(left);
+                sortedRows[rotationStarts[(int) shadowRays.rotation[row]]++] = row;
+            }
+        }
+        return rotationStarts[AreaSamples.ROTATIONS];
+    }
+
+    /** Adds a packet of {@code laneCount} rows from place {@code from} in their order on. */
+    private void addPacket(HitRows rows, RowShadowRays shadowRays, int from, int laneCount, CandidateList candidates) {
+        RayPacket p = packet[count];
+        if (masks[count].length < candidates.count) {
+            masks[count] = new int[candidates.primitive.length];
+        }
+        for (int i = 0; i < W; i++) {
+            int row = sortedRows[from + Math.min(i, laneCount - 1)];
+            p.ox[i] = rows.px[row];
+            p.oy[i] = rows.py[row];
+            p.oz[i] = rows.pz[row];
+            p.dx[i] = shadowRays.toPoints ? shadowRays.x[row] - p.ox[i] : shadowRays.x[row];
+            p.dy[i] = shadowRays.toPoints ? shadowRays.y[row] - p.oy[i] : shadowRays.y[row];
+            p.dz[i] = shadowRays.toPoints ? shadowRays.z[row] - p.oz[i] : shadowRays.z[row];
+        }
+        int laneMask = -1 >>> -laneCount;
+        LaneTracer.setLimits(laneMask, shadowRays.limit(), p);
+        boxTest[count].setRays(p);
+        boxTest[count].setLimits(p.limit);
+        boxTest[count].hits(candidates.boxes, 0, candidates.count, masks[count]);
+        for (int c = 0; c < candidates.count; c++) {
+            masks[count][c] &= laneMask;
+        }
+        first[count++] = from;
+    }
+
+    /** Asks all candidates for the packets, which then are no more. */
+    private void testCandidates(CandidateList candidates, double limit, ShadowRayHits hits) {
+        for (int c = 0; c < candidates.count; c++) {
+            int s = candidates.primitive[c];
+            if (primitives.hasCutout(s) || primitives.isEyeOnSurface(s)) {
+                testScalar(c, s, limit, hits);
+            } else if (primitives.mesh(s) != null) {
+                testMesh(c, s, limit, hits);
+            } else {
+                testSolid(c, s, limit, hits);
+            }
+        }
+        count = 0;
+    }
+
+    private void testScalar(int c, int s, double limit, ShadowRayHits hits) {
+        for (int k = 0; k < count; k++) {
+            RayPacket p = packet[k];
+            for (int left = masks[k][c]; left != 0; left &= left - 1) {
+                int i = Integer.numberOfTrailingZeros(left);
+                hits.selectRay(sortedRows[first[k] + i]);
+                hitFinder.findHits(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], limit, hits);
+            }
+        }
+    }
+
+    private void testMesh(int c, int s, double limit, ShadowRayHits hits) {
+        int n = 0;
+        for (int k = 0; k < count; k++) {
+            if (masks[k][c] != 0) {
+                if (n == 0) {
+                    meshTraversal.beginGroup(primitives.mesh(s), primitives.data, primitives.dataStart[s]);
+                }
+                meshTraversal.addPacket(packet[k], masks[k][c], packet[k].limit);
+                meshPackets[n++] = k;
+            }
+        }
+        if (n == 0) {
+            return;
+        }
+        meshTraversal.findAllHits();
+        for (int i = 0; i < meshTraversal.hitCount(); i++) {
+            int ray = meshTraversal.hitRay(i);
+            hits.selectRay(sortedRows[first[meshPackets[ray / W]] + ray % W]);
+            hits.add(s, meshTraversal.hitTriangle(i), meshTraversal.hitDistance(i), limit, null);
+        }
+    }
+
+    private void testSolid(int c, int s, double limit, ShadowRayHits hits) {
+        for (int k = 0; k < count; k++) {
+            int mask = masks[k][c];
+            if (mask == 0) {
+                continue;
+            }
+            RayPacket p = packet[k];
+            int from = PrimitiveLanes.firstLane(mask);
+            int end = PrimitiveLanes.endLane(mask);
+            solidGeometry.distances(primitives.kind(s), primitives.data, primitives.dataStart[s], p, distance, from, end);
+            for (int left = mask; left != 0; left &= left - 1) {
+                int i = Integer.numberOfTrailingZeros(left);
+                if (distance[i] < SolidGeometry.MISS) {
+                    hits.selectRay(sortedRows[first[k] + i]);
+                    primitives.addHits(s, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i], distance[i], limit, hits);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package lightning.render.image;
+
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * A curve over all floats from 0 on as straight lines between 256 values in each factor of two.
+ *
+ * @param start the curve at the smallest float of each bucket, and at the next one's
+ */
+record CurveTable(float[] start) {
+    // An array in a record: written once by its maker, never after.
+
+    private static final int BUCKET_SHIFT = 23 - 8;
+    private static final int LOW_BITS = (1 << BUCKET_SHIFT) - 1;
+    private static final int BUCKETS = Float.floatToRawIntBits(Float.POSITIVE_INFINITY) >> BUCKET_SHIFT;
+    private static final double SHARE = 1.0 / (1 << BUCKET_SHIFT);
+
+    /** @param curve from linear values ≥ 0 to 0…1 */
+    static CurveTable of(DoubleUnaryOperator curve) {
+        float[] start = new float[BUCKETS + 2];
+        for (int i = 0; i < BUCKETS; i++) {
+            start[i] = (float) Math.clamp(curve.applyAsDouble(Float.intBitsToFloat(i << BUCKET_SHIFT)), 0, 1);
+        }
+        start[BUCKETS] = start[BUCKETS - 1];
+        start[BUCKETS + 1] = start[BUCKETS];
+        return new CurveTable(start);
+    }
+
+    /** The curve at a value; below 0 and NaN count as 0. */
+    double value(float linear) {
+        if (!(linear > 0)) {
+            return start[0];
+        }
+        int bits = Float.floatToRawIntBits(linear);
+        int i = bits >>> BUCKET_SHIFT;
+        return start[i] + (start[i + 1] - start[i]) * ((bits & LOW_BITS) * SHARE);
+    }
+}

@@ -1,0 +1,150 @@
+package lightning.render.relight;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.cache.CachedLight;
+import lightning.render.cache.CachedTile;
+import lightning.render.cache.FineTile;
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.Engine;
+import lightning.render.engine.EngineWorkers;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.LayerUpdater;
+import lightning.render.relight.plan.LevelPlan;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.relight.tile.TileRecomposer;
+import lightning.render.relight.tile.WorkCounts;
+import lightning.render.shading.BounceImages;
+import lightning.render.shading.LightKernel;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.RayCounts;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SamplePositions;
+import lightning.scene.Scene;
+
+/**
+ * Brings what is known of a picture from one accuracy to the other. Both keep each row's state, so that the terms
+ * of one follow from the other's without a ray: contributions by multiplying the terms, terms by computing those of lit
+ * rows anew. The picture is then composed anew, so that no error of scaled contributions stays in it.
+ *
+ * @param cache what is known; mirror levels must be kept as rows
+ * @param options    how it shall be known
+ */
+record CacheConversion(PixelCache cache, RenderOptions options) {
+
+    /** Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone. */
+    static boolean canConvert(PixelCache cache) {
+        return cache.allTiles().stream().allMatch(CachedTile::storesRows);
+    }
+
+    /** What it does, as a plan. */
+    UpdatePlan plan() {
+        int depth = cache.scene().picture().depth();
+        MaterialTable materials = cache.geometry().materials();
+        return new UpdatePlan.Relight(LevelPlan.refresh(cache.scene(), cache.lights(), materials, light -> light.stamp() != null),
+                LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth);
+    }
+
+    /** What is known afterwards, and what that took. */
+    record Result(PixelCache cache, WorkCounts work) {}
+
+    /** @throws CancellationException if {@code progress} asked to stop */
+    Result run(WorkerPool workers, Progress progress) {
+        var top = LevelLights.of(cache.scene(), cache.lights());
+        var mirrors = LevelLights.of(cache.mirroredScene(), cache.mirroredLights());
+        List<EngineWorkers<TileConverter>> threads =
+                EngineWorkers.perThread(workers.count(), options.engines(), engine -> new TileConverter(cache, options, engine));
+        CachedTile[] tiles = new CachedTile[cache.tileCount()];
+        FineTile[] fine = new FineTile[cache.fineCount()];
+        int grid = cache.scene().picture().sampling().grid();
+        int tilesX = Film.tilesAlong(cache.scene().picture().width());
+        workers.run(Math.max(tiles.length, fine.length), (worker, i) -> {
+            SamplePositions centers = SamplePositions.centers(i % tilesX * Film.TILE_SIZE, i / tilesX * Film.TILE_SIZE);
+            CachedTile center = tiles.length == 0 ? null : threads.get(worker).forTile(i).convert(centers, cache.tile(i), top, mirrors);
+            if (center != null) {
+                tiles[i] = center;
+            }
+            if (fine.length > 0) {
+                FineTile tile = cache.fineTile(i).map(center, centers,
+                        (places, block) -> threads.get(worker).forTile(i).convert(places, block, top, mirrors), grid);
+                fine[i] = options.accuracy().isExact() ? tile.withoutColors() : tile;
+            }
+        }, progress);
+        WorkCounts work = threads.stream().flatMap(crew -> crew.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
+                WorkCounts::plus);
+        return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.scenes(), recomputed(cache.lights()),
+                recomputed(cache.mirroredLights())), work);
+    }
+
+    private static List<CachedLight> recomputed(List<CachedLight> lights) {
+        return lights.stream().map(CachedLight::withComputedStamp).toList();
+    }
+
+    /** The lights of a scene that levels show, as they shine, and as they are known. */
+    private record LevelLights(Scene scene, WeightedLight[] lights, List<CachedLight> cachedLights) {
+        static LevelLights of(Scene scene, List<CachedLight> known) {
+            return new LevelLights(scene, WeightedLight.ofScene(scene), known);
+        }
+    }
+
+    /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
+    private static final class LayerConverter {
+        private final LightKernel kernel;
+        private final LayerUpdater updater;
+
+        LayerConverter(Geometry geometry, RenderOptions to, Engine engine) {
+            kernel = new LightKernel(geometry, engine.tracer(geometry), engine.terms(), to.view());
+            updater = to.method().updater(kernel, 0);
+        }
+
+        TileLevel convert(TileLevel old, LevelLights lights) {
+            return new TileLevel(old.rows(), lights.cachedLights().stream().map(light -> convert(old, light, lights.scene()))
+                    .toArray(LightLayer[]::new));
+        }
+
+        private LightLayer convert(TileLevel old, CachedLight light, Scene scene) {
+            LightLayer before = light.layer(old);
+            return before == null ? null : updater.convert(old.rows(), WeightedLight.ofSwitchedOn(light.stamp().light(), scene), before);
+        }
+
+        WorkCounts work(long rowsComposed) {
+            return new WorkCounts(updater.rowsTouched(), rowsComposed, 0, new RayCounts(0, 0, kernel.shadowRays()));
+        }
+    }
+
+    /** Converts tiles: one for each thread. */
+    private static final class TileConverter {
+        private final LayerConverter eye;
+        private final LayerConverter mirror;
+        private final TileRecomposer painter;
+        private long rowsComposed;
+
+        TileConverter(PixelCache cache, RenderOptions to, Engine engine) {
+            eye = new LayerConverter(cache.geometry(), to, engine);
+            mirror = new LayerConverter(cache.geometry().withMaterialsOf(cache.mirroredScene()), to, engine);
+            painter = new TileRecomposer(cache, engine, to.view());
+        }
+
+        CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
+            TileLevel[] levels = new TileLevel[old.levels.length];
+            for (int k = 0; k < levels.length; k++) {
+                levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
+                rowsComposed += levels[k].rows().count;
+            }
+            BounceImages scratch = painter.composeImages(levels, mirrors.lights(), mirrors.scene().world());
+            BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
+            return new CachedTile(levels, old.hitShapes, images, painter.composeFilm(levels[0], top.lights(), top.scene(), places, images),
+                    old.codes);
+        }
+
+        WorkCounts work() {
+            return eye.work(rowsComposed).plus(mirror.work(0));
+        }
+    }
+}

@@ -1,0 +1,147 @@
+package lightning.render.relight;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.stream.Collectors;
+import lightning.base.work.Progress;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * Which lights matter to a picture, from what is kept of it. A light's share is composed; what the picture is without a light is rendered as any edit is,
+ * which only composes, but for finer samples where the light threw an edge.
+ *
+ * @param lights      one for each light of the scene, in its order
+ * @param environment of the environment with what is seen of it, where the scene has one; its shares are what the picture loses without it
+ * @param idleLights   lights that shine, and of which no pixel is displayed in another colour while all of them are off
+ * @param changeWhenIdleOff what is another in the picture without all of these
+ */
+public record LightContributions(List<LightContribution> lights, Optional<LightContribution> environment, List<String> idleLights,
+        LightContribution.FilmChange changeWhenIdleOff) {
+
+    /** What the environment is called among lights. */
+    public static final String ENVIRONMENT = "environment";
+
+    /**
+     * A part of a picture.
+     *
+     * @param left   the first column; likewise {@code top}
+     * @param right  behind the last column; likewise {@code bottom}
+     */
+    public record Region(int left, int top, int right, int bottom) {
+        /** All of a picture. */
+        public static Region ofFilm(Film film) {
+            return new Region(0, 0, film.width(), film.height());
+        }
+
+        double luminance(Film film) {
+            double sum = 0;
+            for (int y = Math.max(0, top); y < Math.min(film.height(), bottom); y++) {
+                for (int x = Math.max(0, left); x < Math.min(film.width(), right); x++) {
+                    sum += 0.2126 * film.red(x, y) + 0.7152 * film.green(x, y) + 0.0722 * film.blue(x, y);
+                }
+            }
+            return sum;
+        }
+    }
+
+    /**
+     * Asks all lights of a picture.
+     *
+     * @param cache    a finished picture's, never changed here
+     * @param options  those that it was rendered with
+     * @param view     how it is displayed
+     * @param region   the part of which shares are told too
+     * @param progress counts lights
+     * @throws CancellationException if {@code progress} asked to stop
+     */
+    public static LightContributions of(PixelCache cache, RenderOptions options, ViewTransform view, Region region, Progress progress) {
+        Scene scene = cache.scene();
+        Film picture = cache.film();
+        Region all = Region.ofFilm(picture);
+        double light = all.luminance(picture);
+        double inRegion = region.luminance(picture);
+        List<LightContribution> lights = new ArrayList<>();
+        int total = scene.lights().size() + 1;
+        Progress silent = progress.cancellationOnly();
+        try (Renderer renderer = new Renderer(options)) {
+            for (Light one : scene.lights()) {
+                progress.report(lights.size(), total);
+                renderer.restore(cache);
+                if (!scene.isActive(one)) {
+                    lights.add(new LightContribution(one.name(), false, 0, 0, LightContribution.FilmChange.NONE));
+                    continue;
+                }
+                Film share = renderer.lightImage(one.name(), silent);
+                lights.add(new LightContribution(one.name(), true, fraction(all.luminance(share), light),
+                        fraction(region.luminance(share), inRegion),
+                        without(renderer, Set.of(one.name()), scene, picture, view, silent)));
+            }
+            Optional<LightContribution> environment = environment(renderer, cache, view, region, silent);
+            List<LightContribution> idle = new ArrayList<>(lights.stream().filter(c -> c.shines() && c.changeWhenOff().isInvisible())
+                    .sorted(Comparator.comparingDouble(LightContribution::imageShare)).toList());
+            LightContribution.FilmChange together = LightContribution.FilmChange.NONE;
+            // What each does not show, all may show together: the brightest stay then.
+            while (!idle.isEmpty()) {
+                renderer.restore(cache);
+                together =
+                        without(renderer, idle.stream().map(LightContribution::light).collect(Collectors.toSet()), scene, picture, view,
+                                silent);
+                if (together.isInvisible()) {
+                    break;
+                }
+                idle.removeLast();
+                together = LightContribution.FilmChange.NONE;
+            }
+            progress.report(total, total);
+            return new LightContributions(List.copyOf(lights), environment, idle.stream().map(LightContribution::light).toList(), together);
+        }
+    }
+
+    private static Optional<LightContribution> environment(Renderer renderer, PixelCache cache, ViewTransform view, Region region,
+            Progress progress) {
+        Scene scene = cache.scene();
+        Film picture = cache.film();
+        if (scene.world().environment().isEmpty()) {
+            return Optional.empty();
+        }
+        renderer.restore(cache);
+        renderer.render(scene.withWorld(scene.world().withIntensity(0)), progress);
+        Film filmOff = renderer.film();
+        return Optional
+                .of(new LightContribution(ENVIRONMENT, scene.world().intensity() > 0, lostShare(Region.ofFilm(picture), picture, filmOff),
+                        lostShare(region, picture, filmOff), LightContribution.FilmChange.between(picture, filmOff, view)));
+    }
+
+    private static double lostShare(Region region, Film picture, Film filmOff) {
+        double light = region.luminance(picture);
+        return fraction(light - region.luminance(filmOff), light);
+    }
+
+    private static double fraction(double share, double whole) {
+        return whole > 0 ? share / whole : 0;
+    }
+
+    private static LightContribution.FilmChange without(Renderer renderer, Set<String> switchedOff, Scene scene, Film picture,
+            ViewTransform view,
+            Progress progress) {
+        renderer.render(switchOff(scene, switchedOff), progress);
+        return LightContribution.FilmChange.between(picture, renderer.film(), view);
+    }
+
+    /** The scene with some of its lights switched off. */
+    public static Scene switchOff(Scene scene, Iterable<String> lights) {
+        Set<String> switchedOff = new HashSet<>();
+        lights.forEach(switchedOff::add);
+        return scene.withLights(scene.lights().stream().map(l -> switchedOff.contains(l.name()) ? l.withOn(false) : l).toList());
+    }
+}

@@ -1,0 +1,171 @@
+package lightning.render.relight;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.render.cache.PixelCache;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.HitRows.ColumnGroup;
+import lightning.render.trace.MeshMemory;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Material;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
+
+/**
+ * How much memory a picture takes, before any work begins: by the formula of docs/architecture.md, where every ray hits and every
+ * light falls on everything; and where that is too much, by a {@link MemoryForecast}, which knows what is hit.
+ */
+public final class MemoryEstimate {
+    /** Bytes of a colour in a film or a row. */
+    static final long BYTES_PER_COLOR = 3L * Float.BYTES;
+    /** What a suggested size is shrunk by until it fits: samples at edges shrink more slowly than pixels do. */
+    private static final double SHRINK_STEP = 0.9;
+
+    private MemoryEstimate() {}
+
+    /**
+     * The most bytes that rows, layers, samples and film of a first pass can take.
+     *
+     * @param scene as the view shows it
+     */
+    public static long upperBound(Scene scene, RenderOptions options) {
+        PictureSettings picture = scene.picture();
+        SamplingSettings sampling = picture.sampling();
+        boolean mirrors = picture.depth() > 0 && scene.materials().stream().anyMatch(Material::spawnsSecondaryRays);
+        boolean clear = mirrors && scene.materials().stream().anyMatch(m -> m.transmission().isTransparent());
+        boolean edges = sampling.antialias() == AntialiasMode.EDGES;
+        boolean tinted = scene.materials().stream().anyMatch(m -> m.transmission().tintsShadows());
+        boolean metallic = scene.materials().stream().anyMatch(Material::isMetallic);
+        long lights =
+                scene.rig().effectiveLights().stream().mapToLong(light -> options.method().bytesPerRow(light, metallic, tinted)).sum();
+        long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + (edges ? ColumnGroup.CODE.bytesPerRow() : 0)
+                + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : ColumnGroup.OWNER.bytesPerRow())
+                + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights;
+        // Of a clear surface two rays go on, and of each of these two again.
+        long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
+        long mirrored =
+                mirrors ? (clear ? 2 : 1) * BYTES_PER_COLOR + levels * (options.storage().storesRows() ? row : Integer.BYTES) : 0;
+        long samples = switch (sampling.antialias()) {
+            case OFF -> 1;
+            case EDGES -> 1L + sampling.samplesPerPixel();
+            case EVERY -> sampling.samplesPerPixel();
+        };
+        // Samples keep their colours where errors are bounded.
+        long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
+        return pixels(picture)
+                * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeCodeBytes(sampling)
+                        + (sampling.isSupersampled() ? BYTES_PER_COLOR : 0));
+    }
+
+    /** The bytes that a kept picture takes: columns, colours and film. */
+    public static long usedBytes(PixelCache cache) {
+        PictureSettings picture = cache.scene().picture();
+        return cache.bytes() + cache.colorBytes() + (picture.sampling().isSupersampled() ? BYTES_PER_COLOR * pixels(picture) : 0);
+    }
+
+    /**
+     * About how many bytes a first pass will take, by small ones: a fraction of a second.
+     *
+     * @param scene as the view shows it
+     */
+    public static long forecast(Scene scene, RenderOptions options) {
+        return MemoryForecast.of(scene, options).bytes(scene.picture());
+    }
+
+    /** The pixels of whole tiles. */
+    private static long pixels(PictureSettings picture) {
+        return padded(picture.width()) * padded(picture.height());
+    }
+
+    private static long padded(int side) {
+        return (side + Film.TILE_SIZE - 1L) / Film.TILE_SIZE * Film.TILE_SIZE;
+    }
+
+    /** What is kept of each pixel to know its edges. */
+    private static long edgeCodeBytes(SamplingSettings sampling) {
+        return sampling.antialias() == AntialiasMode.EDGES ? 4L * Integer.BYTES : 0;
+    }
+
+    /**
+     * Refuses a picture that does not fit.
+     *
+     * @param scene as the view shows it
+     * @throws PictureTooLargeException if its first pass takes more than {@link RenderOptions#memory}, less what the scene's meshes and their trees
+     *                         take; the message says what would fit
+     */
+    public static void check(Scene scene, RenderOptions options) {
+        long memory = options.memory() - MeshMemory.bytes(scene);
+        long max = upperBound(scene, options);
+        if (max <= memory) {
+            return;
+        }
+        if (memory <= 0) {
+            throw new PictureTooLargeException(max, memory, List.of());
+        }
+        MemoryForecast forecast = MemoryForecast.of(scene, options);
+        long required = forecast.bytes(scene.picture());
+        if (required > memory) {
+            List<PictureTooLargeException.Suggestion> suggestions = new ArrayList<>();
+            suggestSize(scene, forecast, required, memory, suggestions);
+            suggestSamples(scene.picture(), forecast, memory, suggestions);
+            RenderOptions shapes = options.withStorage(MirrorStorage.SMALLEST);
+            if (options.storage().storesRows() && MemoryForecast.of(scene, shapes).bytes(scene.picture()) <= memory) {
+                suggestions.add(new PictureTooLargeException.Suggestion.MirrorsAsShapes());
+            }
+            throw new PictureTooLargeException(required, memory, suggestions);
+        }
+    }
+
+    /**
+     * Refuses a picture whose film alone does not fit: what a trace that keeps nothing takes.
+     *
+     * @param memory bytes that it may take
+     * @throws PictureTooLargeException if it takes more
+     */
+    public static void checkFilm(PictureSettings picture, long memory) {
+        long each = BYTES_PER_COLOR + edgeCodeBytes(picture.sampling());
+        long required = pixels(picture) * each;
+        if (required > memory) {
+            double shrink = Math.sqrt((double) Math.max(memory, 0) / required);
+            // Whole tiles, as they are reckoned.
+            int width = (int) (picture.width() * shrink) / Film.TILE_SIZE * Film.TILE_SIZE;
+            int height = (int) (picture.height() * shrink) / Film.TILE_SIZE * Film.TILE_SIZE;
+            throw new PictureTooLargeException(required, memory,
+                    Math.min(width, height) < 1 ? List.of() : List.of(new PictureTooLargeException.Suggestion.Size(width, height)));
+        }
+    }
+
+    private static void suggestSize(Scene scene, MemoryForecast forecast, long required, long available,
+            List<PictureTooLargeException.Suggestion> suggestions) {
+        PictureSettings picture = scene.picture();
+        for (double shrink = Math.sqrt((double) Math.max(available, 0) / required);
+                shrink * Math.min(picture.width(), picture.height()) >= 1;
+                shrink *= SHRINK_STEP) {
+            PictureSettings smaller = picture.withSize((int) (picture.width() * shrink), (int) (picture.height() * shrink));
+            if (forecast.bytes(smaller) <= available) {
+                suggestions.add(new PictureTooLargeException.Suggestion.Size(smaller.width(), smaller.height()));
+                return;
+            }
+        }
+    }
+
+    private static void suggestSamples(PictureSettings picture, MemoryForecast forecast, long available,
+            List<PictureTooLargeException.Suggestion> suggestions) {
+        if (!picture.sampling().isSupersampled()) {
+            return;
+        }
+        for (int grid = picture.sampling().grid() - 1; grid >= SceneLimits.MIN_SAMPLES; grid--) {
+            if (forecast.bytes(picture.withSampling(new SamplingSettings(picture.sampling().antialias(), grid))) <= available) {
+                suggestions.add(new PictureTooLargeException.Suggestion.Samples(grid));
+                return;
+            }
+        }
+        if (forecast.bytes(picture.withSampling(SamplingSettings.DEFAULT)) <= available) {
+            suggestions.add(new PictureTooLargeException.Suggestion.NoAntialias());
+        }
+    }
+}

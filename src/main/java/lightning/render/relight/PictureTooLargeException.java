@@ -1,0 +1,73 @@
+package lightning.render.relight;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * A picture does not fit into the memory that it may take. The message is a sentence without its full stop that says what would
+ * fit, for somebody who cannot choose how mirrors are kept.
+ */
+public final class PictureTooLargeException extends RuntimeException {
+    private static final long serialVersionUID = 1;
+    private static final double GB = 1e9;
+
+    private final long requiredBytes;
+    private final long availableBytes;
+    private final transient List<Suggestion> suggestions;
+
+    /** What of the picture would fit. */
+    public sealed interface Suggestion {
+        record Size(int width, int height) implements Suggestion {}
+
+        /** So many along each side of a pixel. */
+        record Samples(int grid) implements Suggestion {}
+
+        record NoAntialias() implements Suggestion {}
+
+        /** Of mirror levels only the shapes that rays hit. */
+        record MirrorsAsShapes() implements Suggestion {}
+
+        /** As in "it would fit with …". */
+        default String description() {
+            return switch (this) {
+                case Size size -> "a size of " + size.width + "x" + size.height;
+                case Samples samples -> samples.grid + "x" + samples.grid + " samples";
+                case NoAntialias _ -> "no anti-aliasing";
+                case MirrorsAsShapes _ -> "mirrors kept as shapes";
+            };
+        }
+    }
+
+    /**
+     * @param required      bytes
+     * @param available bytes
+     * @param suggestions      what would fit; none where nothing would
+     */
+    PictureTooLargeException(long required, long available, List<Suggestion> suggestions) {
+        super(text(required, available, suggestions,
+                suggestion -> suggestion instanceof Suggestion.MirrorsAsShapes ? Optional.empty() : Optional.of(suggestion.description())));
+        this.requiredBytes = required;
+        this.availableBytes = available;
+        this.suggestions = List.copyOf(suggestions);
+    }
+
+    /**
+     * The message in the words of whoever asked.
+     *
+     * @param describer for a way out; empty where it cannot be taken there
+     */
+    public String message(Function<Suggestion, Optional<String>> describer) {
+        return text(requiredBytes, availableBytes, suggestions, describer);
+    }
+
+    private static String text(long required, long available, List<Suggestion> suggestions,
+            Function<Suggestion, Optional<String>> describer) {
+        String fitting =
+                suggestions.stream().flatMap(suggestion -> describer.apply(suggestion).stream()).collect(Collectors.joining(", or with "));
+        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory and may have %.1f GB; %s", required / GB,
+                Math.max(available, 0) / GB, fitting.isEmpty() ? "no part of it would fit" : "it would fit with " + fitting);
+    }
+}

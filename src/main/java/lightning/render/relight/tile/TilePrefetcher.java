@@ -1,0 +1,63 @@
+package lightning.render.relight.tile;
+
+import lightning.render.cache.CachedTile;
+import lightning.render.cache.TileLevel;
+import lightning.render.shading.LightLayer;
+import lightning.render.shading.LightRows;
+
+/**
+ * Fetches into the processor's cache what leads from tiles to their columns. These are some ten small objects, one behind the
+ * other, and who goes from tile to tile waits for each; here the waits for several tiles run side by side. It changes nothing but
+ * the time (figures: docs/performance.md). One for each thread.
+ */
+final class TilePrefetcher {
+    /** Tiles at once at most: enough for the processor to have its hands full, few enough to stay in its cache. */
+    static final int MAX_TILES = 8;
+
+    private final TileLevel[][] levels = new TileLevel[MAX_TILES][];
+    private final TileLevel[] topLevels = new TileLevel[MAX_TILES];
+    private final LightLayer[][] layers = new LightLayer[MAX_TILES][];
+
+    /** What was read, so that it must be. */
+    long checksum;
+
+    /** Tiles {@code from … to − 1}, one to {@link #MAX_TILES} of one picture. */
+    void prefetch(CachedTile[] tiles, int from, int to) {
+        int count = to - from;
+        long sum = 0;
+        for (int t = 0; t < count; t++) {
+            levels[t] = tiles[from + t].levels;
+        }
+        for (int t = 0; t < count; t++) {
+            topLevels[t] = levels[t][0];
+        }
+        for (int t = 0; t < count; t++) {
+            layers[t] = topLevels[t].layers();
+            sum += topLevels[t].rows().count;
+        }
+        for (int t = 0; t < count; t++) {
+            sum += layers[t].length + topLevels[t].rows().runEnd[0] + topLevels[t].rows().runMaterial[0]
+                    + topLevels[t].rows().parent.length;
+        }
+        for (int l = 0; l < layers[0].length; l++) {
+            for (int t = 0; t < count; t++) {
+                sum += layers[t][l] == null ? 0 : layers[t][l].litCount();
+            }
+        }
+        for (int l = 0; l < layers[0].length; l++) {
+            for (int t = 0; t < count; t++) {
+                sum += layers[t][l] instanceof LightRows layer ? lengths(layer) : 0;
+            }
+        }
+        checksum = sum;
+    }
+
+    /** A column's length stands before its values. */
+    private static int lengths(LightRows layer) {
+        return layer.litCount == 0 ? 0 : layer.cosine.length + length(layer.specular) + length(layer.falloff);
+    }
+
+    private static int length(float[] column) {
+        return column == null ? 0 : column.length;
+    }
+}

@@ -1,0 +1,67 @@
+package lightning.render.relight.tile;
+
+import lightning.render.cache.PixelCache;
+import lightning.render.cache.TileLevel;
+import lightning.render.engine.Engine;
+import lightning.render.image.Film;
+import lightning.render.shading.BounceImages;
+import lightning.render.shading.TileComposer;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.BounceKind;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.SamplePositions;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * Composes tiles from layers that are known, whatever was composed of them before: no ray is cast and no light's term
+ * computed. Holds scratch memory: one for each thread.
+ */
+public final class TileRecomposer {
+    private final TileComposer eye;
+    private final TileComposer mirror;
+    private final int depth;
+    /** The level to be composed next. */
+    private int nextLevel;
+
+    public TileRecomposer(PixelCache cache, Engine engine, ViewEffects view) {
+        depth = cache.scene().picture().depth();
+        eye = new TileComposer(cache.geometry().materials(), engine.sums(), view);
+        mirror = new TileComposer(cache.geometry().withMaterialsOf(cache.mirroredScene()).materials(), engine.sums(), view);
+    }
+
+    /**
+     * What the rays bring that go on from the first level's rows: scratch memory, valid until the next call; null where none does.
+     *
+     * @param levels all of them, lit by {@code lights} from the second on
+     */
+    public BounceImages composeImages(TileLevel[] levels, WeightedLight[] lights, World world) {
+        nextLevel = 1;
+        return composeImages(levels, 0, 0, lights, world);
+    }
+
+    private BounceImages composeImages(TileLevel[] levels, int index, int level, WeightedLight[] lights, World world) {
+        HitRows rows = levels[index].rows();
+        if (level == depth || rows.reflectiveCount == 0) {
+            return mirror.blackImages(rows, level);
+        }
+        BounceImages images = mirror.backgroundImages(rows, world, level);
+        for (BounceKind bounce : BounceKind.values()) {
+            if (bounce.rowCount(rows) > 0) {
+                int at = nextLevel++;
+                BounceImages below = composeImages(levels, at, level + 1, lights, world);
+                mirror.composeLevel(levels[at].rows(), lights, levels[at].layers(), null, world, below, images.forBounce(bounce));
+            }
+        }
+        return images;
+    }
+
+    /** The tile of the film: red, green, blue, {@code float[1024]} each. */
+    public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places, BounceImages images) {
+        float[][] pixels = new float[3][Film.TILE_PIXELS];
+        eye.fillBackground(top.rows(), scene, places, pixels);
+        eye.composeLevel(top.rows(), lights, top.layers(), null, scene.world(), images, pixels);
+        return pixels;
+    }
+}

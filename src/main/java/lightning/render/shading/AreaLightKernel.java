@@ -1,0 +1,433 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.Tracer;
+import lightning.scene.SceneLimits;
+
+/**
+ * The second stage for one tile and a light that is larger than a point: its terms are means over samples. Holds scratch memory:
+ * one for each thread.
+ *
+ * <p>Which samples a row's ways are free to is asked for all that it faces as soon as one of them has it in its cone, and kept:
+ * no later edit of the cone or of the falloff asks again.
+ */
+final class AreaLightKernel {
+    private static final int MAX_SAMPLES = SceneLimits.MAX_LIGHT_SAMPLES;
+
+    private final LightLinks links;
+    /** Who asks for ways to the light at hand. */
+    private ShadowCaster shadowCaster;
+    private final Tracer tracer;
+    private final TermKernel terms;
+    private final TermColumnWriter columnWriter;
+    private final RequiredWork requiredWork;
+    private final RowShadowRays shadowRays = new RowShadowRays();
+    /** For each sample the rows that face it, those that it has in its cone, and those with a free way to it. */
+    private final int[][] facing = allocateSets();
+    private final int[][] inside = allocateSets();
+    private final int[][] unblocked = allocateSets();
+    private final int[] chosen = RowBits.allocate();
+    private final int[] metallicRows = RowBits.allocate();
+    private final int[] blocked = RowBits.allocate();
+    private final int[] queried = RowBits.allocate();
+    /** Rows that may face any sample, and those that may have a specular term of any. */
+    private final int[] mayFace = RowBits.allocate();
+    private final int[] mayHaveHighlight = RowBits.allocate();
+    private final int[] highlightRows = RowBits.allocate();
+    private final int[] anyFacing = RowBits.allocate();
+    private final int[] anyInside = RowBits.allocate();
+    private final int[] anyUnblocked = RowBits.allocate();
+    private final int[] anyLit = RowBits.allocate();
+    private final float[] cosine = new float[TermKernel.MAX_ROWS];
+    private final float[] falloff = new float[TermKernel.MAX_ROWS];
+    private final float[] specular = new float[TermKernel.MAX_ROWS];
+    private final float[] grazing = new float[TermKernel.MAX_ROWS];
+    private final double[] factors = new double[TermKernel.MAX_ROWS];
+    /** As many samples of as many rows as a word and a column of seen samples hold. */
+    private final int[] bitSquare = new int[RowBits.WIDTH];
+    private final double[] diffuseSum = new double[TermKernel.MAX_ROWS];
+    private final double[] specularSum = new double[TermKernel.MAX_ROWS];
+    private final double[] grazingSum = new double[TermKernel.MAX_ROWS];
+    /** Sums of what passes on free ways; made when it is needed first. */
+    private double[][] tintSum;
+    private boolean hasTint;
+    /** Whether any of the rows' materials has specular terms, or is metallic; asked once for each tile and light. */
+    private boolean hasSpecular;
+    private boolean hasMetallic;
+
+    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter written, RequiredWork demands) {
+        this.links = links;
+        this.tracer = tracer;
+        this.terms = terms;
+        this.columnWriter = written;
+        this.requiredWork = demands;
+    }
+
+    private static int[][] allocateSets() {
+        int[][] sets = new int[MAX_SAMPLES][];
+        Arrays.setAll(sets, _ -> RowBits.allocate());
+        return sets;
+    }
+
+    /** All of it, from nothing. */
+    LightRows recompute(HitRows rows, LightSource source, ColumnAllocator columns) {
+        if (!requiredWork.needsConeTest(source, rows, tracer) || !links.canReach(source, rows)) {
+            return LightRows.UNREACHED;
+        }
+        shadowCaster = links.shadowCaster(source);
+        byte[] state = columns.states(rows.count);
+        Arrays.fill(state, 0, rows.count, LightRows.FACING_AWAY);
+        computeRotations(rows);
+        if (rows.count > 0 && !source.type().hasCone()) {
+            return recomputeWithoutCone(rows, source, state, columns);
+        }
+        findVisibleSamples(rows, source);
+        for (int s = 0; s < source.samples().samples(); s++) {
+            Arrays.fill(unblocked[s], 0);
+        }
+        castAll(rows, source, anyInside);
+        return layerFromStates(rows, source, state, anyInside, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
+    }
+
+    /** All of it for a light whose cone no edit changes in place: a sample is aimed at once. */
+    private LightRows recomputeWithoutCone(HitRows rows, LightSource source, byte[] state, ColumnAllocator columns) {
+        int words = RowBits.words(rows.count);
+        begin(rows, source);
+        shadowCaster.aim(rows, source, shadowRays);
+        beginTints();
+        for (int s = 0; s < source.samples().samples(); s++) {
+            aim(rows, source, s, mayFace);
+            findVisibleRows(rows, source, s);
+            castSample(rows, source, s, inside[s]);
+            for (int b = 0; b < words; b++) {
+                unblocked[s][b] = inside[s][b] & ~blocked[b];
+                // Of a row whose ways are all blocked it is enough to know that it has one of the samples before it.
+                mayFace[b] &= ~(shadowCaster.fullyOccluded()[b] & anyInside[b]);
+            }
+            if (hasTint) {
+                shadowCaster.accumulateTints(rows, shadowRays, source.samples(), s, unblocked[s], tintSum);
+            }
+            accumulate(rows, source, s, unblocked[s]);
+        }
+        short[][] visibleSamples = writeStates(rows, source, state, anyInside, columns);
+        return buildLayer(rows, source, state, visibleSamples, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
+    }
+
+    private void begin(HitRows rows, LightSource source) {
+        Arrays.fill(anyFacing, 0);
+        Arrays.fill(anyInside, 0);
+        terms.addPossiblyFacing(rows, source, mayFace);
+        beginSums(rows, source);
+    }
+
+    private void beginSums(HitRows rows, LightSource source) {
+        hasSpecular = columnWriter.hasSpecular(rows);
+        hasMetallic = columnWriter.hasMetallic(rows);
+        Arrays.fill(diffuseSum, 0);
+        Arrays.fill(specularSum, 0);
+        if (hasMetallic) {
+            Arrays.fill(grazingSum, 0);
+        }
+        Arrays.fill(mayHaveHighlight, 0);
+        if (hasSpecular) {
+            columnWriter.addPossibleHighlights(rows, source, mayHaveHighlight);
+        }
+    }
+
+    /**
+     * After an edit that leaves the light where it is.
+     *
+     * @param coneChanged whether rows may enter or leave the cone; else the falloff alone is another
+     */
+    LightRows update(HitRows rows, LightSource source, LightRows before, boolean coneChanged, ColumnAllocator columns) {
+        if (!coneChanged) {
+            return recomputeTerms(rows, source, before, columns);
+        }
+        shadowCaster = links.shadowCaster(source);
+        computeRotations(rows);
+        findVisibleSamples(rows, source);
+        byte[] state = columns.states(rows.count);
+        System.arraycopy(before.state, 0, state, 0, rows.count);
+        unpackVisibleSamples(rows, source, before.visibleSamples);
+        Arrays.fill(queried, 0);
+        // Rows that were asked before have their answers.
+        for (int i = 0; i < rows.count; i++) {
+            if ((state[i] & LightRows.SHADOW_RAY_MASK) == 0 && RowBits.contains(anyInside, i)) {
+                RowBits.add(queried, i);
+            }
+        }
+        castAll(rows, source, queried);
+        return layerFromStates(rows, source, state, queried, columns).withTint(tintColumns(rows, source, queried, before.tint, columns));
+    }
+
+    /** All terms anew for rows whose ways are known: no shadow ray is cast. */
+    LightRows recomputeTerms(HitRows rows, LightSource source, LightLayer before, ColumnAllocator columns) {
+        if (before.litCount() == 0) {
+            return LightRows.unlit(before.states(), before.visibleSamples()).withTint(before.tint());
+        }
+        computeRotations(rows);
+        unpackVisibleSamples(rows, source, before.visibleSamples());
+        RowBits.selectState(before.states(), rows.count, LightRows.LIT, anyLit);
+        return meanTerms(rows, source, before.states(), before.visibleSamples(), columns).withTint(before.tint());
+    }
+
+    private void computeRotations(HitRows rows) {
+        for (int i = 0; i < rows.count; i++) {
+            shadowRays.rotation[i] = AreaSamples.rotation(rows.px[i], rows.py[i], rows.pz[i]);
+        }
+    }
+
+    /** Aims the terms of a set at sample {@code s}; leaves the cosines. */
+    private void aim(HitRows rows, LightSource source, int s, int[] rowSet) {
+        terms.aim(rows, source, s, shadowRays.rotation, rowSet, cosine, facing[s]);
+        if (source.hasCone()) {
+            terms.computeConeCosines(rows, source);
+        }
+    }
+
+    /** Finds out which rows face which samples and are in their cones. */
+    private void findVisibleSamples(HitRows rows, LightSource source) {
+        begin(rows, source);
+        for (int s = 0; s < source.samples().samples(); s++) {
+            aim(rows, source, s, mayFace);
+            findVisibleRows(rows, source, s);
+        }
+    }
+
+    /** The same for sample {@code s}, which was aimed at. */
+    private void findVisibleRows(HitRows rows, LightSource source, int s) {
+        int words = RowBits.words(rows.count);
+        if (source.hasCone()) {
+            terms.selectInside(facing[s], rows.count, source.cosAngle(), inside[s]);
+        } else {
+            System.arraycopy(facing[s], 0, inside[s], 0, words);
+        }
+        links.retainLit(source, rows, inside[s]);
+        for (int b = 0; b < words; b++) {
+            anyFacing[b] |= facing[s][b];
+            anyInside[b] |= inside[s][b];
+        }
+    }
+
+    /** Asks rows for all samples that they face; adds the free ways to those that are known. */
+    private void castAll(HitRows rows, LightSource source, int[] rowSet) {
+        int words = RowBits.words(rows.count);
+        if (RowBits.count(rowSet, rows.count) == 0) {
+            hasTint = false;
+            return;
+        }
+        shadowCaster.aim(rows, source, shadowRays);
+        beginTints();
+        for (int s = 0; s < source.samples().samples(); s++) {
+            for (int b = 0; b < words; b++) {
+                chosen[b] = facing[s][b] & rowSet[b];
+            }
+            castSample(rows, source, s, chosen);
+            for (int b = 0; b < words; b++) {
+                chosen[b] &= ~blocked[b];
+                unblocked[s][b] |= chosen[b];
+            }
+            if (hasTint) {
+                shadowCaster.accumulateTints(rows, shadowRays, source.samples(), s, chosen, tintSum);
+            }
+        }
+    }
+
+    private void beginTints() {
+        hasTint = shadowCaster.canBeTinted();
+        if (hasTint) {
+            tintSum = tintSum == null ? new double[3][TermKernel.MAX_ROWS] : tintSum;
+            for (double[] sum : tintSum) {
+                Arrays.fill(sum, 0);
+            }
+        }
+    }
+
+    /** The means of what passes over the free ways of rows that were asked just now; of others what is known. */
+    private float[][] tintColumns(HitRows rows, LightSource source, int[] recomputed, float[][] before, ColumnAllocator columns) {
+        if (!hasTint) {
+            return before;
+        }
+        float[][] to = TintTracer.startColumns(rows, before, columns);
+        for (int i = 0; i < rows.count; i++) {
+            int freeCount = 0;
+            for (int s = 0; s < source.samples().samples() && RowBits.contains(recomputed, i); s++) {
+                freeCount += RowBits.contains(unblocked[s], i) ? 1 : 0;
+            }
+            for (int c = 0; c < 3 && freeCount > 0; c++) {
+                to[c][i] = LightingEquation.mean(tintSum[c][i], freeCount);
+            }
+        }
+        return TintTracer.nullIfUntinted(rows, to);
+    }
+
+    /** Asks chosen rows for sample {@code s}; leaves the rows with a way that is not free. */
+    private void castSample(HitRows rows, LightSource source, int s, int[] rowSet) {
+        terms.aimShadowRays(rows, source, s, hasTint ? rowSet : shadowCaster.uncertainRows(rows, rowSet), shadowRays);
+        computeTargets(rows, s);
+        shadowCaster.cast(rows, shadowRays, rowSet, blocked);
+    }
+
+    private void computeTargets(HitRows rows, int s) {
+        for (int i = 0; i < rows.count && !shadowRays.isOffSurface; i++) {
+            shadowRays.target[i] = shadowCaster.target(AreaSamples.index(s, shadowRays.rotation[i]));
+        }
+    }
+
+    /** Reads which ways are known to be free. */
+    private void unpackVisibleSamples(HitRows rows, LightSource source, short[][] visibleSamples) {
+        int samples = source.samples().samples();
+        for (int first = 0; first < samples; first += LightRows.SAMPLES_PER_COLUMN) {
+            short[] column = visibleSamples == null ? null : visibleSamples[first / LightRows.SAMPLES_PER_COLUMN];
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                int row = b * RowBits.WIDTH;
+                for (int i = row; i < row + RowBits.WIDTH; i++) {
+                    bitSquare[i - row] = column != null && i < rows.count ? column[i] & 0xFFFF : 0;
+                }
+                RowBits.transpose(bitSquare);
+                for (int s = first; s < Math.min(samples, first + LightRows.SAMPLES_PER_COLUMN); s++) {
+                    unblocked[s][b] = bitSquare[s - first];
+                }
+            }
+        }
+    }
+
+    /**
+     * The layer of rows that were looked at.
+     *
+     * @param state of before; gets the states
+     * @param recomputed the rows that were asked just now
+     */
+    private LightRows layerFromStates(HitRows rows, LightSource source, byte[] state, int[] recomputed, ColumnAllocator columns) {
+        return meanTerms(rows, source, state, writeStates(rows, source, state, recomputed, columns), columns);
+    }
+
+    /** Writes the states; what is seen, and the rows that are lit to {@link #anyLit}. */
+    private short[][] writeStates(HitRows rows, LightSource source, byte[] state, int[] recomputed, ColumnAllocator columns) {
+        Arrays.fill(anyLit, 0);
+        Arrays.fill(anyUnblocked, 0);
+        int words = RowBits.words(rows.count);
+        for (int s = 0; s < source.samples().samples(); s++) {
+            for (int b = 0; b < words; b++) {
+                anyUnblocked[b] |= unblocked[s][b];
+                anyLit[b] |= unblocked[s][b] & inside[s][b];
+            }
+        }
+        for (int i = 0; i < rows.count; i++) {
+            int rayState = RowBits.contains(recomputed, i) ? RowBits.contains(anyUnblocked, i) ? LightRows.UNBLOCKED : LightRows.BLOCKED
+                    : state[i] & LightRows.SHADOW_RAY_MASK;
+            state[i] = (byte) (rayState | (!RowBits.contains(anyFacing, i) ? LightRows.FACING_AWAY
+                    : !RowBits.contains(anyInside, i) ? LightRows.OUTSIDE_CONE
+                    : RowBits.contains(anyLit, i) ? LightRows.LIT : LightRows.SHADOWED));
+        }
+        return RowBits.count(anyUnblocked, rows.count) == 0 ? null : packVisibleSamples(rows, source, columns);
+    }
+
+    private short[][] packVisibleSamples(HitRows rows, LightSource source, ColumnAllocator columns) {
+        int samples = source.samples().samples();
+        short[][] visibleSamples = new short[(samples - 1) / LightRows.SAMPLES_PER_COLUMN + 1][];
+        for (int k = 0; k < visibleSamples.length; k++) {
+            visibleSamples[k] = columns.shorts(rows.count);
+            int first = k * LightRows.SAMPLES_PER_COLUMN;
+            int count = Math.min(LightRows.SAMPLES_PER_COLUMN, samples - first);
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                for (int s = 0; s < LightRows.SAMPLES_PER_COLUMN; s++) {
+                    bitSquare[s] = s < count ? unblocked[first + s][b] : 0;
+                }
+                RowBits.transpose(bitSquare);
+                int row = b * RowBits.WIDTH;
+                for (int i = row; i < Math.min(row + RowBits.WIDTH, rows.count); i++) {
+                    visibleSamples[k][i] = (short) bitSquare[i - row];
+                }
+            }
+        }
+        return visibleSamples;
+    }
+
+    /** The means over all samples, of which the free ways are known; rows that are lit are in {@link #anyLit}. */
+    private LightRows meanTerms(HitRows rows, LightSource source, byte[] state, short[][] visibleSamples, ColumnAllocator columns) {
+        if (RowBits.count(anyLit, rows.count) == 0) {
+            return LightRows.unlit(state, visibleSamples);
+        }
+        int samples = source.samples().samples();
+        beginSums(rows, source);
+        for (int s = 0; s < samples; s++) {
+            aim(rows, source, s, anyLit);
+            if (source.hasCone()) {
+                terms.selectInside(unblocked[s], rows.count, source.cosAngle(), chosen);
+            } else {
+                System.arraycopy(unblocked[s], 0, chosen, 0, chosen.length);
+            }
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                // Not of rows that the light is not linked to, whose ways may be known.
+                chosen[b] &= anyLit[b];
+            }
+            accumulate(rows, source, s, chosen);
+        }
+        return buildLayer(rows, source, state, visibleSamples, columns);
+    }
+
+    /** Adds what a sample gives that was aimed at and whose cosines are there to the sums of the rows of a set. */
+    private void accumulate(HitRows rows, LightSource source, int s, int[] rowSet) {
+        float[] falloffOrNull = source.hasFalloff() ? falloff : null;
+        if (source.hasFalloff()) {
+            falloffs(rows, source, s);
+        }
+        columnWriter.writeMetallicDiffuse(rows, rowSet, cosine);
+        terms.accumulate(cosine, falloffOrNull, rowSet, rows.count, diffuseSum);
+        if (hasSpecular) {
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                highlightRows[b] = rowSet[b] & mayHaveHighlight[b];
+            }
+            columnWriter.writeSpeculars(rows, highlightRows, specular, grazing);
+            terms.accumulate(specular, falloffOrNull, highlightRows, rows.count, specularSum);
+        }
+        if (hasMetallic) {
+            addGrazing(rows, falloffOrNull, rowSet);
+        }
+    }
+
+    private void addGrazing(HitRows rows, float[] falloffOrNull, int[] rowSet) {
+        System.arraycopy(rowSet, 0, metallicRows, 0, RowBits.words(rows.count));
+        for (int r = 0; r < rows.runCount; r++) {
+            if (!columnWriter.isMetallic(rows.runMaterial[r])) {
+                RowBits.remove(metallicRows, rows.runStart(r), rows.runEnd[r]);
+            }
+        }
+        terms.accumulate(grazing, falloffOrNull, metallicRows, rows.count, grazingSum);
+    }
+
+    private void falloffs(HitRows rows, LightSource source, int s) {
+        if (!AngularMask.isActive(source)) {
+            terms.falloffs(rows, source, falloff);
+            return;
+        }
+        AngularMask[] doors = new AngularMask[AreaSamples.ROTATIONS];
+        Arrays.setAll(doors, t -> AngularMask.of(source.sample(t, s)));
+        terms.unroundedFalloffs(rows, source, factors);
+        for (int i = 0; i < rows.count; i++) {
+            falloff[i] = (float) (factors[i] * doors[(int) shadowRays.rotation[i]].factor(rows.px[i], rows.py[i], rows.pz[i]));
+        }
+    }
+
+    private LightRows buildLayer(HitRows rows, LightSource source, byte[] state, short[][] visibleSamples, ColumnAllocator columns) {
+        int lit = RowBits.count(anyLit, rows.count);
+        if (lit == 0) {
+            return LightRows.unlit(state, visibleSamples);
+        }
+        int samples = source.samples().samples();
+        return new LightRows(state, meanColumn(diffuseSum, samples, rows, columns),
+                hasSpecular ? meanColumn(specularSum, samples, rows, columns) : null,
+                hasMetallic ? meanColumn(grazingSum, samples, rows, columns) : null, null, visibleSamples, lit);
+    }
+
+    private static float[] meanColumn(double[] sum, int samples, HitRows rows, ColumnAllocator columns) {
+        float[] mean = columns.floats(rows.count);
+        for (int i = 0; i < rows.count; i++) {
+            mean[i] = LightingEquation.mean(sum[i], samples);
+        }
+        return mean;
+    }
+}

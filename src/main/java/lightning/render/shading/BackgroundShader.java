@@ -1,0 +1,86 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.base.math.Vec3;
+import lightning.render.trace.BounceKind;
+import lightning.render.trace.CameraRays;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.SamplePositions;
+import lightning.scene.Scene;
+import lightning.scene.SceneLimits;
+import lightning.scene.World;
+
+/**
+ * What rays see that hit nothing: the background, or the environment in their direction. No row exists for them, so their directions are computed
+ * anew, with the bits that they were cast with.
+ */
+final class BackgroundShader {
+    private final double[] direction = new double[3];
+    private final double[] color = new double[3];
+
+    /** The colour in a direction of length 1, {@code float[3]}. */
+    static float[] color(World world, Vec3 direction) {
+        float[][] to = new float[3][1];
+        new BackgroundShader().shade(world, direction.x(), direction.y(), direction.z(), to, 0);
+        return new float[] {to[0][0], to[1][0], to[2][0]};
+    }
+
+    private void shade(World world, double x, double y, double z, float[][] to, int i) {
+        if (world.environment().isEmpty()) {
+            to[0][i] = (float) world.background().r();
+            to[1][i] = (float) world.background().g();
+            to[2][i] = (float) world.background().b();
+            return;
+        }
+        world.environment().get().map().radiance(x, y, z, world.rotation(), color);
+        for (int c = 0; c < 3; c++) {
+            to[c][i] = (float) Math.min(color[c] * world.intensity(), SceneLimits.MAX_EMISSION);
+        }
+    }
+
+    /** Fills what the eye's rays of a tile see behind all: every place, or those without a row. */
+    void shadeEyeRays(HitRows rows, Scene scene, SamplePositions places, float[][] to) {
+        if (rows.count == to[0].length) {
+            return;
+        }
+        World world = scene.world();
+        if (world.environment().isEmpty()) {
+            fill(world, to, to[0].length);
+            return;
+        }
+        var camera = new CameraRays(scene.camera(), scene.picture());
+        boolean[] hit = new boolean[to[0].length];
+        for (int i = 0; i < rows.count; i++) {
+            hit[rows.parent[i]] = true;
+        }
+        double[] dx = new double[1];
+        double[] dy = new double[1];
+        double[] dz = new double[1];
+        for (int i = 0; i < places.count(); i++) {
+            if (!hit[i]) {
+                camera.writeDirection(places.x(i), places.y(i), dx, dy, dz, 0);
+                shade(world, dx[0], dy[0], dz[0], to, i);
+            }
+        }
+    }
+
+    /** Fills what the rays that go on from a level's rows see behind all; where none does, nobody looks. */
+    void shadeBounceRays(HitRows above, BounceKind bounce, MaterialTable materials, World world, float[][] to) {
+        if (world.environment().isEmpty()) {
+            fill(world, to, bounce.rowCount(above));
+            return;
+        }
+        for (int i = 0; i < bounce.rowCount(above); i++) {
+            if (bounce.writeDirection(above, i, materials, direction)) {
+                shade(world, direction[0], direction[1], direction[2], to, i);
+            }
+        }
+    }
+
+    private static void fill(World world, float[][] to, int length) {
+        Arrays.fill(to[0], 0, length, (float) world.background().r());
+        Arrays.fill(to[1], 0, length, (float) world.background().g());
+        Arrays.fill(to[2], 0, length, (float) world.background().b());
+    }
+}

@@ -1,0 +1,59 @@
+package lightning.render.shading;
+
+import lightning.base.math.Vec3;
+import lightning.render.trace.tree.PointBox;
+
+/** Whether a spot light's cone can reach any point of a box: where it cannot, no point need be asked. */
+final class ConeCulling {
+    /** More than the cosines from the axis can be off by rounding, here and for a point. */
+    private static final double MARGIN = 1e-9;
+    /** Roundings of a coordinate's difference, in ulp of the largest coordinate. */
+    private static final int ROUNDINGS = 4;
+
+    private ConeCulling() {}
+
+    /**
+     * Whether {@link LightingEquation#insideCone} may hold for a point of the box. False is certain, true is not.
+     *
+     * <p>Seen from the light, the ball around the box lies within an angle β of its centre's direction, sin β being its radius
+     * over its distance. With θ between that direction and the axis, every point of the ball is θ − β or more off the axis, and
+     * outside the cone if cos(θ − β) is less than the cosine of the cone's half opening. A ball that holds the light or meets
+     * the axis is taken to be reached. A sample of a larger light at c from its centre sees a point p as the centre sees p − c, so the
+     * ball is larger by what c may be.
+     */
+    static boolean canReach(LightSource source, PointBox box) {
+        Vec3 position = source.position();
+        double x = (box.low(0) + (double) box.high(0)) / 2 - position.x();
+        double y = (box.low(1) + (double) box.high(1)) / 2 - position.y();
+        double z = (box.low(2) + (double) box.high(2)) / 2 - position.z();
+        double distance = Math.sqrt(x * x + y * y + z * z);
+        double extent = source.isArea() ? (1 + MARGIN) * source.samples().extent() : 0;
+        double sinBeta = (boundingRadius(box) + extent + ROUNDINGS * Math.ulp(maxCoordinate(box, position))) / distance;
+        if (!(sinBeta < 1)) {
+            return true;
+        }
+        Vec3 axis = source.axis();
+        double cosTheta = (x * axis.x() + y * axis.y() + z * axis.z()) / distance;
+        double cosBeta = Math.sqrt(1 - sinBeta * sinBeta);
+        if (!(cosTheta < cosBeta)) {
+            return true;
+        }
+        double sinTheta = Math.sqrt(Math.max(0, 1 - cosTheta * cosTheta));
+        return !(cosTheta * cosBeta + sinTheta * sinBeta < source.cosAngle() - MARGIN);
+    }
+
+    private static double boundingRadius(PointBox box) {
+        double x = box.high(0) - (double) box.low(0);
+        double y = box.high(1) - (double) box.low(1);
+        double z = box.high(2) - (double) box.low(2);
+        return (1 + MARGIN) * Math.sqrt(x * x + y * y + z * z) / 2;
+    }
+
+    private static double maxCoordinate(PointBox box, Vec3 position) {
+        double largest = position.maxAbs();
+        for (int axis = 0; axis < 3; axis++) {
+            largest = Math.max(largest, Math.max(Math.abs(box.low(axis)), Math.abs(box.high(axis))));
+        }
+        return largest;
+    }
+}

@@ -1,0 +1,110 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.scene.World;
+import lightning.scene.effects.ViewEffects;
+
+/**
+ * The third stage for one tile and level: sums the lights' contributions and closes the equation
+ * over all rows. Holds scratch columns: one for each thread.
+ */
+final class LevelComposer {
+    private static final int ROWS = TermKernel.MAX_ROWS;
+
+    private final boolean litTextures;
+    private final SumKernel sumKernel;
+    private final LightSum lightSum;
+    private final ShadingMaterial[] shadingMaterials;
+    /** Made when it is needed first. */
+    private ClearMaterialShader clearShader;
+    private final float[][] colors = new float[3][ROWS];
+    /** Stands for a sum that is left out. */
+    private final float[][] zeros = new float[3][ROWS];
+    private LightComponent component = LightComponent.ALL;
+
+    LevelComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
+        this.sumKernel = sums;
+        lightSum = new LightSum(sums);
+        shadingMaterials = new ShadingMaterial[materials.count()];
+        Arrays.setAll(shadingMaterials, m -> ShadingMaterial.of(materials, m));
+        litTextures = view.litTextures();
+    }
+
+    LightSum lightSum() {
+        return lightSum;
+    }
+
+    /** Which contributions are composed from now on. */
+    void setComponent(LightComponent v) {
+        component = v;
+    }
+
+    /**
+     * Writes the colour of each row to its parent.
+     *
+     * @param lights   the lights in scene order
+     * @param layers   the layer of each light; unread where the light is dark
+     * @param branches sums that are known already, or null
+     * @param images   what the rays bring that go on from the rows; null where none does
+     * @param to       gets the colours, linear: red, green, blue, {@code float[1024]} each
+     */
+    void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world, BounceImages images,
+            float[][] to) {
+        SumColumns sum =
+                branches == null ? lightSum.total(rows.count, lights, layers) : lightSum.total(rows.count, lights, layers, branches);
+        float ambience = (float) world.ambience();
+        // Rows of one material keep the order of their parents: where every place has its row, row i goes to place i.
+        boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
+        for (int r = 0; r < rows.runCount; r++) {
+            shade(rows, r, sum, ambience, images, inOrder ? to : colors);
+            if (!inOrder) {
+                scatter(rows.parent, rows.runStart(r), rows.runEnd[r], to);
+            }
+        }
+    }
+
+    private void shade(HitRows rows, int run, SumColumns sum, float ambience, BounceImages images, float[][] to) {
+        ShadingMaterial material = shadingMaterials[rows.runMaterial[run]];
+        if (material.hasImage() && !litTextures) {
+            shadeUnlit(rows, run, material, ambience, to);
+            return;
+        }
+        boolean shines = component != LightComponent.DIFFUSE;
+        float[][] diffuse = component == LightComponent.SPECULAR ? zeros : sum.diffuse;
+        float[][] specular = shines && sum.hasSpecular && material.hasSpecular() ? sum.specular : null;
+        float[][] grazing = shines && sum.hasGrazing && material.texturedF0() != null ? sum.grazing : null;
+        if (material.clarity() != null) {
+            clearShader = clearShader == null ? new ClearMaterialShader() : clearShader;
+            clearShader.shade(rows, run, material, ambience, diffuse, specular, grazing, images, to);
+        } else {
+            sumKernel.shade(rows, run, material, ambience, diffuse, specular, grazing, images == null ? null : images.mirrored(), to);
+        }
+    }
+
+    /** A texture that shows its own colour, whatever the lights. */
+    private static void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] to) {
+        for (int c = 0; c < 3; c++) {
+            float[] texel = rows.texel(c);
+            for (int i = rows.runStart(run); i < rows.runEnd[run]; i++) {
+                to[c][i] = material.ambient()[c] * ambience + material.diffuse()[c] * texel[i];
+            }
+        }
+    }
+
+    /** Writes the colours of a run's rows to their parents, as many at once as have parents side by side. */
+    private void scatter(short[] parent, int start, int end, float[][] to) {
+        for (int i = start; i < end;) {
+            int first = parent[i];
+            int next = i + 1;
+            while (next < end && parent[next] - first == next - i) {
+                next++;
+            }
+            for (int c = 0; c < 3; c++) {
+                System.arraycopy(colors[c], i, to[c], first, next - i);
+            }
+            i = next;
+        }
+    }
+}

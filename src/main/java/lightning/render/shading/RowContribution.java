@@ -1,0 +1,101 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+import lightning.render.trace.Refraction;
+
+/**
+ * What one light gives to single rows, without ambience, by the {@link LightingEquation} itself: for the few rows that stand
+ * for a picture at a small size, where going over all rows would be work for nothing. The bits are those of a picture that
+ * has this light alone.
+ */
+public final class RowContribution {
+    private final ShadingMaterial[] shadingMaterials;
+    private final float[] tint = new float[3];
+
+    public RowContribution(MaterialTable materials) {
+        shadingMaterials = new ShadingMaterial[materials.count()];
+        Arrays.setAll(shadingMaterials, m -> ShadingMaterial.of(materials, m));
+    }
+
+    /** Whether a light gives nothing to any of the rows that a layer is of. */
+    public static boolean isZero(WeightedLight light, LightLayer layer) {
+        return light.isDark() || layer == null || layer.litCount() == 0;
+    }
+
+    /**
+     * The colour that a row sends of one light's share.
+     *
+     * @param material  that of the row
+     * @param layer     the light's over the rows; unread where the light is dark
+     * @param mirrored  holds at {@code from} red, green and blue of the share that the row's mirrored ray brings, 0 where there is none;
+     *                  {@code refracted} likewise
+     * @param to        gets that of the row at {@code at}
+     */
+    public void color(HitRows rows, int row, int material, WeightedLight light, LightLayer layer, float[] mirrored, float[] refracted,
+            int from,
+            float[] to, int at) {
+        ShadingMaterial shading = shadingMaterials[material];
+        boolean isZero = isZero(light, layer);
+        float fresnel = 0;
+        if (shading.clarity() != null) {
+            fresnel = Refraction.fresnelReflectance(shading.clarity(), rows.isInside(row), rows.nx[row], rows.ny[row], rows.nz[row],
+                    rows.vx[row],
+                    rows.vy[row], rows.vz[row]);
+            ClearMaterialShader.interiorTint(shading.clarity(), rows.insideDistance[row], tint);
+        }
+        for (int c = 0; c < 3; c++) {
+            float texel = shading.isTextured() ? rows.texel(c)[row] : 1;
+            float diffuse = 0;
+            float specular = 0;
+            float grazing = 0;
+            float ks = shading.specular()[c];
+            if (!isZero) {
+                diffuse = diffuse(light, layer, row, c);
+                specular = shading.hasSpecular() ? specular(light, layer, row, c) : 0;
+                if (shading.texturedF0() != null) {
+                    grazing = grazing(light, layer, row, c);
+                    ks += shading.isTextured() ? texel * shading.texturedF0()[c] : shading.texturedF0()[c];
+                }
+            }
+            float kd = shading.isTextured() ? texel * shading.diffuse()[c] : shading.diffuse()[c];
+            to[at + c] = shading.clarity() == null
+                    ? LightingEquation.color(0, 0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c])
+                    : LightingEquation.clearColor(0, 0, kd, diffuse, ks, specular, grazing, shading.reflective()[c], mirrored[from + c],
+                            shading.bodyShare(), fresnel, ClearMaterialShader.channel(shading.clarity().color(), c), refracted[from + c],
+                            tint[c]);
+        }
+    }
+
+    private static float diffuse(WeightedLight light, LightLayer layer, int row, int c) {
+        return switch (layer) {
+            case LightRows l -> term(light, l, l.cosine, row, c);
+            case WeightedLayer w -> column(w.diffuse, row, c);
+        };
+    }
+
+    private static float specular(WeightedLight light, LightLayer layer, int row, int c) {
+        return switch (layer) {
+            case LightRows l -> term(light, l, l.specular, row, c);
+            case WeightedLayer w -> column(w.specular, row, c);
+        };
+    }
+
+    private static float grazing(WeightedLight light, LightLayer layer, int row, int c) {
+        return switch (layer) {
+            case LightRows l -> term(light, l, l.grazing, row, c);
+            case WeightedLayer w -> column(w.grazing, row, c);
+        };
+    }
+
+    private static float term(WeightedLight light, LightRows layer, float[] term, int row, int c) {
+        float weight = c == 0 ? light.red() : c == 1 ? light.green() : light.blue();
+        return term == null ? 0 : LightingEquation.contribution(weight, term[row], layer.falloff == null ? 1 : layer.falloff[row],
+                layer.tint == null ? 1 : layer.tint[c][row]);
+    }
+
+    private static float column(float[][] columns, int row, int c) {
+        return columns == null ? 0 : columns[c][row];
+    }
+}

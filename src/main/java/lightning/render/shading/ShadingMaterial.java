@@ -1,0 +1,41 @@
+package lightning.render.shading;
+
+import lightning.render.trace.MaterialTable;
+import lightning.scene.Transmission;
+
+/**
+ * What a material shows of the light that falls on it, as the {@link LightingEquation} needs it: red, green, blue each.
+ *
+ * @param ambient    k<sub>ambient</sub> before the scene's ambience
+ * @param diffuse    k<sub>diffuse</sub> before the texture
+ * @param specular   k<sub>specular</sub>, or the part of F0 that no texture multiplies
+ * @param texturedF0      the part of F0 that texels multiply; null where the material is not metallic
+ * @param reflective k<sub>reflective</sub>
+ * @param clarity    what passes through; null where nothing does
+ * @param bodyShare       how much of a clear surface is body
+ * @param isTextured   whether its rows' texels are factors of k<sub>diffuse</sub>
+ * @param hasImage   whether a picture is among these factors
+ * @param hasSpecular     whether it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
+ * @param isReflective    whether k<sub>reflective</sub> is above 0 in any channel
+ */
+public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular, float[] texturedF0, float[] reflective,
+        Transmission clarity, float bodyShare,
+        boolean isTextured,
+        boolean hasImage,
+        boolean hasSpecular,
+        boolean isReflective) {
+    // Arrays in a record: written once by their maker, never after.
+
+    /** That of material {@code m}. */
+    static ShadingMaterial of(MaterialTable t, int m) {
+        float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};
+        return new ShadingMaterial(new float[] {t.ambient(m, 0), t.ambient(m, 1), t.ambient(m, 2)},
+                new float[] {t.diffuse(m, 0), t.diffuse(m, 1), t.diffuse(m, 2)},
+                new float[] {t.specular(m, 0), t.specular(m, 1), t.specular(m, 2)},
+                t.isMetallic(m) ? new float[] {t.metalF0(m, 0), t.metalF0(m, 1), t.metalF0(m, 2)} : null, reflective,
+                t.isTransparent(m) ? t.transmission(m) : null, ClearMaterialShader.bodyShare(t.transmission(m)), t.isTextured(m),
+                t.texture(m) != null,
+                t.isSpecular(m),
+                reflective[0] > 0 || reflective[1] > 0 || reflective[2] > 0);
+    }
+}

@@ -1,0 +1,161 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.MaterialTable;
+
+/**
+ * Writes the columns of a layer from terms that were aimed at the light: 0 for rows that are not lit.
+ * Holds scratch memory: one for each thread.
+ */
+final class TermColumnWriter {
+    private final MaterialTable materials;
+    private final TermKernel terms;
+    private final RequiredWork requiredWork;
+    private final int[] reused = RowBits.allocate();
+    private final int[] recomputed = RowBits.allocate();
+    private final double[] factors = new double[TermKernel.MAX_ROWS];
+
+    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork demands) {
+        this.materials = materials;
+        this.terms = terms;
+        this.requiredWork = demands;
+    }
+
+    /** The diffuse term of lit rows, which is their cosine but for metallic materials. */
+    float[] diffuseColumn(HitRows rows, float[] cosine, int[] lit, ColumnAllocator columns) {
+        float[] column = columns.floats(rows.count);
+        terms.select(cosine, lit, rows.count, column);
+        writeMetallicDiffuse(rows, lit, column);
+        return column;
+    }
+
+    /** Writes the diffuse term of those rows of a set whose material is metallic in place of their cosine. */
+    void writeMetallicDiffuse(HitRows rows, int[] queried, float[] column) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (materials.isMetallic(rows.runMaterial[r])) {
+                terms.metallicDiffuses(rows, rows.runStart(r), rows.runEnd[r], queried, column);
+            }
+        }
+    }
+
+    /** The terms beside the diffuse one, each null where no material has it. */
+    record SpecularColumns(float[] specular, float[] grazing) {
+        static final SpecularColumns NONE = new SpecularColumns(null, null);
+
+        /** Those of a layer; none where there is no layer. */
+        static SpecularColumns of(LightRows layer) {
+            return layer == null ? NONE : new SpecularColumns(layer.specular, layer.grazing);
+        }
+    }
+
+    /**
+     * The specular and grazing terms of lit rows.
+     *
+     * @param known rows whose terms stand in {@code before}, as far as it has these columns; null for none
+     */
+    SpecularColumns specularColumns(HitRows rows, int[] lit, int[] known, SpecularColumns before, ColumnAllocator columns) {
+        if (!hasSpecular(rows)) {
+            return SpecularColumns.NONE;
+        }
+        boolean metallic = hasMetallic(rows);
+        int[] queried = lit;
+        if (known != null) {
+            queried = recomputed;
+            for (int b = 0; b < RowBits.words(rows.count); b++) {
+                reused[b] = lit[b] & known[b];
+                recomputed[b] = lit[b] & ~known[b];
+            }
+        }
+        float[] column = startColumn(rows, known, before.specular, columns);
+        float[] grazing = metallic ? startColumn(rows, known, before.grazing, columns) : null;
+        writeSpeculars(rows, queried, column, grazing);
+        return new SpecularColumns(column, grazing);
+    }
+
+    /** A column with the terms of the rows in {@link #reused}, and 0 elsewhere. */
+    private float[] startColumn(HitRows rows, int[] known, float[] before, ColumnAllocator columns) {
+        float[] column = columns.floats(rows.count);
+        if (known == null || before == null) {
+            Arrays.fill(column, 0, rows.count, 0);
+        } else {
+            terms.select(before, reused, rows.count, column);
+        }
+        return column;
+    }
+
+    /**
+     * Writes the specular term of those rows of a set whose material has one.
+     *
+     * @param grazing gets the grazing term of those whose material is metallic; unread where none is
+     */
+    void writeSpeculars(HitRows rows, int[] queried, float[] column, float[] grazing) {
+        for (int r = 0; r < rows.runCount; r++) {
+            int material = rows.runMaterial[r];
+            if (materials.isMetallic(material)) {
+                terms.metallicSpeculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.alpha(material), column, grazing);
+            } else if (isSpecular(material)) {
+                terms.speculars(rows, rows.runStart(r), rows.runEnd[r], queried, materials.shininess(material), column);
+            }
+        }
+    }
+
+    /** Adds the rows to a set that may have a specular term of any sample of a light. */
+    void addPossibleHighlights(HitRows rows, LightSource source, int[] candidates) {
+        for (int r = 0; r < rows.runCount; r++) {
+            int material = rows.runMaterial[r];
+            if (materials.isMetallic(material)) {
+                RowBits.add(candidates, rows.runStart(r), rows.runEnd[r]);
+            } else if (isSpecular(material)) {
+                terms.addPossibleHighlights(rows, rows.runStart(r), rows.runEnd[r], source, materials.shininess(material), candidates);
+            }
+        }
+    }
+
+    /** Whether any of the rows' materials has a specular term. */
+    boolean hasSpecular(HitRows rows) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (isSpecular(rows.runMaterial[r])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether any of the rows' materials is metallic. */
+    boolean hasMetallic(HitRows rows) {
+        for (int r = 0; r < rows.runCount; r++) {
+            if (materials.isMetallic(rows.runMaterial[r])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    boolean isMetallic(int material) {
+        return materials.isMetallic(material);
+    }
+
+    boolean isSpecular(int material) {
+        return requiredWork.needsSpecular(materials, material);
+    }
+
+    /** The falloff of all rows, lit or not; null where it is 1 everywhere. */
+    float[] falloffColumn(HitRows rows, LightSource source, ColumnAllocator columns) {
+        if (!requiredWork.needsFalloff(source)) {
+            return null;
+        }
+        float[] column = columns.floats(rows.count);
+        AngularMask mask = AngularMask.of(source);
+        if (mask == null) {
+            terms.falloffs(rows, source, column);
+        } else {
+            terms.unroundedFalloffs(rows, source, factors);
+            mask.multiply(rows, factors);
+            for (int i = 0; i < rows.count; i++) {
+                column[i] = (float) factors[i];
+            }
+        }
+        return column;
+    }
+}

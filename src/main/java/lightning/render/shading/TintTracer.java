@@ -1,0 +1,152 @@
+package lightning.render.shading;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import lightning.base.math.Vec3;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.HitRows;
+import lightning.render.trace.RowShadowRays;
+import lightning.render.trace.ShadowRays;
+import lightning.render.trace.Tracer;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.tree.Bvh;
+import lightning.render.trace.tree.CandidateList;
+import lightning.render.trace.tree.RayBeam;
+import lightning.render.trace.tree.ShadowRayTarget;
+
+/** Finds what passes of a light on free ways through clear shapes. Holds scratch memory: one for each thread. */
+final class TintTracer {
+    private static final ShadowRayTarget[] OPEN = {};
+
+    private final Tracer tracer;
+    private final PrimitiveTable primitives;
+    private final Bvh tree;
+    /** The shapes that light passes on any way from the tile. */
+    private final CandidateList candidates = new CandidateList();
+    private final CandidateList allCandidates;
+    private CandidateList activeCandidates;
+    private final Map<Vec3, ShadowRayTarget> pointTargets = new HashMap<>();
+    private final Map<AreaSamples, ShadowRayTarget[]> areaTargets = new HashMap<>();
+    private final RowShadowRays shadowRays = new RowShadowRays();
+    private final ShadowRayHits crossings = new ShadowRayHits(TermKernel.MAX_ROWS);
+    private final Transmittance transmittance = new Transmittance();
+
+    /** @param geometry in which light passes some shapes */
+    TintTracer(Geometry geometry, Tracer tracer) {
+        this.tracer = tracer;
+        primitives = geometry.primitives();
+        tree = geometry.tintBvh();
+        allCandidates = CandidateList.fromBvh(tree, geometry.tintCasters());
+    }
+
+    /** Turns to the ways of a beam; whether any of them may pass anything. */
+    boolean aim(RayBeam beam) {
+        candidates.collect(tree, beam);
+        // A tree has a primitive that is alone in it twice.
+        activeCandidates = candidates.overflow || allCandidates.count == 1 ? allCandidates : candidates;
+        return !candidates.isEmpty();
+    }
+
+    /** Asks chosen rows for what ways to one place, or in one direction, pass. */
+    void trace(HitRows rows, int[] chosen, ShadowRays rays) {
+        Vec3 source = rays.source();
+        int end = RowBits.words(rows.count) * RowBits.WIDTH;
+        Arrays.fill(shadowRays.x, 0, end, source.x());
+        Arrays.fill(shadowRays.y, 0, end, source.y());
+        Arrays.fill(shadowRays.z, 0, end, source.z());
+        Arrays.fill(shadowRays.rotation, 0, end, 0);
+        shadowRays.toPoints = rays.isPoint();
+        ShadowRayTarget target = rays.isPoint() ? pointTargets.computeIfAbsent(source, point -> ShadowRayTarget.find(point, tree))
+                : ShadowRayTarget.OFF_SURFACE;
+        shadowRays.isOffSurface = target.isOffSurface();
+        Arrays.fill(shadowRays.target, 0, end, target);
+        traceCrossings(rows, chosen);
+    }
+
+    /** The same for ways to sample {@code s} of an area. */
+    void trace(HitRows rows, int[] chosen, RowShadowRays rays, AreaSamples area, int s) {
+        int end = RowBits.words(rows.count) * RowBits.WIDTH;
+        System.arraycopy(rays.x, 0, shadowRays.x, 0, end);
+        System.arraycopy(rays.y, 0, shadowRays.y, 0, end);
+        System.arraycopy(rays.z, 0, shadowRays.z, 0, end);
+        System.arraycopy(rays.rotation, 0, shadowRays.rotation, 0, end);
+        shadowRays.toPoints = rays.toPoints;
+        ShadowRayTarget[] places = rays.toPoints ? areaTargets.computeIfAbsent(area, this::createTargets) : OPEN;
+        shadowRays.isOffSurface = places == OPEN;
+        for (int i = 0; !shadowRays.isOffSurface && i < rows.count; i++) {
+            shadowRays.target[i] = places[AreaSamples.index(s, rays.rotation[i])];
+        }
+        traceCrossings(rows, chosen);
+    }
+
+    /** Where ways to the places of an area end; {@link #OPEN} where none of them lies on anything that light passes. */
+    private ShadowRayTarget[] createTargets(AreaSamples area) {
+        ShadowRayTarget[] all = new ShadowRayTarget[area.x.length];
+        Arrays.setAll(all, i -> ShadowRayTarget.find(new Vec3(area.x[i], area.y[i], area.z[i]), tree));
+        return Arrays.stream(all).allMatch(ShadowRayTarget::isOffSurface) ? OPEN : all;
+    }
+
+    private void traceCrossings(HitRows rows, int[] chosen) {
+        crossings.clear();
+        tracer.findHits(rows, chosen, shadowRays, activeCandidates, crossings);
+    }
+
+    /**
+     * What passes of the light on the way from a row that was asked; valid until the next.
+     *
+     * @return red, green and blue, or null where all passes
+     */
+    float[] tint(HitRows rows, int i) {
+        if (crossings.first(i) == ShadowRayHits.END) {
+            return null;
+        }
+        double x = rows.px[i];
+        double y = rows.py[i];
+        double z = rows.pz[i];
+        boolean hasTarget = shadowRays.toPoints;
+        double dx = hasTarget ? shadowRays.x[i] - x : shadowRays.x[i];
+        double dy = hasTarget ? shadowRays.y[i] - y : shadowRays.y[i];
+        double dz = hasTarget ? shadowRays.z[i] - z : shadowRays.z[i];
+        return transmittance.compute(primitives, crossings, i, x, y, z, dx, dy, dz, hasTarget) ? transmittance.rgb : null;
+    }
+
+    /** Columns that are 1 where nothing else is known. */
+    static float[][] startColumns(HitRows rows, float[][] before, ColumnAllocator columns) {
+        float[][] tints = new float[3][];
+        for (int c = 0; c < 3; c++) {
+            tints[c] = columns.floats(rows.count);
+            if (before == null) {
+                Arrays.fill(tints[c], 0, rows.count, 1);
+            } else {
+                System.arraycopy(before[c], 0, tints[c], 0, rows.count);
+            }
+        }
+        return tints;
+    }
+
+    /** Columns as a layer keeps them: none where all of them are 1. */
+    static float[][] nullIfUntinted(HitRows rows, float[][] tints) {
+        for (int c = 0; tints != null && c < 3; c++) {
+            for (int i = 0; i < rows.count; i++) {
+                if (tints[c][i] != 1) {
+                    return tints;
+                }
+            }
+        }
+        return null;
+    }
+
+    /** Whether columns have the same bits, null for 1 everywhere. */
+    static boolean areEqual(HitRows rows, float[][] a, float[][] b) {
+        if (a == null || b == null) {
+            return a == b;
+        }
+        boolean isEqual = true;
+        for (int c = 0; c < 3; c++) {
+            isEqual &= Arrays.equals(a[c], 0, rows.count, b[c], 0, rows.count);
+        }
+        return isEqual;
+    }
+}

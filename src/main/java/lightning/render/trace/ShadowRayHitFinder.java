@@ -1,0 +1,55 @@
+package lightning.render.trace;
+
+import lightning.render.trace.mesh.MeshRayQuery;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.ShadowRayHits;
+import lightning.render.trace.tree.BoxRay;
+import lightning.render.trace.tree.CandidateList;
+import lightning.render.trace.tree.ShadowRayTarget;
+
+/** {@link Tracer#findHits} way by way. Holds scratch memory: one for each thread. */
+public final class ShadowRayHitFinder {
+    private final PrimitiveTable primitives;
+    private final BoxRay boxRay = new BoxRay();
+    private final MeshRayQuery probe = new MeshRayQuery();
+
+    public ShadowRayHitFinder(PrimitiveTable primitives) {
+        this.primitives = primitives;
+    }
+
+    /** Finds the places of the ways from chosen rows. */
+    public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
+        for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
+            for (int left = selected[b]; left != 0; left &= left - 1) {
+                int i = first + Integer.numberOfTrailingZeros(left);
+                double x = rows.px[i];
+                double y = rows.py[i];
+                double z = rows.pz[i];
+                hits.selectRay(i);
+                findHits(x, y, z, shadowRays.toPoints ? shadowRays.x[i] - x : shadowRays.x[i],
+                        shadowRays.toPoints ? shadowRays.y[i] - y : shadowRays.y[i],
+                        shadowRays.toPoints ? shadowRays.z[i] - z : shadowRays.z[i],
+                        shadowRays.isOffSurface ? ShadowRayTarget.OFF_SURFACE : shadowRays.target[i], shadowRays.limit(), candidates, hits);
+            }
+        }
+    }
+
+    private void findHits(double ox, double oy, double oz, double dx, double dy, double dz, ShadowRayTarget target, double limit,
+            CandidateList candidates,
+            ShadowRayHits hits) {
+        boxRay.setRay(ox, oy, oz, dx, dy, dz);
+        for (int c = 0; c < candidates.count; c++) {
+            if (boxRay.hits(candidates.boxes, 6 * c, limit)) {
+                int s = candidates.primitive[c];
+                int index = target.indexOf(s);
+                boolean endsOnPrimitive = index >= 0 && target.touches(index, ox, oy, oz);
+                primitives.addHits(s, ox, oy, oz, dx, dy, dz, endsOnPrimitive, limit, probe, false, hits);
+            }
+        }
+    }
+
+    /** Adds the places where one way, which does not end on primitive {@code s}, meets it. */
+    public void findHits(int s, double ox, double oy, double oz, double dx, double dy, double dz, double limit, ShadowRayHits hits) {
+        primitives.addHits(s, ox, oy, oz, dx, dy, dz, false, limit, probe, false, hits);
+    }
+}

@@ -1,0 +1,69 @@
+package lightning.render.trace;
+
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.trace.primitive.PrimitiveTable;
+import lightning.render.trace.primitive.SurfaceHit;
+import lightning.render.trace.primitive.TextureLookup;
+import lightning.scene.BumpMapping;
+import lightning.scene.Transmission;
+
+/**
+ * Tells what single rays meet, with all that lighting needs of it.
+ *
+ * @param materials of the primitives
+ */
+record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
+    /** What a ray meets on a part of a primitive at a distance. */
+    SurfacePoint surfacePoint(int primitive, int part, Ray ray, double t) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        SurfaceHit surface = new SurfaceHit();
+        surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        int material = primitives.material[primitive];
+        float[] diffuse = {materials.diffuse(material, 0), materials.diffuse(material, 1), materials.diffuse(material, 2)};
+        float[] texel = {1, 1, 1};
+        if (materials.isTextured(material)) {
+            new TextureLookup().lookUp(primitives, primitive, part, materials.texture(material), surface.localX, surface.localY,
+                    surface.localZ,
+                    texel);
+            for (int c = 0; c < 3; c++) {
+                diffuse[c] *= texel[c];
+            }
+        }
+        float[] specular = new float[3];
+        for (int c = 0; c < 3; c++) {
+            specular[c] = materials.metalF0(material, c) * texel[c] + materials.specular(material, c);
+        }
+        SurfacePoint.BackSide backSide = null;
+        if (materials.isTransparent(material)) {
+            surface.computeBackPoint();
+            backSide = new SurfacePoint.BackSide(materials.transmission(material), surface.backX, surface.backY, surface.backZ,
+                    insideDistance(materials.transmission(material), surface, t));
+        }
+        return new SurfacePoint(primitive, material, surface.px, surface.py, surface.pz, surface.nx, surface.ny, surface.nz,
+                (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, backSide);
+    }
+
+    /** How the normal came about by which a ray's hit is shaded; null where it is the surface's own. */
+    NormalSteps normalSteps(int primitive, int part, Ray ray, double t) {
+        Vec3 o = ray.origin();
+        Vec3 d = ray.direction();
+        SurfaceHit surface = new SurfaceHit();
+        surface.compute(primitives, primitive, part, o.x(), o.y(), o.z(), d.x(), d.y(), d.z(), t);
+        boolean isSmooth = surface.isSmooth(primitives, primitive);
+        BumpMapping bumpMapping = primitives.bumpMapping(primitive);
+        Vec3 smooth = isSmooth ? surface.unbentNormal(primitives, primitive, true, null) : null;
+        Vec3 bumped = bumpMapping == null ? null : surface.unbentNormal(primitives, primitive, isSmooth, bumpMapping);
+        Vec3 last = bumped == null ? smooth : bumped;
+        boolean isBent = last != null
+                && !((float) last.x() == surface.nx && (float) last.y() == surface.ny && (float) last.z() == surface.nz);
+        return last == null ? null
+                : new NormalSteps(surface.geometricNormal(), smooth, bumped, isBent, isSmooth ? surface.liftDistance() : 0);
+    }
+
+    /** The way that a ray came inside to a surface that was computed last; below 0 where it came from outside. */
+    static float insideDistance(Transmission transmission, SurfaceHit surface, double t) {
+        return surface.isInside() && !transmission.thin() ? (float) t : -1;
+    }
+}

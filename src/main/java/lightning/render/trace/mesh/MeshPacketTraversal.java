@@ -1,0 +1,357 @@
+package lightning.render.trace.mesh;
+
+import java.util.Arrays;
+import lightning.render.trace.solid.RayBatch;
+
+/**
+ * What the rays of a group meet of a mesh: {@link MeshRayQuery} in lanes, with the same bits. Scratch memory: one for each thread.
+ *
+ * <p>A group is up to {@link #PACKETS} packets. Where all its rays go much the same way they are led through the tree together, as one beam
+ * against eight boxes; at a leaf the rays of a packet are tested against its box, and those that enter it against its eight triangles, one after the
+ * other. A beam that comes to many leaves in vain parts on its way down: those rays that enter a node go on by themselves. Where rays begin
+ * apart or go very different ways each packet is led by itself, and where that does, each ray, against eight boxes at a time.
+ *
+ * <pre>{@code
+ * packets.begin(solid, map, 0);
+ * packets.add(rays, mask, limits);
+ * packets.nearest();
+ * }</pre>
+ */
+public final class MeshPacketTraversal {
+    /** How many packets a group has at most: 64 rays. */
+    public static final int PACKETS = 64 / RayBatch.WIDTH;
+
+    private static final int MAX_RAYS = PACKETS * RayBatch.WIDTH;
+    /** Rays whose steps differ by more than this are no beam. */
+    private static final float MAX_STEP_SPREAD = 1;
+    /** Nor are rays whose origins lie farther apart than this share of the mesh's largest coordinate. */
+    private static final double MAX_ORIGIN_SPREAD = 0.1;
+    /** Fewer rays are asked alone. */
+    private static final int MIN_BEAM_RAYS = 3;
+    /** Each beam has at most half as many rays as the one that it is a part of. */
+    private static final int MAX_BEAMS = 8;
+    /** A beam that came to more leaves than this in vain is asked at each node which of its rays enter it. */
+    private static final int MAX_IDLE_LEAVES = 8;
+
+    private final MeshRayLanes rays = new MeshRayLanes(MAX_RAYS);
+    private final MeshFloatLines lines = new MeshFloatLines(rays, MAX_RAYS);
+    /** The beam of all, and those of ever fewer rays that it parts into on its way down. */
+    private final MeshBeam[] beams = new MeshBeam[MAX_BEAMS];
+    private final LeafRayFilter leafFilter = new LeafRayFilter(lines, MAX_RAYS);
+    private final double[] hitLimit = new double[MAX_RAYS];
+    private final int[] triangle = new int[MAX_RAYS];
+    private final int[] hitMasks = new int[PACKETS];
+    /** Those rays of each packet that are led through the tree. */
+    private final int[] activeMasks = new int[PACKETS];
+    /** Those of the group that are still asked: ray i of packet k is bit {@code k · WIDTH + i}. */
+    private long activeRays;
+    /** Those too short to be led through the tree. */
+    private final int[] shortRays = new int[PACKETS];
+    private int[] stack = new int[64];
+    private int[] entryBits = new int[64];
+    /** The beam of each node that was put aside. */
+    private byte[] stackBeam = new byte[64];
+    private MeshTree tree;
+    private double[] map;
+    private int mapAt;
+    private int count;
+    /** Null where the mesh has no holes. */
+    private GroupAlphaTest alphaTest;
+    private boolean anyHit;
+    /** Whether what is met is noted, and stops no ray. */
+    private boolean collectAll;
+    private int hitCount;
+    private int[] hitRay = new int[MAX_RAYS];
+    private int[] hitTriangle = new int[MAX_RAYS];
+    private double[] hitDistance = new double[MAX_RAYS];
+    private int maxLimitBits;
+    /** How many leaves the beam came to where no ray may meet anything. */
+    private int idleLeaves;
+
+    public MeshPacketTraversal() {
+        for (int i = 0; i < MAX_BEAMS; i++) {
+            beams[i] = new MeshBeam();
+        }
+    }
+
+    /**
+     * Begins a group.
+     *
+     * @param m the map to the mesh's space at {@code m[at …]}
+     */
+    public void beginGroup(MeshSolid solid, double[] m, int at) {
+        tree = solid.tree;
+        map = m;
+        mapAt = at;
+        count = 0;
+        alphaTest = null;
+        if (stack.length < tree.stackSize) {
+            stack = new int[tree.stackSize];
+            entryBits = new int[tree.stackSize];
+            stackBeam = new byte[tree.stackSize];
+        }
+    }
+
+    /** Lets the rays of the group pass triangles where they have holes. */
+    public void setAlphaTest(GroupAlphaTest test) {
+        alphaTest = test;
+    }
+
+    /**
+     * Adds a packet to the group, which has room for it.
+     *
+     * @param mask   which of its rays, one bit for each; not 0
+     * @param limits how far each goes, {@code double[WIDTH]}
+     */
+    public void addPacket(RayBatch p, int mask, double[] limits) {
+        int to = count * RayBatch.WIDTH;
+        rays.addPacket(tree, map, mapAt, p, mask, to);
+        System.arraycopy(limits, 0, hitLimit, to, RayBatch.WIDTH);
+        activeMasks[count++] = mask;
+    }
+
+    /** Finds the nearest triangles, which are no farther than the rays' limits; {@link #hitMasks} tells whose there are. */
+    public void findNearest() {
+        search(false);
+    }
+
+    /** Finds whose way is blocked, which {@link #hitMasks} tells: rays that meet a triangle at less than their limits. */
+    public void findBlocked() {
+        search(true);
+    }
+
+    /** Finds all triangles that rays meet at less than their limits. */
+    public void findAllHits() {
+        collectAll = true;
+        hitCount = 0;
+        search(true);
+        collectAll = false;
+    }
+
+    /** How many there are for all rays, in any order. */
+    public int hitCount() {
+        return hitCount;
+    }
+
+    /** The ray of one of them: ray i of packet k has the number {@code k · WIDTH + i}. */
+    public int hitRay(int n) {
+        return hitRay[n];
+    }
+
+    public int hitTriangle(int n) {
+        return hitTriangle[n];
+    }
+
+    public double hitDistance(int n) {
+        return hitDistance[n];
+    }
+
+    /** The rays of packet {@code k} that meet a triangle: one bit for each. */
+    public int hitMask(int k) {
+        return hitMasks[k];
+    }
+
+    /** The distance of the triangle that ray {@code i} of packet {@code k} meets first, the lowest among equals, where it {@link #hitMasks} any. */
+    public double distance(int k, int i) {
+        return hitLimit[k * RayBatch.WIDTH + i];
+    }
+
+    /** That triangle. */
+    public int triangle(int k, int i) {
+        return triangle[k * RayBatch.WIDTH + i];
+    }
+
+    private void search(boolean stopAtAnyHit) {
+        anyHit = stopAtAnyHit;
+        int end = count * RayBatch.WIDTH;
+        Arrays.fill(hitMasks, 0, count, 0);
+        lines.setRays(tree, activeMasks, shortRays, count, hitLimit, anyHit);
+        activeRays = 0;
+        for (int k = 0; k < count; k++) {
+            activeRays |= (long) activeMasks[k] << k * RayBatch.WIDTH;
+        }
+        if (!traverseAsBeam(0, end)) {
+            for (int i = 0; i < end; i += RayBatch.WIDTH) {
+                if (activeMasks[i / RayBatch.WIDTH] != 0 && (count == 1 || !traverseAsBeam(i, i + RayBatch.WIDTH))) {
+                    for (int left = activeMasks[i / RayBatch.WIDTH]; left != 0; left &= left - 1) {
+                        traverseRay(i + Integer.numberOfTrailingZeros(left), 0, 0);
+                    }
+                }
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            for (int left = shortRays[k]; left != 0; left &= left - 1) {
+                testAllLeaves(k * RayBatch.WIDTH + Integer.numberOfTrailingZeros(left));
+            }
+        }
+    }
+
+    /** Asks all leaves for ray {@code i}. */
+    private void testAllLeaves(int i) {
+        int leaves = tree.triangle.length / MeshTree.WIDTH;
+        for (int leaf = 0; leaf < leaves; leaf++) {
+            if (testTriangles(i, leaf, -1 >>> -MeshTree.WIDTH) && anyHit) {
+                return;
+            }
+        }
+    }
+
+    /** Leads the open rays {@code i … end − 1}, whole packets, through the tree as one beam, if they are one. */
+    private boolean traverseAsBeam(int i, int end) {
+        long rayMask = activeRays & -1L << i & -1L >>> -end;
+        if (rayMask == 0) {
+            return true;
+        }
+        if (Long.bitCount(rayMask) < MIN_BEAM_RAYS) {
+            return false;
+        }
+        beams[0].setRays(lines, rayMask, i, end);
+        if (beams[0].stepSpread > MAX_STEP_SPREAD || beams[0].originSpread > MAX_ORIGIN_SPREAD * tree.maxCoordinate) {
+            return false;
+        }
+        traverseBeam(i, end);
+        return true;
+    }
+
+    private void traverseBeam(int from, int end) {
+        idleLeaves = 0;
+        maxLimitBits = lines.maxLimitBits(from, end);
+        int top = push(0, beams[0].enteredChildren(tree, 0, maxLimitBits), beams[0].entryBits, 0, 0);
+        while (top > 0) {
+            top--;
+            long rayMask = beams[stackBeam[top]].rays & activeRays;
+            if (entryBits[top] > maxLimitBits || rayMask == 0) {
+                continue;
+            }
+            int ref = stack[top];
+            int child = tree.child[ref];
+            int box = MeshTree.NODE_FLOATS * (ref >> 3) + (ref & 7);
+            if (child >= 0 && idleLeaves <= MAX_IDLE_LEAVES) {
+                int b = stackBeam[top];
+                top = push(child, beams[b].enteredChildren(tree, child, maxLimitBits), beams[b].entryBits, b, top);
+            } else if (child >= 0) {
+                top = splitBeam(child, lines.enteringRays(tree.box, box, rayMask, from, end), stackBeam[top], from, end, top);
+            } else if (testLeaf(~child, box, rayMask, from, end) && !anyHit) {
+                maxLimitBits = lines.maxLimitBits(from, end);
+            }
+        }
+    }
+
+    /** Goes on with those rays of a beam that enter a node: alone where they are few, as a beam of their own where they are half of it or less. */
+    private int splitBeam(int node, long rayMask, int beam, int from, int end, int top) {
+        int n = Long.bitCount(rayMask);
+        if (n < MIN_BEAM_RAYS) {
+            for (long left = rayMask; left != 0; left &= left - 1) {
+                traverseRay(Long.numberOfTrailingZeros(left), node, top);
+            }
+            return top;
+        }
+        int b = beam;
+        if (2 * n <= Long.bitCount(beams[b].rays)) {
+            beams[++b].setRays(lines, rayMask, from, end);
+        }
+        return push(node, beams[b].enteredChildren(tree, node, maxLimitBits), beams[b].entryBits, b, top);
+    }
+
+    /** Asks the triangles of a leaf whose box is {@code tree.box[box]} for rays that are led together; whether any is nearer than before. */
+    private boolean testLeaf(int leaf, int box, long rayMask, int from, int end) {
+        int n = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end);
+        idleLeaves += n == 0 ? 1 : 0;
+        boolean nearer = false;
+        for (int k = 0; k < n; k++) {
+            nearer |= testTriangles(leafFilter.ray[k], leaf, leafFilter.slots[k]);
+        }
+        return nearer;
+    }
+
+    /** Leads ray {@code i} through what is below a node; the stack is in use up to {@code bottom}. */
+    private void traverseRay(int i, int node, int bottom) {
+        int top = push(node, lines.enteredChildren(tree.box, node, i), lines.entryBits, 0, bottom);
+        while (top > bottom) {
+            top--;
+            if (entryBits[top] > lines.limitBits[i]) {
+                continue;
+            }
+            int ref = stack[top];
+            int next = tree.child[ref];
+            while (next >= 0) {
+                int mask = lines.enteredChildren(tree.box, next, i);
+                if (mask == 0 || (mask & mask - 1) != 0) {
+                    top = push(next, mask, lines.entryBits, 0, top);
+                    ref = -1;
+                    break;
+                }
+                ref = MeshTree.WIDTH * next + Integer.numberOfTrailingZeros(mask);
+                next = tree.child[ref];
+            }
+            if (ref >= 0) {
+                int slots = lines.candidateSlots(tree.vertex, ~next,
+                        LeafRayFilter.extent(tree.box, MeshTree.NODE_FLOATS * (ref >> 3) + (ref & 7)), i);
+                if (slots != 0 && testTriangles(i, ~next, slots) && anyHit) {
+                    return;
+                }
+            }
+        }
+    }
+
+    /** Puts children of a node on the stack, the nearest last. */
+    private int push(int node, int mask, int[] enters, int beam, int top) {
+        int end = top;
+        for (int left = mask; left != 0; left &= left - 1) {
+            int c = Integer.numberOfTrailingZeros(left);
+            int in = enters[c];
+            int at = end++;
+            for (; at > top && entryBits[at - 1] < in; at--) {
+                entryBits[at] = entryBits[at - 1];
+                stack[at] = stack[at - 1];
+            }
+            stackBeam[end - 1] = (byte) beam;
+            entryBits[at] = in;
+            stack[at] = MeshTree.WIDTH * node + c;
+        }
+        return end;
+    }
+
+    private boolean testTriangles(int i, int leaf, int slots) {
+        boolean nearer = false;
+        for (int left = slots; left != 0; left &= left - 1) {
+            int s = Integer.numberOfTrailingZeros(left);
+            double t = rays.distance(i, tree.vertex, MeshTree.LEAF_FLOATS * leaf + s);
+            int id = tree.triangle[MeshTree.WIDTH * leaf + s];
+            if (collectAll) {
+                addHit(i, id, t);
+            } else if ((anyHit ? t < hitLimit[i]
+                    : t < MeshRay.MISS && (t < hitLimit[i] || t == hitLimit[i] && (!hasHit(i) || id < triangle[i])))
+                    && (alphaTest == null || !alphaTest.passes(i, id, t))) {
+                triangle[i] = id;
+                hitMasks[i / RayBatch.WIDTH] |= 1 << i % RayBatch.WIDTH;
+                if (anyHit) {
+                    activeRays &= ~(1L << i);
+                    return true;
+                }
+                hitLimit[i] = t;
+                lines.setLimit(i, t);
+                nearer = true;
+            }
+        }
+        return nearer;
+    }
+
+    private void addHit(int i, int id, double t) {
+        if (!(t < hitLimit[i])) {
+            return;
+        }
+        if (hitCount == hitRay.length) {
+            hitRay = Arrays.copyOf(hitRay, 2 * hitCount);
+            hitTriangle = Arrays.copyOf(hitTriangle, 2 * hitCount);
+            hitDistance = Arrays.copyOf(hitDistance, 2 * hitCount);
+        }
+        hitRay[hitCount] = i;
+        hitTriangle[hitCount] = id;
+        hitDistance[hitCount++] = t;
+    }
+
+    private boolean hasHit(int i) {
+        return (hitMasks[i / RayBatch.WIDTH] >>> i % RayBatch.WIDTH & 1) != 0;
+    }
+}

@@ -1,0 +1,123 @@
+package lightning.render.trace.mesh;
+
+import static jdk.incubator.vector.DoubleVector.broadcast;
+import static jdk.incubator.vector.DoubleVector.fromArray;
+import static jdk.incubator.vector.VectorOperators.GT;
+import static jdk.incubator.vector.VectorOperators.LT;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorShape;
+import jdk.incubator.vector.VectorSpecies;
+import lightning.render.trace.solid.DoubleLanes;
+import lightning.render.trace.solid.RayBatch;
+
+/**
+ * The rays of a group in the space of a mesh, and how they meet the triangles of a leaf: {@link MeshRay} in lanes, operation by
+ * operation. Reused; not shared between threads.
+ */
+final class MeshRayLanes {
+    private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
+    private static final int W = MeshTree.WIDTH;
+    static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
+
+    /** Origins and directions, and what {@link MeshRay} makes of them. */
+    final double[] ox;
+    final double[] oy;
+    final double[] oz;
+    final double[] dx;
+    final double[] dy;
+    final double[] dz;
+    final double[] padding;
+    final double[] inverseX;
+    final double[] inverseY;
+    final double[] inverseZ;
+    /** The first ray that was taken. */
+    int first;
+
+    /** @param capacity rays, a multiple of a packet's */
+    MeshRayLanes(int capacity) {
+        ox = new double[capacity];
+        oy = new double[capacity];
+        oz = new double[capacity];
+        dx = new double[capacity];
+        dy = new double[capacity];
+        dz = new double[capacity];
+        padding = new double[capacity];
+        inverseX = new double[capacity];
+        inverseY = new double[capacity];
+        inverseZ = new double[capacity];
+    }
+
+    /**
+     * Takes the rays of a packet.
+     *
+     * @param m    the map to the mesh's space at {@code m[at …]}
+     * @param mask which of them, not 0; what is made of the others is not to be read
+     * @param to   the place of the first; at 0 a new group begins
+     */
+    void addPacket(MeshTree tree, double[] m, int at, RayBatch p, int mask, int to) {
+        if (to == 0) {
+            first = Integer.numberOfTrailingZeros(mask);
+        }
+        for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
+            transformRays(m, at, p, h, to + h);
+            computeInverses(tree, to + h);
+        }
+    }
+
+    private void transformRays(double[] m, int i, RayBatch p, int from, int to) {
+        DoubleVector x = fromArray(SPECIES, p.ox, from);
+        DoubleVector y = fromArray(SPECIES, p.oy, from);
+        DoubleVector z = fromArray(SPECIES, p.oz, from);
+        x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).add(m[i + 3]).intoArray(ox, to);
+        x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).add(m[i + 7]).intoArray(oy, to);
+        x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).add(m[i + 11]).intoArray(oz, to);
+        x = fromArray(SPECIES, p.dx, from);
+        y = fromArray(SPECIES, p.dy, from);
+        z = fromArray(SPECIES, p.dz, from);
+        x.mul(m[i]).add(y.mul(m[i + 1])).add(z.mul(m[i + 2])).intoArray(dx, to);
+        x.mul(m[i + 4]).add(y.mul(m[i + 5])).add(z.mul(m[i + 6])).intoArray(dy, to);
+        x.mul(m[i + 8]).add(y.mul(m[i + 9])).add(z.mul(m[i + 10])).intoArray(dz, to);
+    }
+
+    private void computeInverses(MeshTree tree, int h) {
+        // Numbers that are not negative have the order of their bits, which lanes compare faster.
+        fromArray(SPECIES, ox, h).abs().reinterpretAsLongs().max(fromArray(SPECIES, oy, h).abs().reinterpretAsLongs())
+                .max(fromArray(SPECIES, oz, h).abs().reinterpretAsLongs()).reinterpretAsDoubles()
+                .add(tree.maxCoordinate).mul(MeshRay.PADDING_SHARE).intoArray(padding, h);
+        inverse(dx, inverseX, h);
+        inverse(dy, inverseY, h);
+        inverse(dz, inverseZ, h);
+    }
+
+    private static void inverse(double[] d, double[] to, int h) {
+        DoubleVector i = broadcast(SPECIES, 1).div(fromArray(SPECIES, d, h));
+        i.blend(MeshRay.MAX_INVERSE, i.compare(GT, MeshRay.MAX_INVERSE)).blend(-MeshRay.MAX_INVERSE, i.compare(LT, -MeshRay.MAX_INVERSE))
+                .intoArray(to, h);
+    }
+
+    /** The distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}: {@link MeshRay#distance}. */
+    double distance(int i, float[] v, int at) {
+        double x = dx[i];
+        double y = dy[i];
+        double z = dz[i];
+        double absX = Math.abs(x);
+        double absY = Math.abs(y);
+        double absZ = Math.abs(z);
+        int b = at + MeshTree.VERTEX_FLOATS;
+        int c = b + MeshTree.VERTEX_FLOATS;
+        double t;
+        if (absX >= absY && absX >= absZ) {
+            double inverseDepth = 1 / x;
+            t = MeshRay.planeDistance(v, at, b, c, W, 2 * W, 0, oy[i], oz[i], ox[i], y * inverseDepth, z * inverseDepth, inverseDepth);
+        } else if (absY >= absZ) {
+            double inverseDepth = 1 / y;
+            t = MeshRay.planeDistance(v, at, b, c, 2 * W, 0, W, oz[i], ox[i], oy[i], z * inverseDepth, x * inverseDepth, inverseDepth);
+        } else {
+            double inverseDepth = 1 / z;
+            t = MeshRay.planeDistance(v, at, b, c, 0, W, 2 * W, ox[i], oy[i], oz[i], x * inverseDepth, y * inverseDepth, inverseDepth);
+        }
+        return t > 0 ? MeshRay.clampToBox(t, v, at, b, c, W, ox[i], oy[i], oz[i], padding[i], inverseX[i], inverseY[i], inverseZ[i])
+                : MeshRay.MISS;
+    }
+}

@@ -1,0 +1,151 @@
+package lightning.render.trace.mesh;
+
+import lightning.scene.Mesh;
+
+/** A triangle of a mesh and a point on it, in the space of the mesh. Reused for one after the other. */
+public final class TrianglePoint {
+    private Mesh mesh;
+    private final int[] vertex = new int[3];
+    private final double[] weight = new double[3];
+    /** A direction at a right angle to the triangle, of any length, towards its front; 0 where it has no area. */
+    public double nx;
+    public double ny;
+    public double nz;
+    private double px;
+    private double py;
+    private double pz;
+
+    /** Takes a triangle and a point on it. */
+    public void setPoint(Mesh newMesh, int triangle, double x, double y, double z) {
+        mesh = newMesh;
+        px = x;
+        py = y;
+        pz = z;
+        float[] p = newMesh.positions();
+        for (int v = 0; v < 3; v++) {
+            vertex[v] = newMesh.triangles()[3 * triangle + v];
+        }
+        int a = 3 * vertex[0];
+        int b = 3 * vertex[1];
+        int c = 3 * vertex[2];
+        double ex = (double) p[b] - p[a];
+        double ey = (double) p[b + 1] - p[a + 1];
+        double ez = (double) p[b + 2] - p[a + 2];
+        double fx = (double) p[c] - p[a];
+        double fy = (double) p[c + 1] - p[a + 1];
+        double fz = (double) p[c + 2] - p[a + 2];
+        nx = ey * fz - ez * fy;
+        ny = ez * fx - ex * fz;
+        nz = ex * fy - ey * fx;
+        computeWeights(a, b, c);
+    }
+
+    /** How much each vertex counts at the point: the areas opposite to them, seen along the axis that the triangle faces most. */
+    private void computeWeights(int a, int b, int c) {
+        float[] p = mesh.positions();
+        double absX = Math.abs(nx);
+        double absY = Math.abs(ny);
+        double absZ = Math.abs(nz);
+        int i = absX >= absY && absX >= absZ ? 1 : absY >= absZ ? 2 : 0;
+        int j = i == 2 ? 0 : i + 1;
+        double x = i == 0 ? px : i == 1 ? py : pz;
+        double y = j == 0 ? px : j == 1 ? py : pz;
+        double ax = p[a + i] - x;
+        double ay = p[a + j] - y;
+        double bx = p[b + i] - x;
+        double by = p[b + j] - y;
+        double cx = p[c + i] - x;
+        double cy = p[c + j] - y;
+        double area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+        double weightA = clampWeight((bx * cy - by * cx) / area);
+        double weightB = clampWeight((cx * ay - cy * ax) / area);
+        double weightC = clampWeight((ax * by - ay * bx) / area);
+        double sum = weightA + weightB + weightC;
+        weight[0] = sum > 0 ? weightA / sum : 1;
+        weight[1] = sum > 0 ? weightB / sum : 0;
+        weight[2] = sum > 0 ? weightC / sum : 0;
+    }
+
+    /** Rounding may put the point a little outside, and a triangle without area has no shares. */
+    private static double clampWeight(double v) {
+        return v > 0 ? v < 1 ? v : 1 : 0;
+    }
+
+    /** Whether the mesh has normals at its vertices. */
+    public boolean isSmooth() {
+        return mesh.normals() != null;
+    }
+
+    /** How much vertex {@code v}, 0 1 2, counts at the point: from 0 to 1, together 1. */
+    public double weight(int v) {
+        return weight[v];
+    }
+
+    /** Coordinate {@code axis} of the normal at vertex {@code v}. */
+    public double normal(int v, int axis) {
+        return mesh.normals()[3 * vertex[v] + axis];
+    }
+
+    /** Whether the mesh has tangents at its vertices. */
+    public boolean hasTangents() {
+        return mesh.tangents() != null;
+    }
+
+    /** Coordinate {@code axis} of the tangent between those of the vertices, of any length; 3 for the hand, below 0 for −1. */
+    public double tangent(int axis) {
+        float[] t = mesh.tangents();
+        return weight[0] * t[4 * vertex[0] + axis] + weight[1] * t[4 * vertex[1] + axis] + weight[2] * t[4 * vertex[2] + axis];
+    }
+
+    /** How far the point lies before the plane through vertex {@code v} at a right angle to the normal there. */
+    public double tangentPlaneDistance(int v) {
+        float[] p = mesh.positions();
+        int i = 3 * vertex[v];
+        return (px - p[i]) * normal(v, 0) + (py - p[i + 1]) * normal(v, 1) + (pz - p[i + 2]) * normal(v, 2);
+    }
+
+    /** Red, green or blue, {@code channel} 0 1 2, between the colours of the vertices, which the mesh has: from 0 to 1. */
+    public double color(int channel) {
+        float[] c = mesh.colors();
+        double value = weight[0] * c[3 * vertex[0] + channel] + weight[1] * c[3 * vertex[1] + channel]
+                + weight[2] * c[3 * vertex[2] + channel];
+        // Weights are rounded; and no zero has a sign.
+        return value < 1 ? value > 0 ? value : 0 : 1;
+    }
+
+    /** The texture coordinate across, {@code axis} 0, or upwards, 1; 0 where the mesh has none. */
+    public double textureCoordinate(int axis) {
+        float[] c = mesh.coordinates();
+        return c == null ? 0 : weight[0] * c[2 * vertex[0] + axis] + weight[1] * c[2 * vertex[1] + axis]
+                + weight[2] * c[2 * vertex[2] + axis];
+    }
+
+    /**
+     * Writes the gradient of a texture coordinate over the triangle, {@code axis} 0 or 1, to {@code to[i … i + 2]}: with the edges e and f
+     * from the first vertex, along which it grows by p and q, and n = e × f it is (p·(f × n) + q·(n × e)) / n². 0 where there is none.
+     */
+    public void textureGradient(int axis, double[] to, int i) {
+        float[] p = mesh.positions();
+        float[] c = mesh.coordinates();
+        double square = nx * nx + ny * ny + nz * nz;
+        if (c == null || !(square > 0)) {
+            to[i] = 0;
+            to[i + 1] = 0;
+            to[i + 2] = 0;
+            return;
+        }
+        int a = 3 * vertex[0];
+        double growE = ((double) c[2 * vertex[1] + axis] - c[2 * vertex[0] + axis]) / square;
+        double growF = ((double) c[2 * vertex[2] + axis] - c[2 * vertex[0] + axis]) / square;
+        double x = growE * edge(p, 2, a, 0) - growF * edge(p, 1, a, 0);
+        double y = growE * edge(p, 2, a, 1) - growF * edge(p, 1, a, 1);
+        double z = growE * edge(p, 2, a, 2) - growF * edge(p, 1, a, 2);
+        to[i] = y * nz - z * ny;
+        to[i + 1] = z * nx - x * nz;
+        to[i + 2] = x * ny - y * nx;
+    }
+
+    private double edge(float[] p, int to, int from, int axis) {
+        return (double) p[3 * vertex[to] + axis] - p[from + axis];
+    }
+}

@@ -1,0 +1,64 @@
+package lightning.render.trace.primitive;
+
+import lightning.scene.Texture;
+import lightning.scene.TextureMap;
+
+/**
+ * Where texture coordinates lie in a picture: the four nearest pixels and their shares. The picture repeats endlessly; v runs upwards,
+ * from its bottom row. Reused for one after the other.
+ */
+final class BilinearLookup {
+    private Texture image;
+    private int x0;
+    private int x1;
+    private int y0;
+    private int y1;
+    private double fractionX;
+    private double fractionY;
+
+    /** Takes texture coordinates, which are multiplied by the map's repeat counts. */
+    void setCoordinates(TextureMap map, double u, double v) {
+        image = map.image();
+        double scaledU = u * map.repeatU();
+        double scaledV = v * map.repeatV();
+        double column = (scaledU - Math.floor(scaledU)) * image.width() - 0.5;
+        double row = (1 - (scaledV - Math.floor(scaledV))) * image.height() - 0.5;
+        double left = Math.floor(column);
+        double top = Math.floor(row);
+        fractionX = column - left;
+        fractionY = row - top;
+        x0 = wrap((int) left, image.width());
+        x1 = wrap((int) left + 1, image.width());
+        y0 = wrap((int) top, image.height());
+        y1 = wrap((int) top + 1, image.height());
+    }
+
+    /** Writes the linear RGB, 0…1, to {@code rgb[0…2]}. */
+    void readColor(float[] rgb) {
+        image.interpolate(x0, y0, x1, y1, fractionX, fractionY, rgb);
+    }
+
+    /** Its first channel alone. */
+    float red() {
+        return image.interpolate(x0, y0, x1, y1, fractionX, fractionY, 0);
+    }
+
+    /** By how much the luminance rises over the picture's width, as it does from one pixel to the left to one to the right. */
+    double slopeU() {
+        return (luminance(1, 0) - luminance(-1, 0)) * 0.5 * image.width();
+    }
+
+    /** By how much the luminance rises over the picture's height, upwards. */
+    double slopeV() {
+        return (luminance(0, -1) - luminance(0, 1)) * 0.5 * image.height();
+    }
+
+    private double luminance(int right, int down) {
+        return image.luminance(wrap(x0 + right, image.width()), wrap(y0 + down, image.height()), wrap(x1 + right, image.width()),
+                wrap(y1 + down, image.height()), fractionX, fractionY);
+    }
+
+    private static int wrap(int i, int size) {
+        return i < 0 ? i + size : i >= size ? i - size : i;
+    }
+}

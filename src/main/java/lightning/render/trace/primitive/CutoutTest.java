@@ -1,0 +1,66 @@
+package lightning.render.trace.primitive;
+
+import lightning.render.trace.mesh.AlphaTest;
+import lightning.render.trace.mesh.MeshSolid;
+import lightning.render.trace.mesh.TrianglePoint;
+import lightning.scene.AlphaCutout;
+import lightning.scene.TextureMap;
+
+/** Tells where one ray after the other finds a hole in a primitive whose material is cut out. Reused; not shared between threads. */
+public final class CutoutTest implements AlphaTest {
+    private final PrimitiveTable primitives;
+    private int s;
+    private TextureMap map;
+    private double cutoff;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double dx;
+    private double dy;
+    private double dz;
+    private final BilinearLookup lookup = new BilinearLookup();
+    private final TrianglePoint facet = new TrianglePoint();
+    private final double[] uv = new double[2];
+
+    public CutoutTest(PrimitiveTable primitives) {
+        this.primitives = primitives;
+    }
+
+    /** Takes a primitive that has holes and a ray. */
+    public CutoutTest setRay(int primitive, double originX, double originY, double originZ, double directionX, double directionY,
+            double directionZ) {
+        AlphaCutout cutout = primitives.cutout(primitive);
+        s = primitive;
+        map = cutout.map().orElseThrow();
+        cutoff = cutout.cutoff();
+        ox = originX;
+        oy = originY;
+        oz = originZ;
+        dx = directionX;
+        dy = directionY;
+        dz = directionZ;
+        return this;
+    }
+
+    @Override
+    public boolean passes(int part, double t) {
+        double x = ox + t * dx;
+        double y = oy + t * dy;
+        double z = oz + t * dz;
+        double[] m = primitives.data;
+        int i = primitives.dataStart[s];
+        double localX = m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
+        double localY = m[i + 4] * x + m[i + 5] * y + m[i + 6] * z + m[i + 7];
+        double localZ = m[i + 8] * x + m[i + 9] * y + m[i + 10] * z + m[i + 11];
+        MeshSolid mesh = primitives.mesh(s);
+        if (mesh == null) {
+            primitives.kind(s).geometry().textureCoordinates(m, i, localX, localY, localZ, uv);
+        } else {
+            facet.setPoint(mesh.mesh(), part, localX, localY, localZ);
+            uv[0] = facet.textureCoordinate(0);
+            uv[1] = facet.textureCoordinate(1);
+        }
+        lookup.setCoordinates(map, uv[0], uv[1]);
+        return lookup.red() < cutoff;
+    }
+}

@@ -1,0 +1,40 @@
+package lightning.render.trace.solid;
+
+/** The {@link SolidGeometry} of each kind in lanes. Holds scratch memory: one for each thread. */
+public final class SolidGeometryLanes {
+    private final IntervalHitLanes slab = new IntervalHitLanes();
+
+    /** {@link SolidGeometry#distance}: writes the distances of the lanes {@code from … to − 1}, whole vectors, to {@code out}. */
+    public void distances(SolidKind kind, double[] data, int at, RayBatch rays, double[] out, int from, int to) {
+        switch (kind) {
+            case SPHERE -> SphereLanes.distances(data, at, rays, out, from, to);
+            case CYLINDER -> {
+                CylinderLanes.writeSideIntervals(data, at, rays, slab, from, to);
+                clipToHeight(data, at, out, from, to);
+            }
+            case FRUSTUM -> {
+                FrustumLanes.writeSideIntervals(data, at, rays, slab, from, to);
+                clipToHeight(data, at, out, from, to);
+            }
+            case PLANE -> PlaneLanes.distances(data, at, rays, out, from, to);
+        }
+    }
+
+    private void clipToHeight(double[] data, int at, double[] out, int from, int to) {
+        if (data[at + Frustum.CAPS] != 0) {
+            slab.hitWithCaps(out, from, to);
+        } else {
+            slab.hitWithoutCaps(out, from, to);
+        }
+    }
+
+    /** {@link SolidGeometry#outwardNormal} for the points of one vector, which begins at lane {@code h}. */
+    public static void outwardNormals(SolidKind kind, double[] data, int at, PointLanes points, int h) {
+        switch (kind) {
+            case SPHERE -> SphereLanes.outwardNormals(points, h);
+            case CYLINDER -> CylinderLanes.outwardNormals(data, at, points, h);
+            case FRUSTUM -> FrustumLanes.outwardNormals(data, at, points, h);
+            case PLANE -> PlaneLanes.outwardNormals(points, h);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+package lightning.render.trace.tree;
+
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import lightning.render.trace.primitive.PrimitiveTable;
+
+/**
+ * The few primitives that a bundle of rays can meet, nearest first, each with its box: found once for the
+ * bundle, so that its packets need not search the tree. Reused; not shared between threads.
+ */
+public final class CandidateList {
+    /** With more than this the tree is faster. */
+    static final int MAX_COUNT = 48;
+
+    public int count;
+    /** Whether there are more than fit: packets must search the tree. */
+    public boolean overflow;
+    public int[] primitive = new int[MAX_COUNT];
+    /** The primitives' boxes, {@code float[6 * count]}. */
+    public float[] boxes = new float[6 * MAX_COUNT];
+    /** Scratch of the tracer: which lanes of a packet may meet each. */
+    public int[] masks = new int[MAX_COUNT];
+    private final double[] entryTime = new double[MAX_COUNT];
+    private int[] stack = new int[16];
+
+    /** All primitives of a small scene. */
+    public static CandidateList fromBvh(Bvh bvh) {
+        CandidateList c = new CandidateList();
+        c.count = bvh.primitives.count;
+        c.primitive = new int[c.count];
+        Arrays.setAll(c.primitive, s -> s);
+        c.boxes = new float[6 * c.count];
+        for (int s = 0; s < c.count; s++) {
+            System.arraycopy(bvh.boxes, bvh.leafBox[s], c.boxes, 6 * s, 6);
+        }
+        c.masks = new int[c.count];
+        return c;
+    }
+
+    /** All primitives of a tree that has not all of a scene's. */
+    public static CandidateList fromBvh(Bvh bvh, boolean[] selected) {
+        CandidateList c = new CandidateList();
+        c.primitive = IntStream.range(0, selected.length).filter(s -> selected[s]).toArray();
+        c.count = c.primitive.length;
+        c.boxes = new float[6 * c.count];
+        for (int i = 0; i < c.count; i++) {
+            System.arraycopy(bvh.boxes, bvh.leafBox[c.primitive[i]], c.boxes, 6 * i, 6);
+        }
+        c.masks = new int[c.count];
+        return c;
+    }
+
+    /** Whether no ray of the bundle meets anything: nothing blocks it. */
+    public boolean isEmpty() {
+        return count == 0 && !overflow;
+    }
+
+    /** Finds the primitives whose boxes the beam touches. */
+    public void collect(Bvh bvh, RayBeam beam) {
+        count = 0;
+        overflow = false;
+        if (stack.length < bvh.depth + 2) {
+            stack = new int[bvh.depth + 2];
+        }
+        int top = 0;
+        if (bvh.primitives.count == 1) {
+            add(bvh, 0, beam.entryTime(bvh.boxes, bvh.leafBox[0]));
+        } else if (bvh.primitives.count > 1) {
+            stack[top++] = 0;
+        }
+        while (top > 0) {
+            int node = stack[--top];
+            for (int c = 0; c < 2; c++) {
+                double time = beam.entryTime(bvh.boxes, 12 * node + 6 * c);
+                int child = bvh.child[2 * node + c];
+                if (child < 0) {
+                    add(bvh, ~child, time);
+                    if (overflow) {
+                        return;
+                    }
+                } else if (time < Double.POSITIVE_INFINITY) {
+                    stack[top++] = child;
+                }
+            }
+        }
+    }
+
+    /** Puts a primitive before those that the beam touches later. */
+    private void add(Bvh bvh, int s, double time) {
+        if (!(time < Double.POSITIVE_INFINITY)) {
+            return;
+        }
+        if (count == MAX_COUNT) {
+            overflow = true;
+            return;
+        }
+        int at = count++;
+        for (; at > 0 && entryTime[at - 1] > time; at--) {
+            entryTime[at] = entryTime[at - 1];
+            primitive[at] = primitive[at - 1];
+            System.arraycopy(boxes, 6 * at - 6, boxes, 6 * at, 6);
+        }
+        entryTime[at] = time;
+        primitive[at] = s;
+        System.arraycopy(bvh.boxes, bvh.leafBox[s], boxes, 6 * at, 6);
+    }
+
+    /** Leaves out the primitives of all materials but one; does nothing where there are too many. */
+    public void retainMaterial(PrimitiveTable primitives, int material) {
+        retain(s -> primitives.material[s] == material);
+    }
+
+    private void retain(IntPredicate filter) {
+        int retained = 0;
+        for (int c = 0; c < count; c++) {
+            if (filter.test(primitive[c])) {
+                copyEntry(this, c, retained++);
+            }
+        }
+        count = retained;
+    }
+
+    /** Leaves out the primitives that ways leave behind; does nothing where there are too many. */
+    public void cull(PrimitiveTable primitives, HorizonCulling culling) {
+        retain(s -> !culling.isCulled(primitives, s));
+    }
+
+    /** Takes those of others, which are not too many, that a beam within theirs touches and ways in it do not leave behind. */
+    public void collectFrom(CandidateList source, PrimitiveTable primitives, RayBeam beam, HorizonCulling culling) {
+        count = 0;
+        overflow = false;
+        for (int c = 0; c < source.count; c++) {
+            if (beam.entryTime(source.boxes, 6 * c) < Double.POSITIVE_INFINITY && !culling.isCulled(primitives, source.primitive[c])) {
+                copyEntry(source, c, count++);
+            }
+        }
+    }
+
+    private void copyEntry(CandidateList source, int c, int at) {
+        entryTime[at] = source.entryTime[c];
+        primitive[at] = source.primitive[c];
+        System.arraycopy(source.boxes, 6 * c, boxes, 6 * at, 6);
+    }
+
+    /** Moves a primitive that blocks rays to the front: the next packet is likely to be blocked by it too. */
+    public void moveToFront(int c) {
+        for (int i = 6 * c - 1; i >= 0; i--) {
+            float b = boxes[i + 6];
+            boxes[i + 6] = boxes[i];
+            boxes[i] = b;
+        }
+        int s = primitive[c];
+        System.arraycopy(primitive, 0, primitive, 1, c);
+        primitive[0] = s;
+    }
+}

@@ -1,0 +1,54 @@
+package lightning.render.warmup;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.DedicatedThread;
+import lightning.base.work.Progress;
+import lightning.render.trace.Geometry;
+import lightning.scene.Scene;
+
+/**
+ * Warms the lanes up beside a work that turns out to be long, for the tiles that then are left; of a shorter one it takes nothing.
+ *
+ * <pre>{@code
+ * try (var warm = new DelayedWarmUp(scene)) {
+ *     renderer.render(scene, progress);
+ * }
+ * }</pre>
+ */
+public final class DelayedWarmUp implements AutoCloseable {
+    /** Compiling the lanes takes about as long: a work that ends soon after has nothing of them. */
+    private static final long DELAY_SECONDS = 10;
+
+    private final CountDownLatch closed = new CountDownLatch(1);
+
+    public DelayedWarmUp(Scene scene) {
+        Thread thread = DedicatedThread.create("lightning-warm-up", () -> runAfterDelay(scene));
+        thread.setPriority(Thread.MIN_PRIORITY);
+        thread.start();
+    }
+
+    private void runAfterDelay(Scene scene) {
+        try {
+            if (!closed.await(DELAY_SECONDS, TimeUnit.SECONDS)) {
+                WarmUp.run(scene, new Geometry(scene), untilClosed());
+            }
+        } catch (CancellationException e) {
+            // The work has ended before.
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } catch (OutOfMemoryError e) {
+            // The picture needs all there is; it is made all the same.
+        }
+    }
+
+    private Progress untilClosed() {
+        return Progress.cancellation(() -> closed.getCount() == 0);
+    }
+
+    @Override
+    public void close() {
+        closed.countDown();
+    }
+}

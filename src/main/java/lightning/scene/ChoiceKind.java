@@ -1,0 +1,40 @@
+package lightning.scene;
+
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * One of a few words.
+ *
+ * @param values   the values
+ * @param words what a file writes for each, in the same order
+ */
+public record ChoiceKind<V>(List<V> values, List<String> words) implements ValueKind.LightKind<V>, ValueKind.MaterialKind<V> {
+    static final ChoiceKind<Boolean> YES_OR_NO = new ChoiceKind<>(List.of(true, false), List.of("yes", "no"));
+
+    /** The constants of an enum, in lower case. */
+    static <E extends Enum<E>> ChoiceKind<E> of(Class<E> type) {
+        List<E> constants = List.of(type.getEnumConstants());
+        return new ChoiceKind<>(constants, constants.stream().map(e -> e.name().toLowerCase(Locale.ROOT)).toList());
+    }
+
+    /** The value of one of the words. */
+    public V parse(String word) {
+        return values.get(words.indexOf(word));
+    }
+
+    @Override
+    public void check(String name, V value) {
+        // The type has no other values.
+    }
+
+    @Override
+    public boolean isEquivalent(V a, V b) {
+        return a.equals(b);
+    }
+
+    @Override
+    public String format(V value) {
+        return words.get(values.indexOf(value));
+    }
+}

@@ -1,0 +1,39 @@
+package lightning.scene;
+
+/**
+ * The picture that a scene asks for.
+ *
+ * @param width    pixels
+ * @param height   pixels
+ * @param depth    how many mirror bounces are followed, 0 to 10
+ * @param sampling how many samples its pixels have
+ */
+public record PictureSettings(int width, int height, int depth, SamplingSettings sampling) {
+    public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth",
+            NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "mirror bounces", PictureSettings::depth, PictureSettings::withDepth);
+
+    public static final PictureSettings DEFAULT = new PictureSettings(200, 200, DEPTH.initial());
+
+    /** One sample a pixel. */
+    public PictureSettings(int width, int height, int depth) {
+        this(width, height, depth, SamplingSettings.DEFAULT);
+    }
+
+    public PictureSettings {
+        SceneLimits.checkRange("size: width", width, 1, SceneLimits.MAX_SIZE);
+        SceneLimits.checkRange("size: height", height, 1, SceneLimits.MAX_SIZE);
+        DEPTH.check(depth);
+    }
+
+    public PictureSettings withSize(int newWidth, int newHeight) {
+        return new PictureSettings(newWidth, newHeight, depth, sampling);
+    }
+
+    public PictureSettings withDepth(int newDepth) {
+        return new PictureSettings(width, height, newDepth, sampling);
+    }
+
+    public PictureSettings withSampling(SamplingSettings newSampling) {
+        return new PictureSettings(width, height, depth, newSampling);
+    }
+}

@@ -1,0 +1,272 @@
+package lightning.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import lightning.base.math.Vec3;
+import lightning.base.text.Messages;
+
+/** Says what changed from one scene to another: {@code key: intensity 1 → 1.2}. */
+public final class SceneDiff {
+    /** Of more shapes and groups than this it is not told what changed. */
+    private static final int MAX_NODES = 3;
+
+    private final boolean brief;
+    private final List<String> parts = new ArrayList<>();
+
+    /** One attribute with its values, for people. */
+    private record Change(String title, String before, String after) {
+        boolean isVisible() {
+            return !before.equals(after);
+        }
+
+        String name() {
+            return Messages.tr(title);
+        }
+
+        String text() {
+            return name() + " " + before + " → " + after;
+        }
+    }
+
+    private SceneDiff(boolean brief) {
+        this.brief = brief;
+    }
+
+    /** All of it: {@code key: color 1 1 1 → 1 0 0, intensity 1 → 0.3}. Never empty. */
+    public static String describe(Scene before, Scene after) {
+        return new SceneDiff(false).describeChanges(before, after);
+    }
+
+    /** One line for a menu: {@code key: color, intensity} where several attributes of a light or material changed. Never empty. */
+    public static String summarize(Scene before, Scene after) {
+        return new SceneDiff(true).describeChanges(before, after);
+    }
+
+    /** The edit of one light, in one line for a menu. */
+    public static String summarize(Light before, Light after) {
+        return new SceneDiff(true).describeChanges(before, after);
+    }
+
+    private String describeChanges(Scene before, Scene after) {
+        addLights(new LightMatcher(before.lights(), after.lights()));
+        addLightGroups(before.rig(), after.rig());
+        for (SceneAttribute<World, ?> attribute : World.ATTRIBUTES) {
+            if (attribute != World.BACKGROUND) {
+                change(attribute, before.world(), after.world()).ifPresent(this::addPart);
+            }
+        }
+        if (!before.picture().equals(after.picture())) {
+            change(PictureSettings.DEPTH, before.picture(), after.picture()).ifPresent(this::addPart);
+            addPart(new Change(Messages.key("anti-aliasing"), sampling(before), sampling(after)));
+            addPart(new Change(Messages.key("size"), size(before), size(after)));
+        }
+        boolean describable = addMaterials(before, after) & addNodes(before, after);
+        boolean hasOtherChanges = !describable || !before.withPicture(after.picture()).hasSameView(after)
+                || !before.world().background().equals(after.world().background());
+        if (hasOtherChanges || parts.isEmpty()) {
+            parts.add(Messages.tr("the scene"));
+        }
+        return String.join(", ", parts);
+    }
+
+    private void addPart(Change change) {
+        if (change.isVisible()) {
+            parts.add(change.text());
+        }
+    }
+
+    private void addLights(LightMatcher match) {
+        match.removedIndices().forEach(i -> parts.add(Messages.tr("delete {0}", match.before().get(i).name())));
+        boolean ordered = true;
+        int last = -1;
+        for (int i = 0; i < match.after().size(); i++) {
+            Light after = match.after().get(i);
+            int origin = match.originIndex(i);
+            if (origin < 0) {
+                parts.add(Messages.tr("add {0}", after.name()) + (brief ? "" : ", " + LightAttribute.TYPE.format(after)));
+            } else if (!match.before().get(origin).equals(after)) {
+                parts.add(describeChanges(match.before().get(origin), after));
+            }
+            ordered &= origin < 0 || origin > last;
+            last = Math.max(last, origin);
+        }
+        if (!ordered) {
+            parts.add(Messages.tr("order of lights"));
+        }
+    }
+
+    /** A bank goes on from the one of its name, or where their number is the same from the one at its place. */
+    private void addLightGroups(LightRig before, LightRig after) {
+        boolean renames = before.lightGroups().size() == after.lightGroups().size();
+        for (LightGroup bank : before.lightGroups()) {
+            if (!renames && after.lightGroup(bank.name()).isEmpty()) {
+                parts.add(Messages.tr("delete {0}", bank.name()));
+            }
+        }
+        for (int i = 0; i < after.lightGroups().size(); i++) {
+            LightGroup bank = after.lightGroups().get(i);
+            Optional<LightGroup> old = before.lightGroup(bank.name())
+                    .or(renames ? () -> Optional.of(before.lightGroups().get(after.lightGroups().indexOf(bank)))
+                            : Optional::empty);
+            if (old.isEmpty()) {
+                parts.add(Messages.tr("add {0}", bank.name()));
+            } else if (!old.get().equals(bank)) {
+                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), old.get().name(), bank.name())));
+                changes.addAll(changes(LightGroup.ATTRIBUTES, old.get(), bank));
+                parts.add(join(old.get().name(), changes));
+            }
+        }
+        if (!names(before.lightGroups(), after).equals(names(after.lightGroups(), before))) {
+            parts.add(Messages.tr("order of banks"));
+        }
+    }
+
+    private static List<String> names(List<LightGroup> banks, LightRig among) {
+        return banks.stream().map(LightGroup::name).filter(name -> among.lightGroup(name).isPresent()).toList();
+    }
+
+    private String describeChanges(Light before, Light after) {
+        List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), before.name(), after.name())));
+        changes.addAll(changes(LightAttribute.ALL, before, after));
+        return join(before.name(), changes);
+    }
+
+    /** Adds what changed of each material; false if the change is more than values of theirs. */
+    private boolean addMaterials(Scene before, Scene after) {
+        if (before.materials().equals(after.materials())) {
+            return true;
+        }
+        Map<String, Material> previous = before.materialsByName();
+        for (Material material : after.materials()) {
+            Material old = previous.get(material.name());
+            if (old != null && !old.equals(material)) {
+                // Another model has other attributes, which is not told.
+                parts.add(join(old.name(), changes(MaterialAttribute.ALL.stream()
+                        .filter(a -> a.appliesTo(old.model()) && a.appliesTo(material.model())).toList(), old, material)));
+            }
+        }
+        return names(after).equals(names(before)) || addsDefault(before, after);
+    }
+
+    /** Adds what changed of each shape and group; false if the change is more than values of theirs, or of too many to tell. */
+    private boolean addNodes(Scene before, Scene after) {
+        List<String> changed = new ArrayList<>();
+        if (!addNodes(before.nodes(), after.nodes(), changed) || changed.size() > MAX_NODES) {
+            return false;
+        }
+        parts.addAll(changed);
+        return true;
+    }
+
+    /** What is the same at both ends is passed over; between, nodes came, or went, or are others in the same places. */
+    private boolean addNodes(List<SceneNode> before, List<SceneNode> after, List<String> changed) {
+        int begin = BlockList.sharedStart(before, after);
+        int shared = Math.min(BlockList.sharedEnd(before, after), Math.min(before.size(), after.size()) - begin);
+        int end = before.size() - shared;
+        int endAfter = after.size() - shared;
+        while (begin < Math.min(end, endAfter) && same(before.get(begin), after.get(begin))) {
+            begin++;
+        }
+        while (Math.min(end, endAfter) > begin && same(before.get(end - 1), after.get(endAfter - 1))) {
+            end--;
+            endAfter--;
+        }
+        boolean describable = begin == end || begin == endAfter || end == endAfter;
+        for (int i = begin; describable && i < Math.max(end, endAfter) && changed.size() <= MAX_NODES; i++) {
+            if (end == endAfter) {
+                describable = addNode(before.get(i), after.get(i), changed);
+            } else {
+                changed.add(i < endAfter ? Messages.tr("add {0}", after.get(i).name()) : Messages.tr("delete {0}", before.get(i).name()));
+            }
+        }
+        return describable;
+    }
+
+    /** Of very many nodes all but a few are the very same. */
+    private static boolean same(SceneNode a, SceneNode b) {
+        return a == b || a.equals(b);
+    }
+
+    private boolean addNode(SceneNode a, SceneNode b, List<String> changed) {
+        if (a instanceof NodeGroup != b instanceof NodeGroup || !solid(a).equals(solid(b))) {
+            return false;
+        }
+        List<Change> changes = changes(a, b);
+        if (!changes.isEmpty()) {
+            changed.add(join(a.name(), changes));
+        }
+        return !(a instanceof NodeGroup g && b instanceof NodeGroup h) || addNodes(g.children(), h.children(), changed);
+    }
+
+    private static Optional<Solid> solid(SceneNode node) {
+        return node instanceof Shape s ? Optional.of(s.solid()) : Optional.empty();
+    }
+
+    private static List<Change> changes(SceneNode a, SceneNode b) {
+        List<Change> changes = new ArrayList<>();
+        if (!a.name().equals(b.name())) {
+            changes.add(new Change(Messages.key("name"), a.name(), b.name()));
+        }
+        if (a instanceof Shape s && b instanceof Shape t && !s.material().equals(t.material())) {
+            changes.add(new Change(Messages.key("material"), s.material(), t.material()));
+        }
+        change(Messages.key("at"), a.placement().position(), b.placement().position(), changes);
+        change(Messages.key("rotate"), a.placement().rotation(), b.placement().rotation(), changes);
+        change(Messages.key("scale"), a.placement().scale(), b.placement().scale(), changes);
+        if (a.visible() != b.visible()) {
+            changes.add(new Change(Messages.key("visible"), a.visible() ? "yes" : "no", b.visible() ? "yes" : "no"));
+        }
+        return changes;
+    }
+
+    private static void change(String title, Vec3 a, Vec3 b, List<Change> changes) {
+        if (!a.equals(b)) {
+            changes.add(new Change(title, format(a), format(b)));
+        }
+    }
+
+    private static String format(Vec3 v) {
+        return NumericKind.formatShort(v.x()) + " " + NumericKind.formatShort(v.y()) + " " + NumericKind.formatShort(v.z());
+    }
+
+    private static boolean addsDefault(Scene before, Scene after) {
+        List<String> names = new ArrayList<>(names(before));
+        names.add(Material.DEFAULT.name());
+        return names(after).equals(names);
+    }
+
+    private static List<String> names(Scene scene) {
+        return scene.materials().stream().map(Material::name).toList();
+    }
+
+    private static <T> List<Change> changes(List<? extends SceneAttribute<T, ?>> attributes, T before, T after) {
+        List<Change> changes = new ArrayList<>();
+        attributes.forEach(a -> change(a, before, after).ifPresent(changes::add));
+        return changes;
+    }
+
+    /** Nothing for a value that is the same: to write numbers takes long. */
+    private static <T> Optional<Change> change(SceneAttribute<T, ?> attribute, T before, T after) {
+        return attribute.get(before).equals(attribute.get(after)) ? Optional.empty()
+                : Optional.of(new Change(attribute.title(), attribute.format(before), attribute.format(after)));
+    }
+
+    private String join(String name, List<Change> candidates) {
+        List<Change> changes = candidates.stream().filter(Change::isVisible).toList();
+        return name + ": " + (changes.isEmpty() ? Messages.tr("a little")
+                : changes.stream().map(brief && changes.size() > 1 ? Change::name : Change::text).collect(Collectors.joining(", ")));
+    }
+
+    private static String size(Scene scene) {
+        return scene.picture().width() + " × " + scene.picture().height();
+    }
+
+    private static String sampling(Scene scene) {
+        SamplingSettings sampling = scene.picture().sampling();
+        return sampling.antialias().name().toLowerCase(Locale.ROOT) + " " + sampling.grid() + " × " + sampling.grid();
+    }
+}

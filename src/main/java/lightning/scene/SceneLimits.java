@@ -1,0 +1,159 @@
+package lightning.scene;
+
+import java.util.function.Supplier;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.text.DecimalNumber;
+import lightning.base.text.PrintableText;
+import lightning.base.text.Quote;
+
+/**
+ * The ranges of everything that a scene may hold, stated once.
+ *
+ * <p>They are wide enough for any picture and narrow enough that no product in the lighting
+ * equation overflows a float: a light's weight is at most 1e3·1e30 = 1e33, whatever its bank, terms are at most 1, a thousand
+ * lights sum to 1e36 ({@link #MAX_TOTAL_LIGHT}), material factors are at most 1, and ten mirrors add at most eleven such sums, each of a
+ * diffuse, a specular and a grazing one: 3.3e37. Terms of metallic materials can be larger, up to 6.1e7; where a scene has such a
+ * material, {@link OverflowCheck} holds the sum over its lights to the same bound.
+ */
+public final class SceneLimits {
+    public static final int MAX_SIZE = 16384;
+    public static final int MAX_DEPTH = 10;
+    public static final int MIN_SAMPLES = 2;
+    public static final int MAX_SAMPLES = 8;
+    public static final int MAX_LIGHTS = 1000;
+    public static final int MAX_LIGHT_GROUPS = 1000;
+    /** Shapes and groups that one link of a light names. */
+    public static final int MAX_LINKS = 1000;
+    public static final int MAX_SHAPES = 1_000_000;
+    public static final int MAX_MATERIALS = 32_000;
+    public static final int MAX_NESTING = 32;
+    /** Positions, in scene units, either sign. */
+    public static final double MAX_COORDINATE = 1e12;
+    /** Absolute scale factors of a shape or a group. */
+    public static final double MIN_SCALE = 1e-9;
+    public static final double MAX_SCALE = 1e9;
+    /** The radius of a frustum's top, that of its base being 1. */
+    public static final double MAX_TOP = 1e6;
+    public static final double MAX_EMISSION = 1e6;
+    public static final double MAX_AMBIENCE = 1e6;
+    public static final double MAX_LIGHT_COLOR = 1e3;
+    public static final double MAX_INTENSITY = 1e30;
+    /** Of a lamp of an environment: so little beside {@link #MAX_TOTAL_LIGHT} that no environment is too bright for any material. */
+    public static final double MAX_ENVIRONMENT_LIGHT_INTENSITY = 1e22;
+    /** What the weights of all lights times the greatest term of any material add up to. */
+    public static final double MAX_TOTAL_LIGHT = 1e36;
+    public static final double MAX_GROUP_INTENSITY = 1e3;
+    public static final double MAX_ATTENUATION = 1e30;
+    public static final double MAX_ANGLE = 180;
+    public static final double MAX_FEATHER = 90;
+    public static final double MAX_DROPOFF = 1e6;
+    /** The radius, width and height of a light. */
+    public static final double MAX_EXTENT = 1e9;
+    public static final double MAX_SPREAD = 90;
+    public static final int MIN_LIGHT_SAMPLES = 4;
+    public static final int MAX_LIGHT_SAMPLES = 64;
+    public static final double MAX_SHININESS = 1e6;
+    public static final double MIN_FOV = 0.01;
+    public static final double MAX_FOV = 170;
+    public static final double MAX_REPEAT = 1e6;
+    public static final double MAX_HEIGHT = 1e9;
+    public static final double MAX_STRENGTH = 1e6;
+    public static final double MAX_ROTATION = 1e6;
+    public static final double MAX_IOR = 4;
+    public static final double MIN_TINT_DISTANCE = 1e-9;
+    public static final double MAX_TINT_DISTANCE = 1e9;
+
+    public static final int MAX_NAME = 100;
+
+    private SceneLimits() {}
+
+    /**
+     * Returns {@code value} if it is a number within the two bounds.
+     *
+     * @throws IllegalArgumentException if it is NaN or outside; the message says which
+     */
+    public static double checkRange(String name, double value, double min, double max) {
+        if (isWithin(value, min, max)) {
+            return value;
+        }
+        String expected = min == 0 && value < 0 ? "must be ≥ 0" : "must be from " + format(min) + " to " + format(max);
+        throw new IllegalArgumentException(name + " " + expected + ", was " + format(value));
+    }
+
+    static int checkRange(String name, int value, int min, int max) {
+        return (int) checkRange(name, (double) value, min, max);
+    }
+
+    static Vec3 checkRange(String name, Vec3 v, double min, double max) {
+        // Words only where they are needed: a scene may have a million positions.
+        if (!(isWithin(v.x(), min, max) && isWithin(v.y(), min, max) && isWithin(v.z(), min, max))) {
+            checkRange(name + " x", v.x(), min, max);
+            checkRange(name + " y", v.y(), min, max);
+            checkRange(name + " z", v.z(), min, max);
+        }
+        return v;
+    }
+
+    private static boolean isWithin(double v, double min, double max) {
+        return v >= min && v <= max;
+    }
+
+    static Rgb checkRange(String name, Rgb c, double max) {
+        checkRange(name + " red", c.r(), 0, max);
+        checkRange(name + " green", c.g(), 0, max);
+        checkRange(name + " blue", c.b(), 0, max);
+        return c;
+    }
+
+    static Vec3 checkPosition(String name, Vec3 p) {
+        return checkRange(name, p, -MAX_COORDINATE, MAX_COORDINATE);
+    }
+
+    /** A direction: within the coordinate range and not so short that its length is lost. */
+    public static Vec3 checkDirection(String name, Vec3 d) {
+        checkPosition(name, d);
+        if (!(d.maxAbs() >= 1e-12)) {
+            throw new IllegalArgumentException(name + " must not be zero, was "
+                    + format(d.x()) + " " + format(d.y()) + " " + format(d.z()));
+        }
+        return d;
+    }
+
+    /**
+     * The scale of a shape times that of all groups around it must be within the range for one
+     * placement, so that its transform can be inverted however deep it is nested.
+     *
+     * @param name  the shape's or group's name in messages
+     * @param min the product of the smallest absolute factors
+     * @param max  the product of the largest
+     */
+    public static void checkCombinedScale(Supplier<String> name, double min, double max) {
+        if (min < MIN_SCALE || max > MAX_SCALE) {
+            throw new IllegalArgumentException(name.get() + ": scale times that of its groups must be from " + format(MIN_SCALE) + " to "
+                    + format(MAX_SCALE) + ", was " + format(min < MIN_SCALE ? min : max));
+        }
+    }
+
+    /**
+     * A name: 1 to 100 code points, all of which a line shows, neither a space nor a joiner at its ends. Two names are the same if
+     * all their code points are.
+     */
+    public static String checkName(String name) {
+        if (name.isEmpty() || name.codePointCount(0, name.length()) > MAX_NAME || !PrintableText.isPrintable(name)
+                || isBlank(name.codePointAt(0)) || isBlank(name.codePointBefore(name.length()))) {
+            throw new IllegalArgumentException("a name must have 1 to " + MAX_NAME + " characters, no control characters and no spaces "
+                    + "at its ends, was " + Quote.of(name));
+        }
+        return name;
+    }
+
+    private static boolean isBlank(int c) {
+        return Character.getType(c) == Character.SPACE_SEPARATOR || Character.getType(c) == Character.FORMAT;
+    }
+
+    /** A number as the file writes it; zero has no sign here. */
+    public static String format(double v) {
+        return DecimalNumber.format(v == 0 ? 0 : v);
+    }
+}

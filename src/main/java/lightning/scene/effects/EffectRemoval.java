@@ -1,0 +1,56 @@
+package lightning.scene.effects;
+
+import java.util.List;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import lightning.base.math.Rgb;
+import lightning.scene.Light;
+import lightning.scene.Material;
+import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+
+/** Scenes with something taken away. */
+final class EffectRemoval {
+    private EffectRemoval() {}
+
+    static Scene mapMaterials(Scene s, UnaryOperator<Material> change) {
+        return s.withMaterials(s.materials().stream().map(change).toList());
+    }
+
+    /** Nothing mirrors by its colour, and no ray is followed unless something is clear, which mirrors by its angle. */
+    static Scene removeReflections(Scene s) {
+        Scene nonReflective = mapMaterials(s, m -> m.withReflective(Rgb.BLACK));
+        return s.materials().stream().anyMatch(m -> m.transmission().isTransparent()) ? nonReflective
+                : nonReflective.withPicture(s.picture().withDepth(0));
+    }
+
+    static Scene mapLights(Scene s, UnaryOperator<Light> change) {
+        return s.withLights(s.lights().stream().map(change).toList());
+    }
+
+    /** The light as a point, or as one direction. */
+    static Light removeArea(Light light) {
+        return light.withArea(light.area().withRadius(0).withSpread(0).withWidth(0).withHeight(0));
+    }
+
+    static Scene removeShapes(Scene s, Class<? extends Solid> type) {
+        return s.withNodes(mapNodes(s.nodes(), shape -> type.isInstance(shape.solid()) ? Stream.empty() : Stream.of(shape)));
+    }
+
+    static Scene removeVertexColors(Scene s) {
+        return s.withNodes(mapNodes(s.nodes(), shape -> Stream.of(shape.solid() instanceof Solid.TriangleMesh t
+                ? shape.withSolid(t.withShowsColors(false)) : shape)));
+    }
+
+    /** Each shape becomes what {@code change} makes of it, in the same groups. */
+    private static List<SceneNode> mapNodes(List<SceneNode> nodes, Function<Shape, Stream<Shape>> change) {
+        return nodes.stream().<SceneNode>flatMap(node -> switch (node) {
+            case NodeGroup group -> Stream.of(group.withChildren(mapNodes(group.children(), change)));
+            case Shape shape -> change.apply(shape);
+        }).toList();
+    }
+}

@@ -1,0 +1,202 @@
+package lightning.scene.effects;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import lightning.base.math.Rgb;
+import lightning.scene.AlphaCutout;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Attenuation;
+import lightning.scene.BarnDoors;
+import lightning.scene.BumpMapping;
+import lightning.scene.Environment;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightRig;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import lightning.scene.ShadingModel;
+import lightning.scene.ShadowCasting;
+import lightning.scene.ShapeLinks;
+import lightning.scene.Solid;
+import lightning.scene.Transmission;
+
+/**
+ * The parts of the picture that a scene may or may not call for: the one place that names them. Each tells who calls for
+ * it, and what the scene is without it.
+ */
+public final class RenderEffect {
+    private static final List<RenderEffect> REGISTRY = new ArrayList<>();
+
+    public static final RenderEffect SHADOWS = register("shadows", "shadows", uses -> uses.lights(_ -> true), UnaryOperator.identity());
+    public static final RenderEffect SPECULAR =
+            register("specular", "specular highlights", uses -> uses.litMaterials(m -> !m.specular().isBlack()),
+                    scene -> EffectRemoval.mapMaterials(scene, m -> m.withSpecular(Rgb.BLACK)));
+    public static final RenderEffect METALLIC = register("metallic", "metallic materials", uses -> uses.litMaterials(Material::isMetallic),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withModel(ShadingModel.PHONG)), UnaryOperator.identity(), false);
+    public static final RenderEffect TEXTURES =
+            register("textures", "textures", uses -> uses.litMaterials(m -> m.texture().isPresent() && !m.albedo().isBlack()),
+                    scene -> EffectRemoval.mapMaterials(scene, m -> m.withTexture(Optional.empty())), EffectInjection::addWhiteTextures);
+    public static final RenderEffect CUTOUTS = register("cutouts", "cut-outs", uses -> uses.materials(m -> m.cutout().isActive()),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withCutout(AlphaCutout.NONE)), EffectInjection::addOpaqueCutouts);
+    public static final RenderEffect BUMPS =
+            register("bumps", "bump and normal maps", uses -> uses.materials(m -> !m.bumpMapping().isFlat()),
+                    scene -> EffectRemoval.mapMaterials(scene, m -> m.withBumpMapping(BumpMapping.NONE)), EffectInjection::addFlatBumps);
+    public static final RenderEffect VERTEX_COLORS =
+            register("vertex-colors", "colours of vertices", EffectUsers::vertexColors, EffectRemoval::removeVertexColors,
+                    UnaryOperator.identity(), false);
+    public static final RenderEffect REFLECTION =
+            register("reflection", "reflections", EffectUsers::mirrors, EffectRemoval::removeReflections);
+    public static final RenderEffect TRANSMISSION = register("clear", "clear materials",
+            uses -> uses.materials(m -> m.transmission().isTransparent() || !m.transmission().castsShadows()),
+            scene -> EffectRemoval.mapMaterials(scene, m -> m.withTransmission(Transmission.NONE)), UnaryOperator.identity(), false);
+    public static final RenderEffect TINTED_SHADOWS =
+            register("tinted-shadows", "tinted shadows", uses -> uses.materials(m -> m.transmission().tintsShadows()),
+                    scene -> EffectRemoval.mapMaterials(scene, m -> m.transmission().tintsShadows()
+                            ? m.withTransmission(m.transmission().withShadows(ShadowCasting.FULL)) : m),
+                    UnaryOperator.identity(), false);
+    public static final RenderEffect ATTENUATION =
+            register("attenuation", "attenuation", uses -> uses.lights(l -> l.type().hasPosition() && !l.attenuation().isNone()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withAttenuation(Attenuation.NONE)));
+    public static final RenderEffect SPOT_CONE =
+            register("spot-cone", "cones of light", uses -> uses.lights(l -> l.type().hasCone() && l.angle() < 180),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withAngle(180)), EffectInjection::addFullCones);
+    public static final RenderEffect DROPOFF =
+            register("dropoff", "dropoff", uses -> uses.lights(l -> l.type().hasCone() && l.dropoff() != 0),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withDropoff(0)));
+    public static final RenderEffect BARN_DOORS =
+            register("barn-doors", "barn doors", uses -> uses.lights(l -> LightAttribute.DOORS.appliesTo(l.type()) && !l.doors().isOpen()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withDoors(BarnDoors.OPEN)));
+    public static final RenderEffect GOBOS =
+            register("gobos", "gobos", uses -> uses.lights(l -> l.type().hasCone() && l.gobo().isPresent()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withGobo(Optional.empty())));
+    public static final RenderEffect PROFILES = register("profiles", "profiles of lights",
+            uses -> uses.lights(l -> LightAttribute.PROFILE.appliesTo(l.type()) && l.profile().isPresent()),
+            scene -> EffectRemoval.mapLights(scene, l -> l.withProfile(Optional.empty())));
+    public static final RenderEffect LIGHT_LINKS =
+            register("light-links", "links of lights to what they shine on", uses -> uses.lights(l -> !l.illuminates().isAll()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withIlluminates(ShapeLinks.ALL)), UnaryOperator.identity(), false);
+    public static final RenderEffect SHADOW_LINKS =
+            register("shadow-links", "links of lights to what shadows them", uses -> uses.lights(l -> !l.shadowedBy().isAll()),
+                    scene -> EffectRemoval.mapLights(scene, l -> l.withShadowedBy(ShapeLinks.ALL)), UnaryOperator.identity(), false);
+    public static final RenderEffect LIGHT_GROUPS = register("banks", "banks of lights", EffectUsers::lightGroups,
+            scene -> scene.withRig(LightRig.of(scene.lights().stream().map(l -> l.withLightGroup("")).toList())),
+            UnaryOperator.identity(), false);
+    public static final RenderEffect SOFT_SHADOWS =
+            register("soft-shadows", "soft shadows", uses -> uses.lights(Light::isArea),
+                    scene -> EffectRemoval.mapLights(scene, EffectRemoval::removeArea),
+                    UnaryOperator.identity(), false);
+    public static final RenderEffect ANTIALIASING =
+            register("antialiasing", "anti-aliasing", EffectUsers::supersampling, scene -> scene.withPicture(scene.picture()
+                    .withSampling(new SamplingSettings(AntialiasMode.OFF, scene.picture().sampling().grid()))));
+    public static final RenderEffect ENVIRONMENT =
+            register("environment", "an environment", uses -> uses.scene().world().environment().stream().map(Environment::file),
+                    scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false);
+
+    /** Those above, then one for each type of light and each form of a shape. */
+    public static final List<RenderEffect> ALL = Stream.of(REGISTRY.stream(), Arrays.stream(LightType.values()).map(RenderEffect::lights),
+            Solid.CANONICAL.stream().map(RenderEffect::shapes),
+            Stream.of(shapes("meshes", Solid.TriangleMesh.class))).flatMap(all -> all).toList();
+
+    private final String id;
+    private final String title;
+    private final Function<EffectUsers, Stream<String>> users;
+    private final UnaryOperator<Scene> removal;
+    private final UnaryOperator<Scene> addition;
+    private final boolean forcible;
+
+    private RenderEffect(String id, String title, Function<EffectUsers, Stream<String>> users, UnaryOperator<Scene> removal,
+            UnaryOperator<Scene> addition, boolean forcible) {
+        this.id = id;
+        this.title = title;
+        this.users = users;
+        this.removal = removal;
+        this.addition = addition;
+        this.forcible = forcible;
+    }
+
+    private static RenderEffect register(String id, String title, Function<EffectUsers, Stream<String>> users,
+            UnaryOperator<Scene> removal) {
+        return register(id, title, users, removal, UnaryOperator.identity());
+    }
+
+    private static RenderEffect register(String id, String title, Function<EffectUsers, Stream<String>> users, UnaryOperator<Scene> removal,
+            UnaryOperator<Scene> addition) {
+        return register(id, title, users, removal, addition, true);
+    }
+
+    private static RenderEffect register(String id, String title, Function<EffectUsers, Stream<String>> users, UnaryOperator<Scene> removal,
+            UnaryOperator<Scene> addition, boolean forcible) {
+        var effect = new RenderEffect(id, title, users, removal, addition, forcible);
+        REGISTRY.add(effect);
+        return effect;
+    }
+
+    private static RenderEffect lights(LightType type) {
+        String title = switch (type) {
+            case DIRECTIONAL, POINT, SPOT, DISC -> type.name().toLowerCase(Locale.ROOT);
+            case RECT -> "rectangular";
+        } + " lights";
+        return new RenderEffect(type.name().toLowerCase(Locale.ROOT) + "-lights", title, uses -> uses.lights(l -> l.type() == type),
+                scene -> EffectRemoval.mapLights(scene, l -> l.type() == type ? l.withOn(false) : l), UnaryOperator.identity(), false);
+    }
+
+    private static RenderEffect shapes(Solid.Canonical solid) {
+        return shapes(solid.typeName() + "s", solid.getClass());
+    }
+
+    private static RenderEffect shapes(String title, Class<? extends Solid> type) {
+        return new RenderEffect(title, title, uses -> uses.shapes(type), scene -> EffectRemoval.removeShapes(scene, type),
+                UnaryOperator.identity(), false);
+    }
+
+    /** The effect of that {@link #id}. */
+    public static RenderEffect of(String id) {
+        return ALL.stream().filter(effect -> effect.id.equals(id)).findFirst().orElseThrow();
+    }
+
+    /** For programs: lower case, words joined by hyphens, as in {@code barn-doors}. */
+    public String id() {
+        return id;
+    }
+
+    /** For people, lower case, in the plural where there is one. */
+    public String title() {
+        return title;
+    }
+
+    /** Whether its work can be done where nothing calls for it; that of a light, a bank or a shape which is not there cannot. */
+    public boolean isForcible() {
+        return forcible;
+    }
+
+    /** The names of the lights, materials or shapes that call for it, in the order of the scene, perhaps repeatedly. */
+    Stream<String> users(EffectUsers uses) {
+        return users.apply(uses);
+    }
+
+    /**
+     * A scene that calls for it and has the very same picture; the scene itself where there is none: then those who keep
+     * columns and cast rays force it ({@link ViewEffects#forces}), or nobody can.
+     */
+    Scene addTo(Scene scene) {
+        return addition.apply(scene);
+    }
+
+    /** The scene without it; for shadows the scene itself, because nothing in a scene tells of them. */
+    Scene removeFrom(Scene scene) {
+        return removal.apply(scene);
+    }
+
+    @Override
+    public String toString() {
+        return title;
+    }
+}

@@ -1,0 +1,105 @@
+package lightning.scene.shot;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import lightning.base.math.Vec3;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightGroup;
+import lightning.scene.LightRig;
+import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+
+/** Makes the scene of one frame. All that goes together is set together, so that nothing in between is ever refused. */
+final class FrameEvaluator {
+    private final Map<TrackTarget, List<Track>> tracks;
+    private final double frame;
+
+    FrameEvaluator(List<Track> tracks, double frame) {
+        this.tracks = tracks.stream().collect(Collectors.groupingBy(Track::target));
+        this.frame = frame;
+    }
+
+    Scene evaluate(Scene scene) {
+        Scene result = scene;
+        if (tracks.containsKey(TrackTarget.CAMERA)) {
+            result = result.withCamera(camera(scene.camera(), tracks.get(TrackTarget.CAMERA)));
+        }
+        if (has(TrackTarget.Kind.LIGHT) || has(TrackTarget.Kind.LIGHT_GROUP)) {
+            result = result.withRig(LightRig.of(scene.lights().stream().map(this::light).toList(),
+                    scene.rig().lightGroups().stream().map(this::bank).toList()));
+        }
+        return has(TrackTarget.Kind.NODE) ? result.withNodes(nodes(scene.nodes())) : result;
+    }
+
+    private boolean has(TrackTarget.Kind kind) {
+        return tracks.keySet().stream().anyMatch(t -> t.kind() == kind);
+    }
+
+    private Camera camera(Camera base, List<Track> keys) {
+        Vec3 from = Camera.FROM.get(base);
+        Vec3 to = Camera.TO.get(base);
+        Vec3 up = Camera.UP.get(base);
+        double fov = Camera.FOV.get(base);
+        for (Track track : keys) {
+            if (track.attribute().equals(Camera.FROM.name())) {
+                from = track.evaluate(frame, Camera.FROM.kind());
+            } else if (track.attribute().equals(Camera.TO.name())) {
+                to = track.evaluate(frame, Camera.TO.kind());
+            } else if (track.attribute().equals(Camera.UP.name())) {
+                up = track.evaluate(frame, Camera.UP.kind());
+            } else if (track.attribute().equals(Camera.FOV.name())) {
+                fov = track.evaluate(frame, Camera.FOV.kind());
+            }
+        }
+        return new Camera(from, to, up, fov);
+    }
+
+    private Light light(Light light) {
+        return animate(light, TrackTarget.light(light.name()), LightAttribute.ALL);
+    }
+
+    private LightGroup bank(LightGroup bank) {
+        return animate(bank, TrackTarget.bank(bank.name()), LightGroup.ATTRIBUTES);
+    }
+
+    private List<SceneNode> nodes(List<SceneNode> nodes) {
+        return nodes.stream().map(this::node).toList();
+    }
+
+    private SceneNode node(SceneNode node) {
+        SceneNode withChildren = switch (node) {
+            case NodeGroup g when !g.children().isEmpty() -> g.withChildren(nodes(g.children()));
+            case NodeGroup g -> g;
+            case Shape s -> s;
+        };
+        return animate(withChildren, TrackTarget.node(node.name()), node.attributes());
+    }
+
+    private <T> T animate(T record, TrackTarget target, List<? extends SceneAttribute<T, ?>> attributes) {
+        T result = record;
+        for (Track track : tracks.getOrDefault(target, List.of())) {
+            for (SceneAttribute<T, ?> attribute : attributes) {
+                if (attribute.name().equals(track.attribute())) {
+                    result = animate(result, attribute, track);
+                }
+            }
+        }
+        return result;
+    }
+
+    private <T, V> T animate(T record, SceneAttribute<T, V> attribute, Track track) {
+        try {
+            V value = track.evaluate(frame, attribute.kind());
+            attribute.kind().check(attribute.name(), value);
+            return attribute.with(record, value);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(track.target() + ": " + e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package lightning.scene.shot;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.SceneDiff;
+
+/** Says what changed of a scene and its keys in one line for a menu: {@code key: intensity at frame 12}. */
+public final class ShotDiff {
+    /** Of more attributes than this it is not told whose keys changed. */
+    private static final int MAX_ATTRIBUTES = 3;
+
+    private final Scene scene;
+    private final List<String> parts = new ArrayList<>();
+
+    private ShotDiff(Scene scene) {
+        this.scene = scene;
+    }
+
+    /** Never empty. */
+    public static String summarize(AnimatedScene before, AnimatedScene after) {
+        var change = new ShotDiff(after.base());
+        if (!before.base().equals(after.base()) || before.shot().equals(after.shot())) {
+            change.parts.add(SceneDiff.summarize(before.base(), after.base()));
+        }
+        // What is renamed, and what goes with a light, is no news of the keys.
+        Optional<Shot> previous = before.base().equals(after.base()) ? before.shot() : before.withScene(after.base()).shot();
+        if (after.shot().isEmpty() && previous.isPresent()) {
+            change.parts.add(Messages.tr("delete the shot"));
+        } else if (after.shot().isPresent()) {
+            if (previous.isEmpty()) {
+                change.parts.add(Messages.tr("new shot"));
+            }
+            change.addChanges(previous.orElse(after.shot().get().withTracks(List.of())), after.shot().get());
+        }
+        return String.join(", ", change.parts);
+    }
+
+    /** The same of the keys of one thing alone; empty where they are the same. */
+    public static String summarize(Scene scene, List<Track> before, List<Track> after) {
+        var change = new ShotDiff(scene);
+        change.addChanges(Shot.DEFAULT.withTracks(before), Shot.DEFAULT.withTracks(after));
+        return String.join(", ", change.parts);
+    }
+
+    private void addChanges(Shot before, Shot after) {
+        if (before.first() != after.first() || before.last() != after.last()) {
+            parts.add(Messages.tr("frames {0} to {1}", after.first(), after.last()));
+        }
+        if (before.rate() != after.rate()) {
+            parts.add(Messages.tr("frames per second"));
+        }
+        Map<String, Track> previous = new LinkedHashMap<>();
+        before.tracks().forEach(t -> previous.put(t.target() + "." + t.attribute(), t));
+        Map<String, Track> current = new LinkedHashMap<>();
+        after.tracks().forEach(t -> current.put(t.target() + "." + t.attribute(), t));
+        Set<String> allNames = new LinkedHashSet<>(previous.keySet());
+        allNames.addAll(current.keySet());
+        List<String> descriptions =
+                allNames.stream().filter(n -> !Optional.ofNullable(previous.get(n)).equals(Optional.ofNullable(current.get(n))))
+                        .map(n -> text(previous.get(n), current.get(n))).toList();
+        parts.addAll(
+                descriptions.size() <= MAX_ATTRIBUTES ? descriptions : List.of(Messages.tr("keys of {0} attributes", descriptions.size())));
+    }
+
+    /** @param before null where there was none; likewise {@code after} */
+    private String text(Track before, Track after) {
+        Track track = after == null ? before : after;
+        String title = name(track.target()) + ": " + title(track);
+        List<Keyframe> added = new ArrayList<>(after == null ? List.of() : after.keys());
+        List<Keyframe> removed = new ArrayList<>(before == null ? List.of() : before.keys());
+        if (before != null && after != null) {
+            added.removeAll(before.keys());
+            removed.removeAll(after.keys());
+        }
+        if (added.size() == 1 && removed.stream().allMatch(k -> k.frame() == added.getFirst().frame())) {
+            return Messages.tr("{0} at frame {1}", title, added.getFirst().frame());
+        }
+        if (added.isEmpty() && removed.size() == 1) {
+            return Messages.tr("{0} without key at frame {1}", title, removed.getFirst().frame());
+        }
+        return Messages.tr("{0}: keys", title);
+    }
+
+    /** As lists call what has keys. */
+    public static String name(TrackTarget target) {
+        return target.kind() == TrackTarget.Kind.CAMERA ? Messages.tr("camera") : Quote.path(target.name());
+    }
+
+    private String title(Track track) {
+        String name = track.attribute();
+        return Messages.tr(track.target().existsIn(scene)
+                ? track.target().attribute(scene, name).<SceneAttribute<?, ?>>map(a -> a).map(SceneAttribute::title).orElse(name) : name);
+    }
+}

@@ -1,0 +1,82 @@
+package lightning.scene.shot;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import lightning.scene.Light;
+import lightning.scene.LightGroup;
+import lightning.scene.NodeGroup;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+
+/** Which thing of an edited scene has the keys of one before the edit. */
+public final class TrackRetargeting {
+    private final Scene after;
+    /** Those that have another name now. */
+    private final Map<TrackTarget, TrackTarget> renamed = new HashMap<>();
+
+    public TrackRetargeting(Scene before, Scene after) {
+        this.after = after;
+        for (TrackTarget.Kind kind : TrackTarget.Kind.values()) {
+            matchRenamed(kind, names(before, kind), names(after, kind));
+        }
+    }
+
+    private void matchRenamed(TrackTarget.Kind kind, List<String> oldNames, List<String> newNames) {
+        if (oldNames.equals(newNames)) {
+            return;
+        }
+        Set<String> unmatched = new LinkedHashSet<>(newNames);
+        unmatched.removeAll(new HashSet<>(oldNames));
+        Set<String> retained = new HashSet<>(newNames);
+        for (int i = 0; i < oldNames.size(); i++) {
+            for (int index : new int[] {i, i + newNames.size() - oldNames.size()}) {
+                if (!retained.contains(oldNames.get(i)) && index >= 0 && index < newNames.size() && unmatched.remove(newNames.get(index))) {
+                    renamed.put(new TrackTarget(kind, oldNames.get(i)), new TrackTarget(kind, newNames.get(index)));
+                    break;
+                }
+            }
+        }
+    }
+
+    /** The shot of the edited scene: without what is gone, and without keys that what is there now cannot have. */
+    public Shot retarget(Shot shot) {
+        List<Track> retargeted = new ArrayList<>();
+        for (Track track : shot.tracks()) {
+            retarget(track.target()).map(track::withTarget).filter(this::isValid).ifPresent(retargeted::add);
+        }
+        return retargeted.equals(shot.tracks()) ? shot : shot.withTracks(retargeted);
+    }
+
+    private boolean isValid(Track track) {
+        return track.target().attributes(after).stream().anyMatch(a -> a.name().equals(track.attribute()));
+    }
+
+    /**
+     * What has the keys of {@code old} now: what has its name, or else what stands at its place among those of its kind, from the
+     * front or from the back, under a name that was not there. Nothing where it is gone.
+     */
+    public Optional<TrackTarget> retarget(TrackTarget old) {
+        return old.existsIn(after) ? Optional.of(old) : Optional.ofNullable(renamed.get(old));
+    }
+
+    private static List<String> names(Scene scene, TrackTarget.Kind kind) {
+        return switch (kind) {
+            case CAMERA -> List.of("");
+            case LIGHT -> scene.lights().stream().map(Light::name).toList();
+            case LIGHT_GROUP -> scene.rig().lightGroups().stream().map(LightGroup::name).toList();
+            case NODE -> scene.nodes().stream().flatMap(TrackRetargeting::names).toList();
+        };
+    }
+
+    private static Stream<String> names(SceneNode node) {
+        return Stream.concat(Stream.of(node.name()),
+                node instanceof NodeGroup g ? g.children().stream().flatMap(TrackRetargeting::names) : Stream.empty());
+    }
+}

@@ -1,0 +1,125 @@
+package lightning.scene.shot;
+
+import java.util.List;
+import java.util.Optional;
+import lightning.base.text.Quote;
+import lightning.scene.Camera;
+import lightning.scene.ChoiceKind;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightGroup;
+import lightning.scene.NumericKind;
+import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.SceneNode;
+import lightning.scene.ValueKind;
+
+/**
+ * What has keys.
+ *
+ * @param name empty for the camera
+ */
+public record TrackTarget(Kind kind, String name) {
+    public static final TrackTarget CAMERA = new TrackTarget(Kind.CAMERA, "");
+
+    /** What it is. */
+    public enum Kind {
+        CAMERA,
+        LIGHT,
+        LIGHT_GROUP,
+        /** A shape or a group. */
+        NODE
+    }
+
+    public static TrackTarget light(String name) {
+        return new TrackTarget(Kind.LIGHT, name);
+    }
+
+    public static TrackTarget bank(String name) {
+        return new TrackTarget(Kind.LIGHT_GROUP, name);
+    }
+
+    public static TrackTarget node(String name) {
+        return new TrackTarget(Kind.NODE, name);
+    }
+
+    /** Whether the scene has it. */
+    public boolean existsIn(Scene scene) {
+        return switch (kind) {
+            case CAMERA -> true;
+            case LIGHT -> scene.light(name).isPresent();
+            case LIGHT_GROUP -> scene.rig().lightGroup(name).isPresent();
+            case NODE -> scene.stage().hasNode(name);
+        };
+    }
+
+    /**
+     * All that is known of its attributes, with keys or without.
+     *
+     * @throws IllegalArgumentException if the scene does not have it
+     */
+    public List<? extends SceneAttribute<?, ?>> attributes(Scene scene) {
+        if (!existsIn(scene)) {
+            throw new IllegalArgumentException("there is no " + this);
+        }
+        return switch (kind) {
+            case CAMERA -> Camera.ATTRIBUTES;
+            case LIGHT -> LightAttribute.ALL;
+            case LIGHT_GROUP -> LightGroup.ATTRIBUTES;
+            case NODE -> scene.stage().node(name).map(SceneNode::attributes).orElseThrow();
+        };
+    }
+
+    /**
+     * What is known of one of them; empty where it has none of that name.
+     *
+     * @throws IllegalArgumentException if the scene does not have it
+     */
+    public Optional<? extends SceneAttribute<?, ?>> attribute(Scene scene, String attribute) {
+        return attributes(scene).stream().filter(a -> a.name().equals(attribute)).findFirst();
+    }
+
+    /**
+     * What a key of an attribute would say to leave it as it is.
+     *
+     * @throws IllegalArgumentException if the scene does not have it, if it lacks the attribute, or if that has no keys
+     */
+    public KeyframeValue value(Scene scene, String attribute) {
+        if (!existsIn(scene)) {
+            throw new IllegalArgumentException("there is no " + this);
+        }
+        return switch (kind) {
+            case CAMERA -> value(scene.camera(), Camera.ATTRIBUTES, attribute);
+            case LIGHT -> value(scene.light(name).orElseThrow(), LightAttribute.ALL, attribute);
+            case LIGHT_GROUP -> value(scene.rig().lightGroup(name).orElseThrow(), LightGroup.ATTRIBUTES, attribute);
+            case NODE -> {
+                SceneNode node = scene.stage().node(name).orElseThrow();
+                yield value(node, node.attributes(), attribute);
+            }
+        };
+    }
+
+    private <T> KeyframeValue value(T record, List<? extends SceneAttribute<T, ?>> attributes, String attribute) {
+        return attributes.stream().filter(a -> a.name().equals(attribute)).findFirst().map(a -> value(record, a))
+                .orElseThrow(() -> new IllegalArgumentException(this + " has no " + attribute + " with keys"));
+    }
+
+    private <T, V> KeyframeValue value(T record, SceneAttribute<T, V> attribute) {
+        return switch (attribute.kind()) {
+            case NumericKind<V> q -> new KeyframeValue.Numbers(q.components().apply(attribute.get(record)));
+            case ChoiceKind<V> c -> new KeyframeValue.Word(c.format(attribute.get(record)));
+            case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
+                    throw new IllegalArgumentException(this + ": " + attribute.name() + " has no keys: only numbers and words have");
+        };
+    }
+
+    /** As people are told it: {@code light 'key'}. */
+    @Override
+    public String toString() {
+        return switch (kind) {
+            case CAMERA -> "camera";
+            case LIGHT -> "light " + Quote.of(name);
+            case LIGHT_GROUP -> "bank " + Quote.of(name);
+            case NODE -> "shape or group " + Quote.of(name);
+        };
+    }
+}

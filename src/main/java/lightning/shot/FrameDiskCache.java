@@ -1,0 +1,130 @@
+package lightning.shot;
+
+import java.io.IOException;
+import java.lang.foreign.Arena;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
+import lightning.base.file.ScratchFolder;
+import lightning.base.text.Messages;
+import lightning.render.cache.CacheMetadata;
+import lightning.render.cache.CacheSerializer;
+import lightning.render.cache.PixelCache;
+import lightning.render.column.ColumnReader;
+import lightning.render.column.ColumnWriter;
+
+/**
+ * The rows and colours of frames as files, mapped for reading. A file is never written twice; what is damaged, or could not be written,
+ * is as if it were not there. Any thread may call.
+ */
+final class FrameDiskCache implements AutoCloseable {
+    private final ScratchFolder folder;
+    private final long maxBytes;
+    private final AtomicLong usedBytes = new AtomicLong();
+    private final AtomicLong fileCount = new AtomicLong();
+    private final AtomicReference<String> problem = new AtomicReference<>();
+
+    /** A file that was written. */
+    record CacheFile(Path file, long bytes) {}
+
+    /** What writes columns. */
+    @FunctionalInterface
+    private interface ColumnsWriter {
+        void write(PixelCache cache, ColumnWriter out) throws IOException;
+    }
+
+    /**
+     * @param parent where the folder of these files is made
+     * @param maxBytes  bytes that all files may take
+     * @throws IOException if it cannot be made
+     */
+    FrameDiskCache(Path parent, long maxBytes) throws IOException {
+        folder = ScratchFolder.createIn(parent);
+        this.maxBytes = maxBytes;
+    }
+
+    /** Bytes that files may still take. */
+    long freeBytes() {
+        return Math.max(0, maxBytes - usedBytes.get());
+    }
+
+    /** Writes rows, layers and codes; null where there is no room, or that fails. */
+    CacheFile writeRows(PixelCache cache) {
+        return write("rows-", cache, CacheSerializer::writeRows);
+    }
+
+    /** Writes the colours likewise. */
+    CacheFile writeColors(PixelCache cache) {
+        return write("colors-", cache, CacheSerializer::writeColors);
+    }
+
+    private CacheFile write(String name, PixelCache cache, ColumnsWriter columns) {
+        if (usedBytes.get() >= maxBytes) {
+            reportProblem(Messages.tr("the frames took all of the disk's room that they may take"));
+            return null;
+        }
+        Path file = folder.file(name + fileCount.incrementAndGet());
+        try {
+            folder.write(file, channel -> columns.write(cache, new ColumnWriter(channel)));
+            CacheFile part = new CacheFile(file, Files.size(file));
+            usedBytes.addAndGet(part.bytes);
+            return part;
+        } catch (IOException e) {
+            reportProblem(Messages.tr("frames could not be written to disk: {0}", e.getMessage()));
+            return null;
+        }
+    }
+
+    /**
+     * The picture of two files.
+     *
+     * @throws IOException if they are not as they were written
+     */
+    PixelCache read(CacheMetadata outline, CacheFile rows, CacheFile colors) throws IOException {
+        try (Arena arena = Arena.ofConfined()) {
+            return CacheSerializer.read(outline, reader(rows, arena), reader(colors, arena));
+        } catch (InternalError e) {
+            // A page that the disk does not give.
+            throw new IOException(e.getMessage(), e);
+        }
+    }
+
+    private static ColumnReader reader(CacheFile part, Arena arena) throws IOException {
+        try (FileChannel channel = FileChannel.open(part.file)) {
+            if (channel.size() != part.bytes) {
+                throw new IOException("it has " + channel.size() + " bytes in place of " + part.bytes);
+            }
+            return new ColumnReader(channel.map(FileChannel.MapMode.READ_ONLY, 0, part.bytes, arena));
+        }
+    }
+
+    /** Removes a file; null is none. */
+    void remove(CacheFile part) {
+        if (part == null) {
+            return;
+        }
+        try {
+            Files.deleteIfExists(part.file);
+        } catch (IOException e) {
+            // It goes with the folder.
+        }
+        usedBytes.addAndGet(-part.bytes);
+    }
+
+    /** Something went wrong, in a sentence without its full stop. */
+    void reportProblem(String message) {
+        problem.compareAndSet(null, message);
+    }
+
+    /** What went wrong first; null for nothing. */
+    String problem() {
+        return problem.get();
+    }
+
+    @Override
+    public void close() {
+        folder.close();
+    }
+}

@@ -1,0 +1,81 @@
+package lightning.shot;
+
+import java.util.Locale;
+import java.util.stream.IntStream;
+import lightning.render.relight.MemoryEstimate;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.trace.MeshMemory;
+import lightning.scene.PictureSettings;
+import lightning.scene.Scene;
+
+/**
+ * How much it takes to keep the frames of a shot, before any of them is traced.
+ *
+ * @param frameCount  how many
+ * @param bytesPerFrame    about the bytes of a frame
+ * @param meshBytes  bytes of what all share
+ * @param picture of each
+ */
+public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBytes, PictureSettings picture) {
+    /** Frames of which small pictures are made. */
+    private static final int SAMPLED_FRAMES = 3;
+    /** Frames that two lanes work on, each beside what was known of it. */
+    private static final int ACTIVE_FRAMES = 4;
+    private static final double GB = 1e9;
+
+    /**
+     * What the frames from {@code first} to {@code last} take, by the largest of some of them.
+     *
+     * @throws IllegalArgumentException as {@link ShotRevision#sceneAt}
+     */
+    public static ShotMemoryEstimate of(ShotRevision revision, int first, int last, RenderOptions options) {
+        long bytesPerFrame =
+                IntStream.range(0, SAMPLED_FRAMES).map(i -> first + (int) ((long) (last - first) * i / (SAMPLED_FRAMES - 1))).distinct()
+                        .mapToLong(frame -> MemoryEstimate.forecast(revision.sceneAt(frame), options)).max().orElseThrow();
+        Scene scene = revision.scene();
+        return new ShotMemoryEstimate(last - first + 1, bytesPerFrame, MeshMemory.bytes(scene), scene.picture());
+    }
+
+    /** The bytes of all frames. */
+    public long totalBytes() {
+        return frameCount * bytesPerFrame;
+    }
+
+    /**
+     * The bytes that frames which nobody works on may take in memory.
+     *
+     * @param memory bytes that pictures may take in this Java
+     */
+    public long frameBudget(long memory) {
+        return Math.max(0, memory - meshBytes - ACTIVE_FRAMES * bytesPerFrame);
+    }
+
+    /**
+     * Refuses a shot that does not fit.
+     *
+     * @param memory bytes that resting frames may take in memory, likewise {@code disk}
+     * @throws ShotTooLargeException if it takes more than both; the message says what would fit
+     */
+    public void check(long memory, long disk) {
+        long available = memory + disk;
+        if (totalBytes() <= available) {
+            return;
+        }
+        long fittingFrames = available / Math.max(1, bytesPerFrame);
+        double scale = Math.sqrt((double) available / totalBytes()) * 0.95;
+        int width = (int) (picture.width() * scale);
+        int height = (int) (picture.height() * scale);
+        throw new ShotTooLargeException(String.format(Locale.ROOT,
+                "%d frames of about %s take %s, and there is room for %s in memory and for %s on disk; %s",
+                frameCount, formatBytes(bytesPerFrame), formatBytes(totalBytes()), formatBytes(memory), formatBytes(disk),
+                Math.min(width, height) < 1 ? "nothing would fit"
+                        : (fittingFrames == 0 ? "" : fittingFrames == 1 ? "one frame would fit, or "
+                                : fittingFrames + " frames would fit, or ")
+                                + "a size of " + width + "x" + height + (fittingFrames > 0 ? "" : " would fit")));
+    }
+
+    /** Bytes, for people. */
+    public static String formatBytes(long bytes) {
+        return bytes < GB / 10 ? String.format(Locale.ROOT, "%.1f MB", bytes / 1e6) : String.format(Locale.ROOT, "%.1f GB", bytes / GB);
+    }
+}

@@ -1,0 +1,125 @@
+package lightning.shot.cluster;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.security.MessageDigest;
+import java.security.SecureRandom;
+import java.security.cert.CertificateException;
+import java.security.cert.X509Certificate;
+import java.util.Collections;
+import javax.net.ssl.KeyManagerFactory;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLEngine;
+import javax.net.ssl.TrustManager;
+import javax.net.ssl.X509ExtendedTrustManager;
+import lightning.base.file.RegularFile;
+import lightning.base.text.Messages;
+import lightning.base.text.Quote;
+
+/** The key and the certificate that all members of a cluster share: a file of PKCS #12. Who has it is a member. */
+final class ClusterCertificate {
+    /** Its format demands one; what protects the file is who may read it. */
+    static final char[] PASSWORD = "lightning".toCharArray();
+    private static final int MAX_BYTES = 1 << 16;
+
+    private ClusterCertificate() {}
+
+    /**
+     * What makes connections that only members can make.
+     *
+     * @throws JoinException if the file cannot be read, or holds anything but one key with its certificate
+     */
+    static SSLContext sslContext(Path file) throws JoinException {
+        try {
+            KeyStore store = KeyStore.getInstance("PKCS12");
+            RegularFile.check(file, "a certificate");
+            if (Files.size(file) > MAX_BYTES) {
+                throw new CertificateException(Messages.tr("it has more than {0} bytes", MAX_BYTES));
+            }
+            try (InputStream in = Files.newInputStream(file)) {
+                store.load(in, PASSWORD);
+            }
+            X509Certificate certificate = ownCertificate(store);
+            certificate.checkValidity();
+            KeyManagerFactory keys = KeyManagerFactory.getInstance("PKIX");
+            keys.init(store, PASSWORD);
+            SSLContext context = SSLContext.getInstance("TLSv1.3");
+            context.init(keys.getKeyManagers(), new TrustManager[] {new CertificatePinning(certificate)}, new SecureRandom());
+            return context;
+        } catch (NoSuchFileException e) {
+            throw new JoinException(
+                    Messages.tr("{0}: there is no such file; 'lightning node --make-certificate' makes one", Quote.path(file)),
+                    e);
+        } catch (IOException | GeneralSecurityException e) {
+            throw new JoinException(Messages.tr(
+                    "{0}: expected a key and its certificate as 'lightning node --make-certificate' makes them, but cannot use it: {1}",
+                    Quote.path(file), e.getMessage() == null ? Messages.tr("it is none") : e.getMessage()), e);
+        }
+    }
+
+    private static X509Certificate ownCertificate(KeyStore store) throws GeneralSecurityException {
+        for (String alias : Collections.list(store.aliases())) {
+            if (store.isKeyEntry(alias) && store.getCertificate(alias) instanceof X509Certificate own) {
+                return own;
+            }
+        }
+        throw new CertificateException(Messages.tr("it holds no key"));
+    }
+
+    /** Trusts those who show the very same certificate, and so must have its key; nobody else, whoever signed theirs. */
+    private static final class CertificatePinning extends X509ExtendedTrustManager {
+        private final X509Certificate certificate;
+
+        CertificatePinning(X509Certificate certificate) {
+            this.certificate = certificate;
+        }
+
+        private void check(X509Certificate[] chain) throws CertificateException {
+            if (chain == null || chain.length == 0 || !MessageDigest.isEqual(chain[0].getEncoded(), certificate.getEncoded())) {
+                throw new CertificateException("another certificate than that of this cluster");
+            }
+            chain[0].checkValidity();
+        }
+
+        @Override
+        public void checkClientTrusted(X509Certificate[] chain, String type, Socket socket) throws CertificateException {
+            check(chain);
+        }
+
+        @Override
+        public void checkServerTrusted(X509Certificate[] chain, String type, Socket socket) throws CertificateException {
+            check(chain);
+        }
+
+        @Override
+        public void checkClientTrusted(X509Certificate[] chain, String type, SSLEngine engine) throws CertificateException {
+            check(chain);
+        }
+
+        @Override
+        public void checkServerTrusted(X509Certificate[] chain, String type, SSLEngine engine) throws CertificateException {
+            check(chain);
+        }
+
+        @Override
+        public void checkClientTrusted(X509Certificate[] chain, String type) throws CertificateException {
+            check(chain);
+        }
+
+        @Override
+        public void checkServerTrusted(X509Certificate[] chain, String type) throws CertificateException {
+            check(chain);
+        }
+
+        @Override
+        public X509Certificate[] getAcceptedIssuers() {
+            return new X509Certificate[] {certificate};
+        }
+    }
+}

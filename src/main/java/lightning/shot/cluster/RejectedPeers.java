@@ -1,0 +1,29 @@
+package lightning.shot.cluster;
+
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import lightning.base.text.Messages;
+import lightning.shot.cluster.wire.WireException;
+
+/** Tells once of each member whose messages cannot be used. */
+final class RejectedPeers {
+    private final ClusterNetwork network;
+    private final Consumer<String> log;
+    private final Set<ClusterMember> reported = ConcurrentHashMap.newKeySet();
+
+    RejectedPeers(ClusterNetwork network, Consumer<String> log) {
+        this.network = network;
+        this.log = log;
+    }
+
+    void report(ClusterMember member, WireException problem) {
+        report(member, Messages.tr("a message of it is none: {0}", problem.getMessage()));
+    }
+
+    void report(ClusterMember member, String problem) {
+        if (reported.add(member)) {
+            log.accept(Messages.tr("{0} is left aside: {1}", network.addressOf(member), problem));
+        }
+    }
+}

@@ -1,0 +1,179 @@
+package lightning.shot.cluster;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import lightning.base.text.Messages;
+import lightning.base.work.Progress;
+import lightning.render.image.Downscale;
+import lightning.render.image.Film;
+import lightning.shot.CacheUsage;
+import lightning.shot.FrameHost;
+import lightning.shot.FrameRejectedException;
+import lightning.shot.FrameUpdate;
+import lightning.shot.HostLostException;
+import lightning.shot.ShotRevision;
+import lightning.shot.cluster.wire.Message;
+
+/** A node's frames, as those who want them see them. */
+final class RemoteFrameHost implements FrameHost {
+    private final UUID id;
+    private final String name;
+    private final AssetTransfer assetTransfer;
+    private final Consumer<Message> send;
+    private final AtomicLong calls = new AtomicLong();
+    private final PendingRequests<Long, Message> updateRequests = new PendingRequests<>();
+    private final PendingRequests<TileRange, byte[]> tileRequests = new PendingRequests<>();
+    private final Map<Integer, Message.FrameUpdated> updates = new ConcurrentHashMap<>();
+    private volatile CacheUsage usage = CacheUsage.NONE;
+
+    private record TileRange(long call, int maxWidth, int maxHeight, int firstTile) {}
+
+    /**
+     * @param name what people call the node
+     * @param send gives a message to the node
+     */
+    RemoteFrameHost(UUID id, String name, AssetTransfer parcels, Consumer<Message> send) {
+        this.id = id;
+        this.name = name;
+        this.assetTransfer = parcels;
+        this.send = send;
+    }
+
+    @Override
+    public FrameUpdate update(int frame, ShotRevision revision, Progress progress) throws HostLostException {
+        long start = System.nanoTime();
+        AssetTransfer.Transfer transfer = prepare(revision);
+        long call = calls.incrementAndGet();
+        var request = new Message.UpdateFrame(id, call, frame, transfer.hash(), transfer.manifest().length);
+        Message answer;
+        try {
+            answer = updateRequests.request(call, () -> send.accept(request), progress::isCanceled);
+        } catch (CancellationException e) {
+            if (updateRequests.isClosed()) {
+                throw lost(e);
+            }
+            send.accept(new Message.CancelUpdate(id, call));
+            throw e;
+        }
+        return switch (answer) {
+            case Message.FrameUpdated made -> {
+                updates.put(frame, made);
+                usage = new CacheUsage(updates.size(), made.memory(), 0, made.disk());
+                yield new FrameUpdate(frame, made.traced(), made.plan(), made.rays(), System.nanoTime() - start,
+                        () -> film(frame, made, made.width(), made.height()).orElseThrow(CancellationException::new));
+            }
+            case Message.UpdateFailed failed -> {
+                if (failed.reason() == Message.FailureReason.REJECTED) {
+                    updates.remove(frame);
+                }
+                throw failure(failed);
+            }
+            default -> throw new IllegalStateException("an answer that is none: " + answer);
+        };
+    }
+
+    private AssetTransfer.Transfer prepare(ShotRevision revision) {
+        try {
+            return assetTransfer.prepare(revision);
+        } catch (IOException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
+    }
+
+    private RuntimeException failure(Message.UpdateFailed failed) {
+        // What the node says is in its own language.
+        String message = Messages.tr("the node {0}: {1}", name, failed.message());
+        return switch (failed.reason()) {
+            case CANCELED -> new CancellationException();
+            case INVALID -> new IllegalArgumentException(message);
+            case REJECTED -> new FrameRejectedException(message);
+            case ERROR -> new IllegalStateException(message);
+        };
+    }
+
+    @Override
+    public Optional<Film> film(int frame) {
+        return Optional.ofNullable(updates.get(frame)).flatMap(update -> film(frame, update, update.width(), update.height()));
+    }
+
+    /** Made smaller by the node, so that little travels. */
+    @Override
+    public Optional<Film> film(int frame, int maxWidth, int maxHeight) {
+        return Optional.ofNullable(updates.get(frame)).flatMap(update -> film(frame, update, maxWidth, maxHeight));
+    }
+
+    /** The film that an answer tells of; empty where it is there no more. */
+    private Optional<Film> film(int frame, Message.FrameUpdated update, int maxWidth, int maxHeight) {
+        Downscale size = Downscale.fit(update.width(), update.height(), maxWidth, maxHeight);
+        Film film = Film.black(size.width(), size.height());
+        try {
+            for (int first = 0; first < film.tileCount(); first += FilmTiles.MAX_TILES) {
+                int firstTile = first;
+                int count = Math.min(FilmTiles.MAX_TILES, film.tileCount() - first);
+                byte[] tiles = tileRequests.request(new TileRange(update.call(), maxWidth, maxHeight, first),
+                        () -> send.accept(new Message.RequestTiles(id, update.call(), frame, maxWidth, maxHeight, firstTile, count)),
+                        Thread.currentThread()::isInterrupted);
+                if (!FilmTiles.decode(tiles, film, first, count)) {
+                    return Optional.empty();
+                }
+            }
+            return Optional.of(film);
+        } catch (CancellationException e) {
+            return Optional.empty();
+        }
+    }
+
+    void handle(Message message) {
+        switch (message) {
+            case Message.FrameUpdated m -> updateRequests.complete(m.call(), m);
+            case Message.UpdateFailed m -> updateRequests.complete(m.call(), m);
+            case Message.RequestContent m ->
+                    send.accept(new Message.ContentPart(id, m.hash(), m.offset(), assetTransfer.readPart(m.hash(), m.offset())));
+            case Message.FilmTileData m ->
+                    tileRequests.complete(new TileRange(m.call(), m.maxWidth(), m.maxHeight(), m.firstTile()), m.bytes());
+            case Message.FilmUnavailable m -> tileRequests.completeAll(piece -> piece.call() == m.call(), new byte[0]);
+            case Message.OpenSession _,Message.SessionOpened _,Message.UpdateFrame _,Message.CancelUpdate _,Message.ContentPart _,Message.RequestTiles _,Message.FocusFrame _,Message.DropFrame _,Message.CloseSession _,Message.Heartbeat _ -> {
+                // Not for a coordinator.
+            }
+        }
+    }
+
+    /** The node is lost: whoever waits for it hears so. */
+    HostLostException disconnect() {
+        updateRequests.close();
+        tileRequests.close();
+        return lost(null);
+    }
+
+    private HostLostException lost(Throwable cause) {
+        return new HostLostException(Messages.tr("the node {0} is there no more; others trace its frames again", name), cause);
+    }
+
+    @Override
+    public void focus(int frame) {
+        send.accept(new Message.FocusFrame(id, frame));
+    }
+
+    @Override
+    public void drop(int frame) {
+        updates.remove(frame);
+        send.accept(new Message.DropFrame(id, frame));
+    }
+
+    @Override
+    public CacheUsage usage() {
+        return usage;
+    }
+
+    @Override
+    public void close() {
+        disconnect();
+        send.accept(new Message.CloseSession(id));
+    }
+}

@@ -1,0 +1,154 @@
+package lightning.shot.cluster;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import lightning.shot.FrameHost;
+import lightning.shot.cluster.wire.Message;
+import lightning.shot.cluster.wire.MessageCodec;
+import lightning.shot.cluster.wire.WireException;
+
+/** Holds frames for coordinators of its cluster, as long as these are members. */
+public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable {
+    /** Coordinators at once; others wait for one to end. */
+    public static final int MAX_SESSIONS = 2;
+
+    private final ClusterNetwork network;
+    private final Settings settings;
+    private final ContentFolder contents;
+    private final Map<UUID, NodeSession> sessions = new ConcurrentHashMap<>();
+    private final RejectedPeers rejectedPeers;
+    private boolean closed;
+
+    /**
+     * How a node holds frames.
+     *
+     * @param release of this program: only machines of the same one go together
+     * @param folder  its own, for content; what is in it is removed
+     * @param hosts  what holds the frames of a new session
+     * @param log     gets a sentence at times
+     */
+    public record Settings(String release, int threads, long memory, Path folder, HostFactory hosts, Consumer<String> log) {}
+
+    /** Makes what holds the frames of a session. */
+    @FunctionalInterface
+    public interface HostFactory {
+        /** @throws IOException if it finds no room */
+        FrameHost create() throws IOException;
+    }
+
+    /** @throws IOException if the folder cannot be used */
+    public RenderNode(ClusterNetwork network, Settings settings) throws IOException {
+        this.network = network;
+        this.settings = settings;
+        contents = new ContentFolder(settings.folder());
+        rejectedPeers = new RejectedPeers(network, settings.log());
+    }
+
+    /** Takes part from here on. */
+    public void start() throws JoinException {
+        network.join(this);
+    }
+
+    @Override
+    public void messageReceived(ClusterMember from, byte[] bytes) {
+        try {
+            handle(from, MessageCodec.decode(bytes));
+        } catch (WireException e) {
+            rejectedPeers.report(from, e);
+        }
+    }
+
+    private void handle(ClusterMember from, Message message) {
+        if (message instanceof Message.OpenSession hello) {
+            acceptSession(from, hello);
+            return;
+        }
+        NodeSession session = sessions.get(message.session());
+        if (session == null && !(message instanceof Message.CloseSession)) {
+            // It was ended while the two did not see each other, and only this one noticed.
+            network.send(from, MessageCodec.encode(new Message.CloseSession(message.session())));
+        }
+        if (session == null || !session.owner.equals(from)) {
+            return;
+        }
+        switch (message) {
+            case Message.UpdateFrame m -> session.updateFrame(m);
+            case Message.CancelUpdate m -> session.cancel(m.call());
+            case Message.ContentPart m -> session.contentReceived(m);
+            case Message.RequestTiles m -> session.sendTiles(m);
+            case Message.FocusFrame m -> session.setFocus(m.frame());
+            case Message.DropFrame m -> session.drop(m.frame());
+            case Message.CloseSession m -> closeSession(m.session());
+            case Message.Heartbeat m -> network.send(from, MessageCodec.encode(m));
+            case Message.OpenSession _,Message.SessionOpened _,Message.FrameUpdated _,Message.UpdateFailed _,Message.RequestContent _,Message.FilmTileData _,Message.FilmUnavailable _ -> {
+                // Not for a node.
+            }
+        }
+    }
+
+    private void acceptSession(ClusterMember from, Message.OpenSession hello) {
+        if (!hello.release().equals(settings.release())) {
+            rejectedPeers.report(from, "it runs " + hello.release() + ", this node " + settings.release());
+        } else if (!sessions.containsKey(hello.session()) && !openSession(from, hello.session())) {
+            return;
+        }
+        // One of another release is told ours all the same, so that it can say why.
+        network.send(from,
+                MessageCodec.encode(new Message.SessionOpened(hello.session(), settings.release(), settings.threads(), settings.memory())));
+    }
+
+    private synchronized boolean openSession(ClusterMember from, UUID id) {
+        // One that offers a new session has given up its old one, of which this node may not have heard.
+        sessions.forEach((oldId, session) -> {
+            if (session.owner.equals(from)) {
+                closeSession(oldId);
+            }
+        });
+        if (closed || sessions.size() == MAX_SESSIONS) {
+            return false;
+        }
+        try {
+            sessions.put(id, new NodeSession(from, id, settings.hosts().create(), contents,
+                    message -> network.send(from, MessageCodec.encode(message))));
+            settings.log().accept("holds frames for " + network.addressOf(from));
+            return true;
+        } catch (IOException e) {
+            rejectedPeers.report(from, "there is no room for its frames: " + e.getMessage());
+            return false;
+        }
+    }
+
+    private void closeSession(UUID id) {
+        NodeSession session = sessions.remove(id);
+        if (session != null) {
+            settings.log().accept("holds no more frames for " + network.addressOf(session.owner));
+            session.close();
+        }
+    }
+
+    @Override
+    public void membersChanged(Set<ClusterMember> others) {
+        sessions.forEach((id, session) -> {
+            if (!others.contains(session.owner)) {
+                closeSession(id);
+            }
+        });
+    }
+
+    @Override
+    public void close() {
+        network.close();
+        synchronized (this) {
+            // What was on its way may still be heard.
+            closed = true;
+            sessions.values().forEach(NodeSession::close);
+            sessions.clear();
+        }
+        contents.clear();
+    }
+}

@@ -1,0 +1,75 @@
+package lightning.shot.cluster;
+
+import java.io.DataInput;
+import java.io.IOException;
+import org.jgroups.LongMessage;
+import org.jgroups.Message;
+import org.jgroups.MessageFactory;
+import org.jgroups.ObjectMessage;
+import org.jgroups.conf.ClassConfigurator;
+import org.jgroups.util.Digest;
+import org.jgroups.util.MutableDigest;
+import org.jgroups.util.SeqnoList;
+import org.jgroups.util.SizeStreamable;
+
+/**
+ * Which messages JGroups reads: bytes, none, and what its protocols tell each other: a number (how many bytes more a member takes), the
+ * numbers of messages (which it wants again), and how far it has heard whom. Without these nothing that was lost would come again, and nobody
+ * could send more than is taken at once. Others would make objects of classes that a message names.
+ */
+final class RestrictedMessageFactory extends MessageFactory {
+    private RestrictedMessageFactory() {}
+
+    /** For this process, from here on. */
+    static synchronized void install() {
+        for (int type = 0; type < creators.length; type++) {
+            creators[type] = switch (type) {
+                case Message.BYTES_MSG, Message.EMPTY_MSG -> creators[type];
+                case Message.LONG_MSG -> LongMessage::new;
+                case Message.OBJ_MSG -> SequenceMessage::new;
+                default -> null;
+            };
+        }
+    }
+
+    /** What is written as any object, and read as one of two layouts. */
+    private static final class SequenceMessage extends ObjectMessage {
+        private static final short SEQUENCE_LIST = ClassConfigurator.getMagicNumber(SeqnoList.class);
+        private static final short DIGEST = ClassConfigurator.getMagicNumber(Digest.class);
+        private static final short MUTABLE_DIGEST = ClassConfigurator.getMagicNumber(MutableDigest.class);
+
+        @Override
+        public void readPayload(DataInput in) throws IOException, ClassNotFoundException {
+            if (in.readByte() == 0) {
+                return;
+            }
+            short kind = in.readShort();
+            // Both kinds of what was heard are written alike.
+            SizeStreamable payload =
+                    kind == SEQUENCE_LIST ? new BoundedSequenceList() : kind == DIGEST || kind == MUTABLE_DIGEST ? new Digest() : null;
+            if (payload == null) {
+                throw new IOException("expected numbers of messages, found an object of kind " + kind);
+            }
+            payload.readFrom(in);
+            obj = payload;
+        }
+    }
+
+    /** Numbers of messages, held to what a protocol asks for at once. */
+    private static final class BoundedSequenceList extends SeqnoList {
+        private static final int MAX_SIZE = 1 << 20;
+
+        @Override
+        public void readFrom(DataInput in) throws IOException {
+            size = in.readInt();
+            if (size < 1 || size > MAX_SIZE) {
+                throw new IOException("expected 1 to " + MAX_SIZE + " numbers of messages, found " + size);
+            }
+            offset = in.readLong();
+            words = new long[(size + Long.SIZE - 1) / Long.SIZE];
+            for (int i = 0; i < words.length; i++) {
+                words[i] = in.readLong();
+            }
+        }
+    }
+}

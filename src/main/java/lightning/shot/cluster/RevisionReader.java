@@ -1,0 +1,62 @@
+package lightning.shot.cluster;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import lightning.format.jen.CachingJenReader;
+import lightning.format.jen.JenDocument;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenLimits;
+import lightning.scene.shot.Shot;
+import lightning.shot.ShotRevision;
+import lightning.shot.cluster.wire.ContentHash;
+import lightning.shot.cluster.wire.SceneManifest;
+import lightning.shot.cluster.wire.WireException;
+
+/** Makes takes of bills. The newest one is kept, and the files that it names, as long as those of the next are the same. */
+final class RevisionReader {
+    private final ContentFolder contents;
+    private final ContentFolder.PartSource parts;
+    private ContentHash manifestHash;
+    private ShotRevision revision;
+    private Path folder;
+    private CachingJenReader reader;
+
+    RevisionReader(ContentFolder contents, ContentFolder.PartSource parts) {
+        this.contents = contents;
+        this.parts = parts;
+    }
+
+    /**
+     * The take of a bill.
+     *
+     * @throws InvalidContentException if its content does not come or is not what the bill says
+     * @throws IOException      if its content cannot be kept
+     * @throws WireException    if it is no bill
+     * @throws JenException     if its text is no scene, or a file that it names cannot be used
+     */
+    synchronized ShotRevision read(ContentHash hash, int bytes) throws IOException, WireException, JenException {
+        if (hash.equals(manifestHash)) {
+            return revision;
+        }
+        SceneManifest manifest = SceneManifest.decode(readManifest(hash, bytes));
+        Path sceneFolder = contents.sceneFolder(manifest, parts);
+        if (!sceneFolder.equals(folder)) {
+            reader = new CachingJenReader(sceneFolder);
+            folder = sceneFolder;
+        }
+        String text = Files.readString(contents.fetch(manifest.text(), JenLimits.FILE_BYTES, parts));
+        JenDocument document = reader.read(text, "the scene");
+        revision = new ShotRevision(document.scene(), document.shot().orElse(Shot.DEFAULT));
+        manifestHash = hash;
+        return revision;
+    }
+
+    private byte[] readManifest(ContentHash hash, int bytes) throws IOException {
+        byte[] manifest = parts.read(hash, 0);
+        if (manifest.length != bytes || !ContentHash.of(manifest).equals(hash)) {
+            throw new InvalidContentException("expected a bill of " + bytes + " bytes with its hash, found " + manifest.length + " bytes");
+        }
+        return manifest;
+    }
+}

@@ -1,0 +1,60 @@
+package lightning.shot.cluster.wire;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+
+/**
+ * What content is called: its SHA-256.
+ *
+ * @param hex 64 digits, small letters
+ */
+public record ContentHash(String hex) {
+    /** Bytes of a hash. */
+    public static final int BYTES = 32;
+    private static final int BUFFER = 1 << 16;
+
+    public ContentHash {
+        if (!hex.matches("[0-9a-f]{64}")) {
+            throw new IllegalArgumentException("a hash must be 64 hexadecimal digits");
+        }
+    }
+
+    /** @param bytes {@value #BYTES} of them */
+    static ContentHash ofBytes(byte[] bytes) {
+        return new ContentHash(HexFormat.of().formatHex(bytes));
+    }
+
+    byte[] bytes() {
+        return HexFormat.of().parseHex(hex);
+    }
+
+    /** The hash of what is in memory. */
+    public static ContentHash of(byte[] content) {
+        return ofBytes(digest().digest(content));
+    }
+
+    /** The hash of a file, of whatever length. */
+    public static ContentHash of(Path file) throws IOException {
+        MessageDigest digest = digest();
+        byte[] buffer = new byte[BUFFER];
+        try (InputStream in = Files.newInputStream(file)) {
+            for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+                digest.update(buffer, 0, n);
+            }
+        }
+        return ofBytes(digest.digest());
+    }
+
+    private static MessageDigest digest() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+}

@@ -1,0 +1,279 @@
+package lightning;
+
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.CompositeArchRule;
+import com.tngtech.archunit.library.GeneralCodingRules;
+import java.io.FileInputStream;
+import java.io.FileReader;
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import lightning.base.text.UserFacingException;
+
+/**
+ * Who may know whom: a row for each package, with all that it may import. Nothing is known that is not told here, and no
+ * row is told a later one, so that all ways go in one direction. A package without a row is a fault.
+ */
+final class ArchitectureRules {
+    private static final String ENGINE =
+            "base.text base.math base.work scene scene.effects render.column render.image render.trace.solid"
+                    + " render.trace.mesh render.trace.primitive render.trace.tree render.trace render.shading render.engine"
+                    + " render.engine.scalar render.engine.lanes render.engine.choice render.fulltrace render.warmup render.cache"
+                    + " render.relight.plan render.relight.tile render.relight";
+    private static final String DOCUMENT =
+            ENGINE + " base.file scene.shot format.jen format.image bench.accuracy editor.loop editor.document";
+    private static final String WINDOW = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
+
+    /** The groups from the bottom of the program up: a package imports from its own group and from those before it. */
+    private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "cli");
+
+    /** The rows from the bottom of the program up. */
+    private static final List<Layer> LAYERS = List.of(
+            row("base.text", ""),
+            row("base.math", ""),
+            row("base.work", ""),
+            row("base.file", "base.text"),
+            row("scene", "base.text base.math"),
+            row("scene.shot", "base.text base.math scene"),
+            row("scene.effects", "base.math scene"),
+            row("render.column", ""),
+            row("render.image", "base.text base.math"),
+            row("render.trace.solid", "scene"),
+            row("render.trace.mesh", "scene render.trace.solid"),
+            row("render.trace.primitive", "base.math scene render.trace.solid render.trace.mesh"),
+            row("render.trace.tree", "base.math render.trace.solid render.trace.mesh render.trace.primitive"),
+            row("render.trace",
+                    "base.math scene render.column render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree"),
+            row("render.shading",
+                    "base.math scene scene.effects render.column render.image render.trace.primitive render.trace.tree render.trace"),
+            row("render.engine", "render.trace render.shading"),
+            row("render.engine.scalar",
+                    "base.math scene render.trace.primitive render.trace.tree render.trace render.shading render.engine"),
+            row("render.engine.lanes",
+                    "base.math scene render.trace.solid render.trace.mesh render.trace.primitive render.trace.tree render.trace"
+                            + " render.shading render.engine"),
+            row("render.engine.choice", "render.engine render.engine.scalar render.engine.lanes"),
+            row("render.fulltrace",
+                    "base.work scene scene.effects render.image render.trace render.shading render.engine render.engine.choice"),
+            row("render.warmup", "base.work scene render.image render.trace render.engine render.engine.choice render.fulltrace"),
+            row("render.cache", "scene render.column render.image render.trace render.shading"),
+            row("render.relight.plan", "base.text scene render.image render.trace render.shading render.cache"),
+            row("render.relight.paper",
+                    "base.math scene render.column render.image render.trace render.shading render.cache render.relight.plan"),
+            row("render.relight.tile",
+                    "base.work scene scene.effects render.column render.image render.trace render.shading render.engine"
+                            + " render.engine.choice render.cache render.relight.plan render.relight.paper"),
+            row("render.relight",
+                    "base.math base.work scene scene.effects render.image render.trace render.shading render.engine"
+                            + " render.cache render.relight.plan render.relight.tile"),
+            row("format.mesh", "base.text base.work base.file scene"),
+            row("format.mesh.ply", "base.text base.math scene format.mesh"),
+            row("format.mesh.obj", "base.text base.math scene format.mesh"),
+            row("format.gltf", "base.text base.math base.work base.file scene format.mesh"),
+            row("format.nff", "base.text base.math scene format.mesh"),
+            row("format", "base.work format.mesh format.mesh.ply format.mesh.obj format.gltf format.nff"),
+            row("format.ies", "base.text base.file scene format.mesh"),
+            row("format.hdr", "base.text base.file scene format.mesh"),
+            row("format.jen", "base.text base.math base.work base.file scene scene.shot format.mesh format format.ies format.hdr"),
+            row("format.exr", "base.text"),
+            row("format.image", "base.text base.work base.file render.image format.exr"),
+            row("format.layer", ENGINE + " base.file format.exr"),
+            row("format.pov", "base.math base.file scene render.image format.image"),
+            row("format.exchange",
+                    "base.text base.math base.work base.file scene render.image render.trace render.fulltrace format.mesh"
+                            + " format.mesh.ply format.mesh.obj format.gltf format.nff format format.jen"),
+            row("shot",
+                    "base.text base.work base.file scene scene.shot render.column render.image render.trace render.shading render.cache"
+                            + " render.relight.plan render.relight.tile render.relight"),
+            row("shot.cluster.wire", "base.text"),
+            row("shot.cluster",
+                    "base.text base.work base.file scene.shot render.image render.relight format.mesh format.jen shot"
+                            + " shot.cluster.wire"),
+            row("shot.movie", ENGINE),
+            row("bench.accuracy", ENGINE),
+            row("bench.mesh", "scene render.trace.solid render.trace.mesh"),
+            row("bench", ENGINE + " base.file format.jen format.image format.pov bench.accuracy bench.mesh"),
+            row("bench.report", ENGINE + " base.file format.image bench.accuracy bench"),
+            row("editor.loop", ENGINE + " bench.accuracy"),
+            row("editor.document", ENGINE + " base.file scene.shot format.jen editor.loop"),
+            row("editor.document.cue", "base.text base.math base.file scene render.image format.jen format.image editor.document"),
+            row("editor.document.motion", ENGINE + " base.file scene.shot format.image"),
+            row("editor.window.widget", "base.text base.math scene render.image editor.document"),
+            row("editor.window.model", DOCUMENT),
+            row("editor.window.command",
+                    DOCUMENT + " format format.exr format.layer format.exchange editor.document.cue editor.window.widget editor.window.model"),
+            row("editor.window.property", WINDOW),
+            row("editor.window.traced", WINDOW),
+            row("editor.window.preview", WINDOW),
+            row("editor.window.animation", WINDOW + " editor.document.motion"),
+            row("editor.window.timeline", WINDOW + " shot shot.cluster shot.movie"),
+            row("editor.window.measure", WINDOW),
+            row("editor.window.mixer", WINDOW),
+            row("editor.window.contribution", WINDOW),
+            row("editor.window.cue", WINDOW + " editor.document.cue"),
+            row("editor.window",
+                    WINDOW + " format format.exchange editor.window.property editor.window.traced editor.window.preview editor.window.animation"
+                            + " editor.window.timeline editor.window.measure editor.window.mixer editor.window.contribution editor.window.cue"),
+            row("cli",
+                    ENGINE + " base.file scene.shot format format.hdr format.jen format.exr format.image format.layer format.pov format.exchange"
+                            + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
+            row("", "editor.window cli"));
+
+    /** @param dependencies the packages that it may import, beside itself */
+    private record Layer(String name, Set<String> dependencies) {
+        /** What starts the program stands above all packages. */
+        String packageName() {
+            return name.isEmpty() ? "lightning" : "lightning." + name;
+        }
+    }
+
+    private static Layer row(String name, String known) {
+        return new Layer(name, known.isEmpty() ? Set.of() : Set.of(known.split(" ")));
+    }
+
+    /** The class that no reader may have to doubt: the oracle of every equality test. */
+    private static final String REFERENCE = "lightning\\.render\\.shading\\.ReferenceTracer(\\$.*)?";
+
+    private ArchitectureRules() {}
+
+    /** One rule for each row: it knows nothing but the rows that it may know. */
+    static ArchRule layersDependOnlyOnLowerLayers() {
+        CompositeArchRule all = CompositeArchRule.of(everyClassHasALayer());
+        for (Layer row : LAYERS) {
+            String[] unknown = LAYERS.stream().filter(other -> other != row && !row.dependencies().contains(other.name()))
+                    .map(Layer::packageName).toArray(String[]::new);
+            all = all.and(noClasses().that().resideInAPackage(row.packageName())
+                    .should().dependOnClassesThat(resideInAnyPackage(unknown))
+                    .as(row.packageName() + " knows only rows above it")
+                    .allowEmptyShould(true));
+        }
+        return all;
+    }
+
+    /** The rows that stand before one of a lower group, or belong to none: none. */
+    static List<String> layersOutOfOrder() {
+        List<String> wrong = new ArrayList<>();
+        int highest = 0;
+        for (Layer row : LAYERS.subList(0, LAYERS.size() - 1)) {
+            int group = GROUPS.indexOf(row.name().split("\\.")[0]);
+            if (group < highest) {
+                wrong.add(row.name());
+            }
+            highest = Math.max(highest, group);
+        }
+        return wrong;
+    }
+
+    /** The rows that are told one that comes after them, or that there is not: none. */
+    static List<String> layersWithForwardDependency() {
+        List<String> wrong = new ArrayList<>();
+        Set<String> before = new HashSet<>();
+        for (Layer row : LAYERS) {
+            row.dependencies().stream().filter(known -> !before.contains(known)).forEach(known -> wrong.add(row.name() + " → " + known));
+            before.add(row.name());
+        }
+        return wrong;
+    }
+
+    private static ArchRule everyClassHasALayer() {
+        return classes().that(not(nameMatching("module-info")))
+                .should().resideInAnyPackage(LAYERS.stream().map(Layer::packageName).toArray(String[]::new))
+                .as("every class lives in a package that has a row in this test")
+                .allowEmptyShould(true);
+    }
+
+    static ArchRule onlyEditorUsesJavaFx() {
+        return noClasses().that(not(resideInAPackage(packageOf("editor.window"))))
+                .should().dependOnClassesThat().resideInAnyPackage("javafx..", "com.sun.javafx..")
+                .as("only lightning.editor.window sees JavaFX")
+                .allowEmptyShould(true);
+    }
+
+    /** Whatever a menu offers is made of a command. A menu within a menu and a line between items do nothing. */
+    static ArchRule onlyCommandItemsCreateMenuItems() {
+        return noClasses().that(not(nameMatching("lightning\\.editor\\.window\\.command\\.CommandMenuItems")))
+                .should().callConstructorWhere(target(owner(assignableTo("javafx.scene.control.MenuItem")
+                        .and(not(nameMatching("javafx\\.scene\\.control\\.(Menu|SeparatorMenuItem)").forSubtype())))))
+                .as("only CommandMenuItems makes items of menus")
+                .allowEmptyShould(true);
+    }
+
+    static ArchRule onlyCommandsPrint() {
+        return noClasses().that(not(resideInAnyPackage(packageOf("cli"), packageOf("bench")).or(resideInAPackage("lightning"))))
+                .should(GeneralCodingRules.ACCESS_STANDARD_STREAMS)
+                .as("only lightning.cli, lightning.bench and lightning.Main print")
+                .allowEmptyShould(true);
+    }
+
+    /**
+     * A pipe that is opened waits for ever, and some devices never end: what users and their files name is opened where that is checked. The
+     * other rows read what the program itself has written, or found to be a file.
+     */
+    static ArchRule userFilesAreOpenedByOneClass() {
+        DescribedPredicate<JavaClass> own =
+                resideInAnyPackage(packageOf("base.file"), packageOf("shot.cluster"), packageOf("bench"), packageOf("format.pov"))
+                        .or(nameMatching(".*\\.(RecoveryFolder|OpenSceneRegistry|SceneSaver|Preferences)"));
+        return CompositeArchRule
+                .of(noClasses().that(not(own))
+                        .should().callMethodWhere(target(owner(assignableTo(Files.class)))
+                                .and(target(nameMatching("newInputStream|newBufferedReader|readAll.*|readString|lines|copy|mismatch"))))
+                        .as("only RegularFile opens files that users name")
+                        .allowEmptyShould(true))
+                .and(noClasses().that(not(own))
+                        .should().callConstructorWhere(target(owner(assignableTo(FileInputStream.class)
+                                .or(assignableTo(RandomAccessFile.class)).or(assignableTo(FileReader.class)))))
+                        .as("only RegularFile opens files that users name")
+                        .allowEmptyShould(true));
+    }
+
+    /** What is thrown to be caught by others reaches a user somewhere, and must not be taken there for a fault of the program. */
+    static ArchRule checkedExceptionsAreUserFacing() {
+        return classes()
+                .that(assignableTo(Exception.class).and(not(assignableTo(RuntimeException.class)))
+                        .and(not(assignableTo(IOException.class))))
+                .should().beAssignableTo(UserFacingException.class)
+                .as("checked exceptions are for users to read")
+                .allowEmptyShould(true);
+    }
+
+    /**
+     * The oracle stays independent of what it judges. Through its helpers it reaches no kernel and no
+     * cache; the tree, which the geometry of a scene keeps ready for the kernels, it never names itself.
+     */
+    static ArchRule referenceTracerIsIndependent() {
+        return CompositeArchRule
+                .of(noClasses().that(nameMatching(REFERENCE))
+                        .should().transitivelyDependOnClassesThat(resideInAnyPackage(packageOf("render.cache"),
+                                packageOf("render.relight"), packageOf("render.engine")).or(kernel(".*(Packet|Lanes).*")))
+                        .as("the reference tracer knows neither cache nor relight nor engine nor fast kernels")
+                        .allowEmptyShould(true))
+                .and(noClasses().that(nameMatching(REFERENCE))
+                        .should().dependOnClassesThat(kernel(".*Bvh.*"))
+                        .as("the reference tracer asks every shape, and no tree of boxes")
+                        .allowEmptyShould(true));
+    }
+
+    private static DescribedPredicate<JavaClass> kernel(String name) {
+        return resideInAPackage(packageOf("render.trace")).and(nameMatching(name));
+    }
+
+    private static String packageOf(String row) {
+        return "lightning." + row + "..";
+    }
+}

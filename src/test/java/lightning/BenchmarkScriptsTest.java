@@ -1,0 +1,77 @@
+package lightning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import javax.tools.Diagnostic;
+import javax.tools.DiagnosticCollector;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import lightning.sample.Slow;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The programs of {@code benchmarks}, which are compiled against a build when they are used, long after it was made. */
+@Slow
+class BenchmarkScriptsTest {
+    @TempDir
+    private Path classes;
+
+    /** Together, as some know others. */
+    @Test
+    void programs_compileAgainstTheBuild() throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        DiagnosticCollector<JavaFileObject> problems = new DiagnosticCollector<>();
+        try (StandardJavaFileManager files = compiler.getStandardFileManager(problems, null, null)) {
+            String path = System.getProperty("java.class.path") + File.pathSeparator + System.getProperty("jdk.module.path", "");
+            List<String> options = List.of("-nowarn", "-proc:none", "-d", classes.toString(), "-cp", path);
+            compiler.getTask(null, files, problems, options, null, files.getJavaFileObjectsFromPaths(programs())).call();
+        }
+        assertThat(problems.getDiagnostics()).filteredOn(problem -> problem.getKind() == Diagnostic.Kind.ERROR).isEmpty();
+    }
+
+    /** As where neither JAVA_HOME nor JAVA25_HOME is set: Java is in a usual place. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void scripts_findJavaLikeTheLauncher() throws Exception {
+        Path home = Files.createDirectories(classes.resolve("home"));
+        Path java = Files.createDirectories(home.resolve(".sdkman/candidates/java/25/bin")).resolve("java");
+        for (Path program : List.of(java, java.resolveSibling("javac"))) {
+            assertThat(Files.createFile(program).toFile().setExecutable(true)).isTrue();
+        }
+        Files.writeString(home.resolve(".sdkman/candidates/java/25/release"), "JAVA_VERSION=\"25.0.1\"\n");
+        var script = new ProcessBuilder("bash", "-c", "set -euo pipefail; here=$PWD/benchmarks; . benchmarks/two-builds; echo $java")
+                .redirectErrorStream(true);
+        script.environment().clear();
+        script.environment().putAll(Map.of("HOME", home.toString(), "PATH", "/usr/bin:/bin"));
+        Process process = script.start();
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).as(out).isZero();
+        assertThat(out.strip()).endsWith("/bin/java");
+    }
+
+    @Test
+    void everyScript_usesTheSameJavaLookup() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("benchmarks"))) {
+            assertThat(files.filter(Files::isExecutable).filter(Files::isRegularFile).filter(file -> !file.endsWith("run")))
+                    .isNotEmpty().allSatisfy(file -> assertThat(file).content().contains(". \"$here/two-builds\"").doesNotContain("_HOME"));
+        }
+    }
+
+    private static List<Path> programs() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("benchmarks"))) {
+            return files.filter(file -> file.toString().endsWith(".java")).sorted().toList();
+        }
+    }
+}

@@ -1,0 +1,308 @@
+package lightning.base.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThatCode;
+
+import java.io.IOException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import lightning.base.text.PrintableText;
+import lightning.base.text.Quote;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Where modes are spoken of, on systems that have them. */
+@DisabledOnOs(OS.WINDOWS)
+class AtomicFileTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void unprintableName_isEscapedInErrors() throws IOException {
+        Path directory = Files.createDirectory(folder.resolve("a\n\u001B[2J"));
+        assertThatThrownBy(() -> AtomicFile.of(directory).check()).hasMessage(Quote.path(directory) + ": is a folder, expected a file");
+        assertThatThrownBy(() -> AtomicFile.of(directory.resolve("no/b.jen")).check()).hasMessageStartingWith("\"")
+                .satisfies(e -> assertThat(e.getMessage()).matches(PrintableText::isPrintable, "is visible"));
+    }
+
+    @Test
+    void newFile_holdsTheContent() throws IOException {
+        AtomicFile.write(folder.resolve("a"), out -> out.write(new byte[] {1, 2, 3}));
+        assertThat(folder.resolve("a")).hasBinaryContent(new byte[] {1, 2, 3});
+        assertThat(names()).containsExactly("a");
+    }
+
+    @Test
+    void closedStream_isAccepted() throws IOException {
+        AtomicFile.write(folder.resolve("a"), out -> {
+            out.write(7);
+            out.close();
+        });
+        assertThat(folder.resolve("a")).hasBinaryContent(new byte[] {7});
+    }
+
+    @Test
+    void failedWrite_leavesOnlyTheOldFile() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        assertThatThrownBy(() -> AtomicFile.write(file, out -> {
+            out.write(new byte[100_000]);
+            throw new IOException("disk full");
+        })).isInstanceOf(IOException.class).hasMessage("disk full");
+        assertThat(file).hasContent("old");
+        assertThat(names()).containsExactly("a");
+    }
+
+    @Test
+    void replacedFile_keepsOldContentUntilComplete() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        AtomicFile.write(file, out -> {
+            out.write(new byte[100_000]);
+            assertThat(file).hasContent("old");
+        });
+        assertThat(file).hasSize(100_000);
+    }
+
+    @Test
+    void replacedFile_keepsItsPermissions() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "rw-r-----");
+        AtomicFile.write(file, out -> out.write(1));
+        assertThat(mode(file)).isEqualTo("rw-r-----");
+    }
+
+    @Test
+    void symbolicLink_isPreserved() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        Path link = Files.createSymbolicLink(folder.resolve("b"), file);
+        AtomicFile.write(link, out -> out.write('x'));
+        assertThat(link).isSymbolicLink();
+        assertThat(file).hasContent("x");
+    }
+
+    @Test
+    void folder_isRejected() {
+        assertThatThrownBy(() -> AtomicFile.write(folder, out -> {})).isInstanceOf(IOException.class)
+                .hasMessageContaining("is a folder");
+    }
+
+    @Test
+    void linkToMissingFile_isPreserved() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("b"), Path.of("a"));
+        AtomicFile.write(link, out -> out.write('x'));
+        assertThat(link).isSymbolicLink();
+        assertThat(folder.resolve("a")).hasContent("x");
+    }
+
+    @Test
+    void circularLink_isRejected() throws IOException {
+        Path link = Files.createSymbolicLink(folder.resolve("b"), Path.of("b"));
+        assertThatIOException().isThrownBy(() -> AtomicFile.write(link, out -> {}))
+                .withMessage(link + ": is a symbolic link that leads in a circle");
+    }
+
+    @Test
+    void irregularFile_isRejectedUnchanged() throws IOException {
+        // A socket stands for all of them: a real device would be lost if this ever failed for an administrator.
+        Path socket = folder.resolve("s");
+        Path link = Files.createSymbolicLink(folder.resolve("b"), socket);
+        try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
+            server.bind(UnixDomainSocketAddress.of(socket));
+            assertThatIOException().isThrownBy(() -> AtomicFile.write(link, out -> {}))
+                    .withMessage(link + ": is a device, a pipe or a socket, expected a file");
+            assertThatIOException().isThrownBy(() -> AtomicFile.of(socket).check());
+            assertThat(Files.isRegularFile(socket)).isFalse();
+            assertThat(link).isSymbolicLink();
+        }
+    }
+
+    @Test
+    void missingFolder_isNamedInError() {
+        Path file = folder.resolve("no/a");
+        assertThatIOException().isThrownBy(() -> AtomicFile.write(file, out -> {}))
+                .withMessage(file + ": there is no folder " + folder.resolve("no"));
+    }
+
+    @Test
+    void readOnlyFile_isReplacedOnlyIfAllowed() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "r--r-----");
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> AtomicFile.of(file).check());
+        assertThatExceptionOfType(ReadOnlyFileException.class).isThrownBy(() -> AtomicFile.write(file, out -> out.write('x')))
+                .withMessage(file + ": is read-only; allow writing it, or choose another name");
+        assertThat(file).hasContent("old");
+        AtomicFile.of(file).allowReadOnly().write(out -> out.write('x'));
+        assertThat(file).hasContent("x");
+        assertThat(mode(file)).isEqualTo("r--r-----");
+    }
+
+    @Test
+    void newFile_hasDefaultMode() throws IOException {
+        Path other = Files.createFile(folder.resolve("other"));
+        AtomicFile.write(folder.resolve("a"), out -> out.write(1));
+        assertThat(mode(folder.resolve("a"))).isEqualTo(mode(other));
+        assertThat(names()).containsExactlyInAnyOrder("a", "other");
+    }
+
+    @Test
+    void foreignOwnerAndGroup_arePreserved() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        assumeThatCode(() -> {
+            Files.setAttribute(file, "unix:gid", 1);
+            Files.setAttribute(file, "unix:uid", 1);
+        }).as("only an administrator gives files away").doesNotThrowAnyException();
+        AtomicFile.write(file, out -> out.write('x'));
+        assertThat(Files.getAttribute(file, "unix:gid")).isEqualTo(1);
+        assertThat(Files.getAttribute(file, "unix:uid")).isEqualTo(1);
+    }
+
+    @Test
+    void fileBeingWritten_isPrivate() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "rw-rw-rw-");
+        AtomicFile.write(file, out -> {
+            out.write(new byte[100_000]);
+            assertThat(names()).hasSize(2);
+            assertThat(mode(folder.resolve(temporary()))).isEqualTo("rw-------");
+        });
+        assertThat(mode(file)).isEqualTo("rw-rw-rw-");
+    }
+
+    @Test
+    void ownerOnlyFile_isPrivate() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        setMode(file, "rw-r--r--");
+        AtomicFile.of(file).forOwnerOnly().write(out -> out.write('x'));
+        assertThat(mode(file)).isEqualTo("rw-------");
+    }
+
+    @Test
+    void longestAllowedName_canBeWritten() throws IOException {
+        Path file = folder.resolve("x".repeat(255));
+        AtomicFile.write(file, out -> out.write('x'));
+        assertThat(file).hasContent("x");
+    }
+
+    @Test
+    void tooLongName_isReportedUnchanged() throws IOException {
+        Path file = folder.resolve("x".repeat(256));
+        assertThatExceptionOfType(FileSystemException.class).isThrownBy(() -> AtomicFile.write(file, out -> {}))
+                .satisfies(e -> assertThat(e.getFile()).isEqualTo(file.toString()))
+                .satisfies(e -> assertThat(e.getReason()).isNotBlank())
+                .withMessageNotContaining(".tmp");
+        assertThat(names()).isEmpty();
+    }
+
+    @Test
+    void expectedContent_isReplaced() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState state = AtomicFile.of(file).ifUnchanged(FileState.of(file)).write(new byte[] {1});
+        assertThat(state).isEqualTo(FileState.of(file));
+        AtomicFile.of(file).ifUnchanged(state).write(new byte[] {2});
+        assertThat(file).hasBinaryContent(new byte[] {2});
+    }
+
+    @Test
+    void unexpectedContent_isNotReplaced() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState state = FileState.of(file);
+        Files.writeString(file, "his");
+        // Within the clock's grain, or by a program that keeps times.
+        Files.setLastModifiedTime(file, state.modified());
+        assertThatExceptionOfType(ChangedFileException.class)
+                .isThrownBy(() -> AtomicFile.of(file).ifUnchanged(state).write(new byte[] {1}))
+                .withMessageStartingWith(file + ": was changed by another program");
+        assertThat(file).hasContent("his");
+        assertThat(names()).containsExactly("a");
+    }
+
+    @Test
+    void contentChangedDuringWrite_isNotReplaced() throws IOException {
+        Path file = folder.resolve("a");
+        assertThatExceptionOfType(ChangedFileException.class)
+                .isThrownBy(() -> AtomicFile.of(file).ifUnchanged(FileState.MISSING).write(_ -> Files.writeString(file, "his")));
+        assertThat(file).hasContent("his");
+    }
+
+    @Test
+    void touchedFile_isUnchanged() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState state = FileState.of(file);
+        Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000));
+        AtomicFile.of(file).ifUnchanged(state).write(new byte[] {1});
+        assertThat(file).hasBinaryContent(new byte[] {1});
+    }
+
+    @Test
+    void deletedFile_isWrittenAgain() throws IOException {
+        Path file = Files.writeString(folder.resolve("a"), "old");
+        FileState state = FileState.of(file);
+        Files.delete(file);
+        AtomicFile.of(file).ifUnchanged(state).write(new byte[] {1});
+        assertThat(file).hasBinaryContent(new byte[] {1});
+    }
+
+    @Test
+    void foreignTemporaryFiles_areNotRemoved() throws IOException {
+        List<Path> others = List.of(
+                oldFile(".lightning-notes.tmp", Duration.ofDays(99)),
+                oldFile(".lightning-00000000-0000-4000-8000-000000000001.tmp.jen", Duration.ofDays(99)),
+                oldFile("my.lightning-00000000-0000-4000-8000-000000000001.tmp", Duration.ofDays(99)),
+                oldFile(".bird.jen.00000000-0000-4000-8000-000000000001.tmp", Duration.ofDays(99)));
+        Path inFolder = Files.createDirectory(folder.resolve(".lightning-00000000-0000-4000-8000-000000000003.tmp"));
+        Files.setLastModifiedTime(inFolder, FileTime.fromMillis(0));
+        AtomicFile.write(folder.resolve("a"), out -> out.write(1));
+        assertThat(others).allSatisfy(file -> assertThat(file).exists());
+        assertThat(inFolder).exists();
+    }
+
+    @Test
+    void privateFolder_isOwnerOnly() throws IOException {
+        Path created = folder.resolve("x/y");
+        PrivateFolder.create(created);
+        assertThat(mode(created)).isEqualTo("rwx------");
+        assertThat(mode(created.getParent())).isEqualTo("rwx------");
+        setMode(created, "rwxr-xr-x");
+        PrivateFolder.create(created);
+        assertThat(mode(created)).isEqualTo("rwxr-xr-x");
+        PrivateFolder.restrict(created);
+        assertThat(mode(created)).isEqualTo("rwx------");
+    }
+
+    private Path oldFile(String name, Duration ago) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), "half");
+        return Files.setLastModifiedTime(file, FileTime.from(Instant.now().minus(ago)));
+    }
+
+    private static String mode(Path file) throws IOException {
+        return PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+    }
+
+    private static void setMode(Path file, String mode) throws IOException {
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(mode));
+    }
+
+    /** The name of the file that is being written. */
+    private String temporary() throws IOException {
+        return names().stream().filter(name -> name.startsWith(".")).findFirst().orElseThrow();
+    }
+
+    private List<String> names() throws IOException {
+        try (var files = Files.list(folder)) {
+            return files.map(p -> p.getFileName().toString()).toList();
+        }
+    }
+}

@@ -1,0 +1,115 @@
+package lightning.base.work;
+
+import static lightning.modelcheck.ScheduleExplorer.check;
+import static lightning.modelcheck.ScheduleExplorer.explore;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import lightning.modelcheck.ScheduleExplorer;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** Tiles shared by threads, whatever these do when. */
+@Tag("model")
+class WorkerPoolModelTest {
+    private static final int TILES = 2;
+
+    /** A picture of tiles, each written once, and by nobody after the run. */
+    private static final class TileCounter implements WorkerPool.TileTask {
+        private final int[] writes = new int[TILES];
+        private volatile boolean over;
+
+        @Override
+        public void run(int worker, int tile) {
+            check(!over, "nobody works on after the run");
+            writes[tile]++;
+            check(!over, "nobody works on after the run");
+        }
+
+        boolean isComplete() {
+            for (int count : writes) {
+                if (count != 1) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        boolean hasDuplicates() {
+            for (int count : writes) {
+                if (count > 1) {
+                    return true;
+                }
+            }
+            return false;
+        }
+    }
+
+    /** A progress that can be stopped, and counts. */
+    private static final class CancelFlag implements Progress {
+        private volatile boolean asked;
+        private final AtomicInteger last = new AtomicInteger();
+
+        @Override
+        public void report(int done, int total) {
+            last.accumulateAndGet(done, Math::max);
+        }
+
+        @Override
+        public boolean isCanceled() {
+            return asked;
+        }
+    }
+
+    @Test
+    void run_processesEveryTileOnceAndReportsTheLast() {
+        explore(() -> {
+            var tiles = new TileCounter();
+            var heard = new CancelFlag();
+            try (var workers = new WorkerPool(2)) {
+                workers.run(TILES, tiles, heard);
+                tiles.over = true;
+                check(tiles.isComplete(), "every tile is done once");
+                check(heard.last.get() == TILES, "the last tile is told of");
+            }
+        });
+    }
+
+    @Test
+    void canceledRun_isCompleteOrThrows() {
+        explore(() -> {
+            var tiles = new TileCounter();
+            var stop = new CancelFlag();
+            ScheduleExplorer.ConcurrentRun other = ScheduleExplorer.startConcurrently(() -> stop.asked = true);
+            try (var workers = new WorkerPool(2)) {
+                workers.run(TILES, tiles, stop);
+                tiles.over = true;
+                check(tiles.isComplete(), "what is handed on is whole");
+            } catch (CancellationException e) {
+                tiles.over = true;
+                check(!tiles.hasDuplicates(), "no tile is done twice");
+            }
+            other.end();
+        });
+    }
+
+    @Test
+    void failure_isRethrownAfterAllWorkersStop() {
+        explore(() -> {
+            var tiles = new TileCounter();
+            var problem = new IllegalStateException("a tile's own");
+            try (var workers = new WorkerPool(2)) {
+                workers.run(TILES, (worker, tile) -> {
+                    tiles.run(worker, tile);
+                    if (tile == 0) {
+                        throw problem;
+                    }
+                }, Progress.NONE);
+                check(false, "a failure is handed on");
+            } catch (IllegalStateException e) {
+                tiles.over = true;
+                check(e == problem, "the failure itself is handed on");
+            }
+        });
+    }
+}

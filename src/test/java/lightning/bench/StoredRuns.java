@@ -1,0 +1,89 @@
+package lightning.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import lightning.bench.accuracy.AccuracySetting;
+
+/** The results of {@code benchmarks/run} that are kept, by the names of its parts. */
+record StoredRuns(Map<String, BenchResults> parts) {
+    static final Path FOLDER = Path.of("benchmarks", "results");
+    private static final List<String> PARTS = List.of("figures", "grades", "effects", "surfaces", "cold", "editing", "meshes");
+    private static final String EXTENSION = ".json";
+    private static final Pattern CLEAN = Pattern.compile("[0-9a-f]{40}");
+    private static final int MIN_REPETITIONS = 3;
+
+    static StoredRuns read(Path folder) throws IOException {
+        Map<String, BenchResults> parts = new LinkedHashMap<>();
+        for (String part : PARTS) {
+            parts.put(part, ResultsFile.readJson(folder.resolve(part + EXTENSION)));
+        }
+        return new StoredRuns(parts);
+    }
+
+    BenchResults part(String name) {
+        return parts.get(name);
+    }
+
+    Map<String, BenchRun> runs() {
+        Map<String, BenchRun> runs = new LinkedHashMap<>();
+        parts.forEach((name, results) -> runs.put(name, results.run()));
+        return runs;
+    }
+
+    /** Why they must not be published; empty where they may. */
+    List<String> findFaults() {
+        List<String> faults = new ArrayList<>();
+        parts.forEach((name, results) -> {
+            BenchRun run = results.run();
+            if (!CLEAN.matcher(run.commit()).matches()) {
+                faults.add(name + ": measured at " + run.commit() + ", expected a full commit without changes");
+            }
+            if (!run.complete()) {
+                faults.add(name + ": the run was cancelled");
+            }
+            if (run.repetitions() < MIN_REPETITIONS) {
+                faults.add(name + ": " + run.repetitions() + " samples of each work, expected at least " + MIN_REPETITIONS);
+            }
+            results.problems().forEach(problem -> faults.add(name + ": " + problem.where() + ": " + problem.what()));
+            faults.addAll(differingPictures(name, results));
+        });
+        addIfDifferent(faults, "builds", BenchRun::commit);
+        addIfDifferent(faults, "machines",
+                run -> run.machine().processors() + " × " + run.machine().processor() + ", " + run.machine().java());
+        return faults;
+    }
+
+    private static List<String> differingPictures(String part, BenchResults results) {
+        return results.scenes().stream().flatMap(scene -> scene.edits().stream().flatMap(edit -> edit.values().stream()
+                .filter(value -> value.point(AccuracySetting.DEFAULT).error().values() != 0)
+                .map(value -> part + ": " + scene.scene() + ", " + edit.edit() + ", " + value.value() + ": not equal to the full trace")))
+                .toList();
+    }
+
+    private void addIfDifferent(List<String> faults, String name, java.util.function.Function<BenchRun, String> value) {
+        Map<String, String> named =
+                runs().entrySet().stream().collect(Collectors.groupingBy(e -> value.apply(e.getValue()), LinkedHashMap::new,
+                        Collectors.mapping(Map.Entry::getKey, Collectors.joining(", "))));
+        if (named.size() > 1) {
+            faults.add("several " + name + ": " + named);
+        }
+    }
+
+    /** The names of files in the folder of kept results that are none of them. */
+    static List<String> otherFiles(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return List.copyOf(files.map(file -> file.getFileName().toString())
+                    .filter(name -> !name.endsWith(EXTENSION) || !PARTS.contains(name.substring(0, name.length() - EXTENSION.length())))
+                    .collect(Collectors.toCollection(TreeSet::new)));
+        }
+    }
+}

@@ -1,0 +1,88 @@
+package lightning.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import lightning.bench.accuracy.AccuracySetting;
+import lightning.bench.accuracy.PictureError;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class StoredRunsTest {
+    private static final String BUILD = "0123456789012345678901234567890123456789";
+
+    private static BenchResults runAt(String commit, boolean complete, int repetitions, List<SceneResult> scenes) {
+        BenchRun run = SampleResults.RUN;
+        return new BenchResults(
+                new BenchRun(run.date(), commit, run.arguments(), run.machine(), run.load(), 1, 2, repetitions, false, 1, 1, complete, 40,
+                        List.of(40.0)),
+                scenes, List.of(), List.of(), List.of(), List.of(), List.of());
+    }
+
+    private static List<String> faultsOf(BenchResults first, BenchResults second) {
+        Map<String, BenchResults> parts = new LinkedHashMap<>();
+        parts.put("figures", first);
+        parts.put("cold", second);
+        return new StoredRuns(parts).findFaults();
+    }
+
+    private static BenchResults validResults() {
+        return runAt(BUILD, true, 5, List.of());
+    }
+
+    /** A scene whose picture of the default grade differs in some values. */
+    private static SceneResult scene(long differing) {
+        var error = new PictureError(differing, 300, 0, 0, 0, 0, 99, 99, 1, 0);
+        var rungs = List.of(new SweepPointResult(AccuracySetting.DEFAULT, SampleResults.samples(1, 2, 3), 80, error, null, null, null),
+                new SweepPointResult(AccuracySetting.FULL_TRACE, SampleResults.samples(7, 8, 9), 0, error, null, null, null));
+        var edit = new EditResult("color", "Fig. 6", 98, 80, 90, List.of(new ValueResult("sun: color", rungs)));
+        return new SceneResult("bird", 10, 10, 3, 10, 3, null, null, List.of(edit), List.of(), null, null);
+    }
+
+    @Test
+    void storedRuns_areCompleteAndFromOneCleanBuild() throws IOException {
+        assertThat(StoredRuns.read(StoredRuns.FOLDER).findFaults()).isEmpty();
+        assertThat(StoredRuns.otherFiles(StoredRuns.FOLDER)).as("files of benchmarks/results that no part of benchmarks/run writes")
+                .isEmpty();
+    }
+
+    @Test
+    void runsOfOneBuild_haveNoFaults() {
+        assertThat(faultsOf(validResults(), runAt(BUILD, true, 3, List.of(scene(0))))).isEmpty();
+    }
+
+    @Test
+    void mixedBuilds_areAFault() {
+        String other = BUILD.replace('0', 'a');
+        assertThat(faultsOf(validResults(), runAt(other, true, 5, List.of()))).singleElement().asString().startsWith("several builds: ")
+                .contains(BUILD + "=figures", other + "=cold");
+    }
+
+    @Test
+    void dirtyBuild_isAFault() {
+        assertThat(faultsOf(runAt(BUILD + "-dirty", true, 5, List.of()), runAt(BUILD + "-dirty", true, 5, List.of()))).hasSize(2);
+        assertThat(faultsOf(runAt("unknown", true, 5, List.of()), runAt("unknown", true, 5, List.of()))).hasSize(2);
+        assertThat(faultsOf(runAt("0123456", true, 5, List.of()), runAt("0123456", true, 5, List.of()))).hasSize(2);
+    }
+
+    @Test
+    void canceledRunFewSamplesOrDifferingPictures_areFaults() {
+        assertThat(faultsOf(validResults(), runAt(BUILD, false, 5, List.of()))).containsExactly("cold: the run was cancelled");
+        assertThat(faultsOf(validResults(), runAt(BUILD, true, 2, List.of()))).singleElement().asString().contains("2 samples");
+        assertThat(faultsOf(validResults(), runAt(BUILD, true, 5, List.of(scene(1))))).singleElement().asString()
+                .contains("bird, color, sun: color: not equal to the full trace");
+    }
+
+    @Test
+    void otherFiles_areListed(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("figures.json"), "");
+        Files.writeString(folder.resolve("editing.txt"), "");
+        Files.writeString(folder.resolve("old.json"), "");
+        assertThat(StoredRuns.otherFiles(folder)).containsExactly("editing.txt", "old.json");
+    }
+}

@@ -1,0 +1,153 @@
+package lightning.editor.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import lightning.base.text.NumberUnit;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.LightAttribute;
+import lightning.scene.LightType;
+import lightning.scene.MaterialAttribute;
+import lightning.scene.NumericKind;
+import lightning.scene.Scene;
+import lightning.scene.SceneAttribute;
+import lightning.scene.SceneNode;
+import lightning.scene.World;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+
+class NumericParameterTest {
+    private final Scene scene = DeskScene.scene();
+
+    /** What the documents call degrees is typed and shown in degrees, and nothing else is. */
+    @Test
+    void degreeParameters_matchDocumentation() {
+        Stream<SceneAttribute<?, ?>> all = Stream.<List<? extends SceneAttribute<?, ?>>>of(LightAttribute.ALL, MaterialAttribute.ALL,
+                World.ATTRIBUTES, Camera.ATTRIBUTES, SceneNode.ATTRIBUTES).flatMap(List::stream);
+        assertThat(all.filter(a -> a.kind() instanceof NumericKind<?>))
+                .allSatisfy(a -> assertThat(((NumericKind<?>) a.kind()).unit())
+                        .isEqualTo(a.unit().contains("degrees") ? NumberUnit.DEGREES : NumberUnit.FACTOR));
+        assertThat(NumericParameter.of(LightAttribute.DOORS)).hasSize(4).allMatch(d -> d.measure() == NumberUnit.DEGREES);
+        assertThat(NumericParameter.ENVIRONMENT_ROTATION.measure()).isEqualTo(NumberUnit.DEGREES);
+        assertThat(NumericParameter.AMBIENCE.measure()).isEqualTo(NumberUnit.FACTOR);
+    }
+
+    @Test
+    void step_addsTenthInDecimal() {
+        Scene once = DeskScene.sceneOf(DeskScene.parameter("intensity").set(scene, "key", 1.1));
+        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("intensity").step(once, "key", 1)), "key").intensity())
+                .isEqualTo(1.2);
+        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("intensity").step(once, "key", -4)), "key").intensity())
+                .isEqualTo(0.7);
+    }
+
+    @Test
+    void step_changesAnglesByOneDegree() {
+        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("angle").step(scene, "key", 2)), "key").angle()).isEqualTo(27);
+    }
+
+    @Test
+    void step_stopsAtLimits() {
+        assertThat(DeskScene.sceneOf(DeskScene.parameter("intensity").step(scene, "fill", -20)).light("fill").orElseThrow().intensity())
+                .isZero();
+        assertThat(DeskScene.sceneOf(NumericParameter.DEPTH.step(scene, "", 100)).picture().depth()).isEqualTo(10);
+    }
+
+    @Test
+    void value_isSet() {
+        assertThat(DeskScene.light(DeskScene.sceneOf(DeskScene.parameter("intensity").set(scene, "key", 0.4)), "key").intensity())
+                .isEqualTo(0.4);
+    }
+
+    @Test
+    void negativeValue_isRefusedWithReason() {
+        assertThat(DeskScene.parameter("intensity").set(scene, "key", -3).refusal()).contains("intensity must be ≥ 0, was -3");
+    }
+
+    @Test
+    void fractionalDepth_isRefused() {
+        assertThat(NumericParameter.DEPTH.set(scene, "", 2.5).refusal()).contains("depth must be a whole number, was 2.5");
+    }
+
+    @Test
+    void refusal_changesNothing() {
+        assertThat(DeskScene.parameter("angle").set(scene, "key", 181).sceneOr(scene)).isSameAs(scene);
+    }
+
+    @Test
+    void unknownLight_isRefused() {
+        assertThat(DeskScene.parameter("intensity").set(scene, "nobody", 1).refusal()).contains("there is no light 'nobody'");
+        assertThat(DeskScene.parameter("intensity").step(scene, "nobody", 1).refusal()).contains("there is no light 'nobody'");
+    }
+
+    @Test
+    void attenuationParameters_setTheirOwnConstant() {
+        Scene edited =
+                DeskScene
+                        .sceneOf(
+                                DeskScene.parameter("attenuation quadratic")
+                                        .set(DeskScene.sceneOf(DeskScene.parameter("attenuation linear").set(DeskScene.sceneOf(
+                                                DeskScene.parameter("attenuation constant").set(scene, "fill", 2)), "fill", 3)), "fill",
+                                                4));
+        assertThat(DeskScene.light(edited, "fill").attenuation()).isEqualTo(new Attenuation(2, 3, 4));
+    }
+
+    @Test
+    void spot_hasEveryParameterExceptOtherAreas() {
+        assertThat(NumericParameter.ALL.stream().filter(dial -> dial.disabledReason(scene, scene.light("key")).isPresent())
+                .map(NumericParameter::title).toList())
+                .containsExactlyInAnyOrder("spread", "width", "height", "environment intensity", "environment rotation",
+                        "environment lamps",
+                        "environment softness");
+    }
+
+    @Test
+    void pointLight_hasNoConeAndNoDirection() {
+        assertThat(DeskScene.parameter("angle").disabledReason(scene, scene.light("fill"))).contains("a point light has no angle");
+        assertThat(DeskScene.parameter("dropoff").disabledReason(scene, scene.light("fill"))).contains("a point light has no dropoff");
+        assertThat(DeskScene.parameter("attenuation linear").disabledReason(scene, scene.light("fill"))).isEmpty();
+        assertThat(LightAttribute.DIRECTION.inactiveReason(LightType.POINT)).contains("a point light has no direction");
+    }
+
+    @Test
+    void directionalLight_hasColorIntensityDirectionSpreadAndLinksOnly() {
+        assertThat(LightAttribute.ALL.stream().filter(a -> a.term(LightType.DIRECTIONAL).isPresent()).toList())
+                .isEqualTo(List.of(LightAttribute.COLOR, LightAttribute.INTENSITY, LightAttribute.DIRECTION, LightAttribute.SPREAD,
+                        LightAttribute.SAMPLES, LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY));
+        assertThat(DeskScene.parameter("attenuation constant").disabledReason(scene, scene.light("sun")))
+                .contains("a directional light has no attenuation");
+    }
+
+    @Test
+    void noSelection_onlySceneParametersCanChange() {
+        for (NumericParameter dial : NumericParameter.ALL) {
+            assertThat(dial.disabledReason(scene, Optional.empty()).isEmpty())
+                    .isEqualTo(dial == NumericParameter.AMBIENCE || dial == NumericParameter.DEPTH);
+        }
+    }
+
+    @ParameterizedTest
+    @FieldSource("lightning.editor.document.NumericParameter#ALL")
+    void setValue_changesOnlyThatValue(NumericParameter dial) {
+        double other = Math.min(dial.value(scene, "key") == 5 ? 6 : 5, dial.range().max());
+        Scene edited = DeskScene.sceneOf(dial.set(scene, "key", other));
+        assertThat(dial.value(edited, "key")).isEqualTo(other);
+        assertThat(DeskScene.sceneOf(dial.set(edited, "key", dial.value(scene, "key")))).isEqualTo(scene);
+    }
+
+    @Property
+    void stepsUpAndDown_restoreValue(@ForAll @IntRange(max = 100) int steps, @ForAll @DoubleRange(max = 9) double value) {
+        double rounded = Math.rint(value * 100) / 100;
+        Scene begin = DeskScene.sceneOf(DeskScene.parameter("dropoff").set(scene, "key", rounded));
+        Scene up = DeskScene.sceneOf(DeskScene.parameter("dropoff").step(begin, "key", steps));
+        assertThat(DeskScene.sceneOf(DeskScene.parameter("dropoff").step(up, "key", -steps))).isEqualTo(begin);
+    }
+}

@@ -1,0 +1,23 @@
+package lightning.editor.document;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Set;
+import lightning.format.jen.JenException;
+
+/** Saves and reads documents as the editor does, but at once. */
+public final class TestSaves {
+    private TestSaves() {}
+
+    public static void save(OpenDocument document, OverwriteConfirmation... allowed) throws IOException {
+        saveAs(document, document.file(), allowed);
+    }
+
+    public static void saveAs(OpenDocument document, Path file, OverwriteConfirmation... allowed) throws IOException {
+        document.onSaved(document.prepareSave(file, Set.of(allowed)).write());
+    }
+
+    public static void reload(OpenDocument document) throws IOException, JenException {
+        document.onReloaded(SavedScene.read(document.file()));
+    }
+}

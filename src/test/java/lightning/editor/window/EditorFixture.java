@@ -1,0 +1,186 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import javafx.application.Platform;
+import javafx.geometry.Point2D;
+import javafx.scene.Node;
+import javafx.scene.control.Labeled;
+import javafx.stage.Stage;
+import lightning.base.math.Vec3;
+import lightning.base.work.Await;
+import lightning.editor.document.Command;
+import lightning.editor.document.FileThread;
+import lightning.editor.document.RecoveryFolder;
+import lightning.editor.document.Viewport;
+import lightning.editor.window.command.FilePrompt;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.preview.PreviewCanvas;
+import lightning.editor.window.widget.ColorTheme;
+import lightning.editor.window.widget.PictureView;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.Slow;
+import lightning.scene.Light;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** An editor on a small scene with one light of each type, all of them in view. */
+@ExtendWith(JavaFxRequirement.class)
+@Slow
+public abstract class EditorFixture {
+    private static final String SCENE = """
+            jen 1
+            picture  { size 64 48  depth 2 }
+            camera   { from 0 2 9  to 0 1 0  up 0 1 0  fov 40 }
+            world    { ambience 0.2  background 0.1 0.1 0.2 }
+            material matt   { ambient 0.1 0.1 0.1  diffuse 0.8 0.7 0.6  specular 0.3 0.3 0.3  shininess 20 }
+            material mirror { ambient 0 0 0  diffuse 0.2 0.2 0.2  reflective 0.6 0.6 0.6 }
+            plane floor   { material mirror  scale 12 1 12 }
+            sphere ball   { material matt  at 0 1 0 }
+            light lamp point { at -2 2.2 0.5  intensity 1 }
+            light sun directional { at 0 2.8 0  direction 0.3 -1 -0.4  intensity 0.4 }
+            light stage spot { at 2 2.2 0.5  direction -2 -1.5 -0.5  angle 30  intensity 1.5 }
+            """;
+
+    @TempDir
+    public Path folder;
+
+    public final FxRobot robot = new FastRobot();
+    Stage stage;
+    public Editor editor;
+    /** What the artist answers when asked for a file; null is Cancel. */
+    public volatile Path answer;
+
+    @BeforeEach
+    void open() throws Exception {
+        FxToolkit.registerPrimaryStage();
+        Path file = Files.writeString(folder.resolve("desk.jen"), SCENE);
+        FxToolkit.setupFixture(() -> {
+            ColorTheme.DARK.apply();
+            stage = new Stage();
+            var thread = new FileThread(Platform::runLater);
+            var preferences = new Preferences(folder.resolve("own"), thread);
+            var sight = TestEditors.startupSession(TestEditors.document(file), TestEditors.layout(file), preferences,
+                    new RecoveryFolder(EditorPaths.dataFolder().resolve("recovery")), thread);
+            editor = new Editor(stage, sight, preferences, thread, new PromptAnswers(), 1000, 700);
+        });
+        waitForPicture();
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        robot.release(new javafx.scene.input.MouseButton[0]);
+        robot.release(new javafx.scene.input.KeyCode[0]);
+        FxToolkit.setupFixture(() -> {
+            editor.close();
+            stage.close();
+        });
+    }
+
+    private final class PromptAnswers implements FilePrompt {
+        @Override
+        public Optional<Path> sceneToOpen(Path from) {
+            return Optional.ofNullable(answer);
+        }
+
+        @Override
+        public Optional<Path> sceneToWrite(Path proposal) {
+            return Optional.ofNullable(answer);
+        }
+
+        @Override
+        public Optional<Path> pictureToWrite(Path proposal) {
+            return Optional.ofNullable(answer);
+        }
+    }
+
+    public EditorModel model() {
+        return editor.model();
+    }
+
+    public Light light(String name) {
+        return model().editor().scene().light(name).orElseThrow();
+    }
+
+    /** Waits until something holds, as seen from the window's thread, and the window shows it. */
+    public void waitFor(String description, Callable<Boolean> condition) {
+        try {
+            WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS,
+                    () -> WaitForAsyncUtils.asyncFx(condition).get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS));
+        } catch (TimeoutException e) {
+            throw new AssertionError("waited " + Await.TIMEOUT_SECONDS + " s until " + description, e);
+        }
+        FastRobot.settle();
+    }
+
+    /** Waits until the picture shows everything. */
+    public void waitForPicture() {
+        waitFor("the picture is there", () -> !model().editor().editorStateProperty().get().hasPendingEdits()
+                && model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
+    }
+
+    /** Clicks the control of that id. */
+    public void click(String id) {
+        robot.clickOn("#" + id);
+    }
+
+    public boolean isEnabled(Command command) {
+        return !robot.lookup("#" + command.id()).<Node>query().isDisabled();
+    }
+
+    public String text(String id) {
+        return robot.lookup("#" + id).<Labeled>query().getText();
+    }
+
+    /** All that is known of the last update, in one line. */
+    public String telemetry() {
+        return robot.lookup("#status").<javafx.scene.control.Button>query().getTooltip().getText();
+    }
+
+    public boolean isShown(String id) {
+        return robot.lookup("#" + id).tryQuery().map(Node::isVisible).orElse(false);
+    }
+
+    public PreviewCanvas preview() {
+        return robot.lookup("#preview-canvas").query();
+    }
+
+    /** Where a point of the scene is seen in the preview. */
+    public Point2D toScreen(Vec3 point) {
+        Viewport canvas = preview().viewport();
+        return preview().toScreen(canvas.project(model().previewSettings().cameraProperty().get(), point));
+    }
+
+    /** That every pixel of the canvas, as it is on the screen's side, is a film's. */
+    public void assertCanvasShows(lightning.render.image.Film expected) {
+        PictureView picture = robot.lookup("#traced-picture").query();
+        int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
+        assertThat(shown).as("the pixels of the canvas").isEqualTo(model().picture().viewProperty().get().toPixels(expected));
+    }
+
+    /** That Go, with mirrors made current, shows every pixel of the scene as the reference has it. */
+    public void assertGoShowsTheScene() {
+        click("go");
+        waitForPicture();
+        robot.interact(() -> model().commands().run(Command.UPDATE_REFLECTIONS));
+        waitFor("the mirrors are current", () -> !model().commands().isEnabled(Command.UPDATE_REFLECTIONS)
+                && model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
+    }
+
+    public void assertFilmIs(lightning.render.image.Film expected) {
+        assertThat(model().picture().frame().film().hasSameBits(expected)).as("every bit of the picture").isTrue();
+    }
+}

@@ -1,0 +1,184 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import javafx.application.Platform;
+import javafx.scene.control.Button;
+import javafx.scene.control.ListView;
+import lightning.editor.document.Command;
+import lightning.editor.document.DeskScene;
+import lightning.editor.document.OpenSceneRegistry;
+import lightning.editor.document.TextDifference;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+/** The open scene's file is written by others while it is open here. */
+class ExternalChangesTest extends EditorFixture {
+    private Path file;
+    private String otherText;
+
+    @BeforeEach
+    void prepare() throws IOException {
+        file = folder.resolve("desk.jen");
+        otherText = Files.readString(file).replace("ambience 0.2", "ambience 0.7");
+    }
+
+    private void dim() {
+        robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
+    }
+
+    /** Begins to save over what another wrote just before, and waits for the question. */
+    private void saveOverOtherText() throws IOException {
+        dim();
+        writeOtherText();
+        Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
+        waitFor("it asks", () -> robot.lookup("desk.jen was changed by another program").tryQuery().isPresent());
+    }
+
+    private double savedIntensity(Path where) throws IOException, JenException {
+        return JenReader.read(where).scene().light("lamp").orElseThrow().intensity();
+    }
+
+    /** At once: a half-written file would be news, and the whole one news again. */
+    private void writeOtherText() throws IOException {
+        Files.move(Files.writeString(folder.resolve("his"), otherText), file, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private void awaitNotice() {
+        waitFor("it is told", this::isNoticeShown);
+        // The line takes its place before anything in it is clicked on.
+        FastRobot.settle();
+    }
+
+    private boolean isNoticeShown() {
+        return isShown("disk-bar");
+    }
+
+    @Test
+    void saveOverOtherText_showsBothAndCancelKeepsBoth() throws IOException {
+        saveOverOtherText();
+        var both = robot.lookup("#differences").<ListView<TextDifference.Row>>queryAll().iterator().next();
+        assertThat(both.getItems().stream().filter(row -> !row.isSame())).hasSize(2)
+                .anyMatch(row -> row.mine().contains("ambience 0.2") && row.theirs().contains("ambience 0.7"))
+                .anyMatch(row -> row.mine().contains("intensity 0.25"));
+        robot.clickOn("Cancel");
+        assertThat(file).hasContent(otherText);
+        assertThat(model().editor().document().isDirty()).isTrue();
+    }
+
+    @Test
+    void overwrite_writesOwnScene() throws IOException, JenException {
+        saveOverOtherText();
+        robot.clickOn("Overwrite");
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        assertThat(savedIntensity(file)).isEqualTo(0.25);
+        assertThat(file).content().contains("ambience 0.2");
+    }
+
+    @Test
+    void saveAs_keepsBothFiles() throws IOException, JenException {
+        answer = folder.resolve("mine.jen");
+        saveOverOtherText();
+        robot.clickOn("Save As…");
+        waitFor("it is saved", () -> model().editor().document().name().equals("mine.jen"));
+        assertThat(file).hasContent(otherText);
+        assertThat(savedIntensity(answer)).isEqualTo(0.25);
+    }
+
+    @Test
+    void loadingOtherText_canBeUndone() throws IOException {
+        saveOverOtherText();
+        robot.clickOn("Take the File's");
+        waitFor("it is reloaded", () -> model().editor().scene().world().ambience() == 0.7);
+        assertThat(model().editor().document().isDirty()).isFalse();
+        click("undo");
+        assertThat(light("lamp").intensity()).isEqualTo(0.25);
+    }
+
+    @Test
+    void externalChange_isReportedAndReloaded() throws IOException {
+        assertThat(isNoticeShown()).isFalse();
+        writeOtherText();
+        awaitNotice();
+        assertThat(text("disk-news")).isEqualTo("desk.jen was changed by another program.");
+        click("disk-reload");
+        waitFor("it is reloaded", () -> !isNoticeShown());
+        assertThat(model().editor().scene().world().ambience()).isEqualTo(0.7);
+        assertThat(isNoticeShown()).isFalse();
+    }
+
+    @Test
+    void externalChange_canBeIgnored() throws IOException {
+        writeOtherText();
+        awaitNotice();
+        click("disk-keep");
+        assertThat(isNoticeShown()).isFalse();
+        assertThat(isEnabled(Command.SAVE_SCENE)).isTrue();
+        assertThat(model().editor().scene().world().ambience()).isEqualTo(0.2);
+    }
+
+    @Test
+    void externalChange_canBeCompared() throws IOException {
+        writeOtherText();
+        awaitNotice();
+        Platform.runLater(() -> robot.lookup("#disk-compare").<Button>query().fire());
+        waitFor("both are shown", () -> robot.lookup("#differences").tryQuery().isPresent());
+        robot.clickOn("Cancel");
+        assertThat(file).hasContent(otherText);
+    }
+
+    @Test
+    void deletedFile_isReportedAndCanBeSavedAgain() throws IOException {
+        Files.delete(file);
+        awaitNotice();
+        assertThat(text("disk-news")).contains("is no longer where it was");
+        click("save-scene");
+        waitFor("it is saved", () -> !isNoticeShown());
+        assertThat(file).exists();
+        assertThat(isNoticeShown()).isFalse();
+    }
+
+    @Test
+    void secondEditor_isReported() throws IOException {
+        try (var other = new OpenSceneRegistry(EditorPaths.dataFolder().resolve("open"))) {
+            other.register(file);
+            awaitNotice();
+            assertThat(text("disk-news")).contains("is open in another editor");
+        }
+        waitFor("it is gone", () -> !isNoticeShown());
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void readOnlyScene_isReplacedOnlyAfterConfirmation() throws Exception {
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("r--r--r--"));
+        String before = Files.readString(file);
+        dim();
+        Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
+        waitFor("it asks", () -> robot.lookup("Replace desk.jen, which is read-only?").tryQuery().isPresent());
+        assertThat(file).hasContent(before);
+        robot.clickOn("Replace");
+        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        assertThat(savedIntensity(file)).isEqualTo(0.25);
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file))).isEqualTo("r--r--r--");
+    }
+
+    @Test
+    void addedExtension_neverReplacesOtherScene() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.jen"), "somebody's");
+        answer = folder.resolve("other");
+        Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE_AS));
+        waitFor("it asks", () -> robot.lookup("Replace other.jen?").tryQuery().isPresent());
+        robot.clickOn("Cancel");
+        assertThat(other).hasContent("somebody's");
+    }
+}

@@ -1,0 +1,94 @@
+package lightning.editor.window;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import javafx.application.Platform;
+import javafx.scene.Parent;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+import lightning.base.work.Await;
+import lightning.editor.document.FileThread;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.document.RecoveryFolder;
+import lightning.editor.window.model.EditorModel;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.traced.TracedPane;
+import lightning.editor.window.widget.ColorTheme;
+import lightning.format.jen.JenException;
+import lightning.scene.Light;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** A model with a small scene of a light of each type, to show panes of. */
+public final class TestEditors {
+    public static final String SPOT = "key";
+    public static final String POINT = "fill";
+    public static final String SUN = "sun";
+    private static final String TEXT = """
+            jen 1
+            picture { size 40 30  depth 2 }
+            camera { from 0 2 9  to 0 1 0  fov 40 }
+            material mirror { diffuse 0.5 0.5 0.5  specular 0.2 0.2 0.2  reflective 0.4 0.4 0.4 }
+            plane ground { material mirror  scale 20 1 20 }
+            sphere ball { at 0 1 0 }
+            light key spot { intensity 1  at 3 5 2  direction -3 -4 -2  angle 25  dropoff 4 }
+            light fill point { intensity 0.5  at -3 2 4  attenuation 0.1 1 0.1 }
+            light sun directional { intensity 0.3  direction -1 -1 -1  at 1 2 3 }
+            """;
+
+    private TestEditors() {}
+
+    /** On the window's thread; the first light is selected. */
+    public static EditorModel model(Path folder) throws IOException, JenException {
+        Path file = Files.writeString(folder.resolve("desk.jen"), TEXT);
+        return new EditorModel(OpenDocument.open(file), new RecoveryFolder(folder.resolve("recovery")), new FileThread(Platform::runLater));
+    }
+
+    /** The first that is seen of a scene file, on the window's thread; preferences and what is recovered are in the folder. */
+    static StartupSession startupSession(Path file, EditorLayout frame, Path folder, FileThread thread) {
+        return startupSession(document(file), frame, new Preferences(folder.resolve("own"), thread),
+                new RecoveryFolder(folder.resolve("recovery")),
+                thread);
+    }
+
+    /** The same of a document that is open, whose preferences others read, too. */
+    static StartupSession startupSession(OpenDocument document, EditorLayout frame, Preferences preferences, RecoveryFolder recovery,
+            FileThread thread) {
+        return new StartupSession(frame, document, StartupSession.startPreview(document, preferences), preferences, recovery, thread);
+    }
+
+    /** A scene file without faults. */
+    static OpenDocument document(Path file) {
+        try {
+            return OpenDocument.open(file);
+        } catch (IOException | JenException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    /** A frame whose picture shows nothing yet. */
+    static EditorLayout layout(Path file) {
+        return new EditorLayout(file, TracedPane.createView());
+    }
+
+    /** Shows one pane alone. */
+    public static void show(Stage stage, Parent pane) {
+        ColorTheme.DARK.apply();
+        Scene scene = new Scene(pane, 320, 960);
+        ColorTheme.style(scene);
+        stage.setScene(scene);
+        stage.show();
+    }
+
+    public static Light light(EditorModel model, String name) {
+        return model.editor().scene().light(name).orElseThrow();
+    }
+
+    /** Returns as soon as the condition holds. */
+    public static void await(BooleanSupplier condition) throws TimeoutException {
+        WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS, condition::getAsBoolean);
+    }
+}

@@ -1,0 +1,129 @@
+package lightning.editor.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.util.List;
+import javafx.scene.control.SplitPane;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Region;
+import lightning.editor.document.Command;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.WindowLayout.CanvasLayout;
+import lightning.editor.window.widget.PictureView;
+import lightning.format.jen.JenReader;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.AntialiasMode;
+import org.junit.jupiter.api.Test;
+
+/** The pictures have the room that the artist gives them. */
+class WindowLayoutTest extends EditorFixture {
+    private boolean isVisible(String query) {
+        return robot.lookup(query).tryQuery().isPresent();
+    }
+
+    private PictureView picture() {
+        return robot.lookup("#traced-picture").query();
+    }
+
+    private void arrange(CanvasLayout canvases) {
+        robot.interact(() -> model().layout().canvasLayoutProperty().set(canvases));
+    }
+
+    @Test
+    void pictureAlone_fillsBothCanvases() {
+        double half = picture().getWidth();
+        arrange(CanvasLayout.PICTURE_ALONE);
+        assertThat(isVisible("#preview-canvas")).isFalse();
+        assertThat(picture().getWidth()).isGreaterThan(1.9 * half);
+        assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
+        arrange(CanvasLayout.SIDE_BY_SIDE);
+        assertThat(isVisible("#preview-canvas")).isTrue();
+        assertThat(picture().getWidth()).isBetween(half - 2, half + 2);
+    }
+
+    @Test
+    void previewAlone_canBeEdited() {
+        arrange(CanvasLayout.PREVIEW_ALONE);
+        assertThat(isVisible("#traced-picture")).isFalse();
+        robot.interact(() -> preview().requestFocus());
+        robot.push(KeyCode.CLOSE_BRACKET);
+        assertThat(model().editor().selection().light().name()).isEqualTo("sun");
+    }
+
+    @Test
+    void largePicture_leavesOtherSmall() {
+        arrange(CanvasLayout.PICTURE_LARGE);
+        assertThat(picture().getWidth()).isGreaterThan(2 * preview().getWidth());
+    }
+
+    @Test
+    void tabOverPicture_togglesPanels() {
+        double before = picture().getWidth();
+        robot.interact(() -> preview().requestFocus());
+        robot.moveTo("#traced-picture");
+        robot.push(KeyCode.TAB);
+        assertThat(isVisible("#lights")).isFalse();
+        assertThat(isShown("toolbar")).isFalse();
+        assertThat(picture().getWidth()).isGreaterThan(before + 50);
+        robot.push(KeyCode.TAB);
+        assertThat(isVisible("#lights")).isTrue();
+        assertThat(isShown("toolbar")).isTrue();
+    }
+
+    private void showTimeline(boolean shown) {
+        robot.interact(() -> model().layout().timelineShownProperty().set(shown));
+        FastRobot.settle();
+    }
+
+    private double timeline() {
+        return robot.lookup("#timeline").<Region>query().getHeight();
+    }
+
+    @Test
+    void timeline_shownFirst_fitsItsRows() {
+        showTimeline(true);
+        assertThat(timeline()).isBetween(198.0, 200.0);
+    }
+
+    @Test
+    void timeline_shownAgain_keepsHeight() {
+        showTimeline(true);
+        robot.interact(() -> ((SplitPane) robot.lookup("#timeline").query().getParent().getParent()).setDividerPositions(0.5));
+        FastRobot.settle();
+        double left = timeline();
+        showTimeline(false);
+        showTimeline(true);
+        assertThat(timeline()).isBetween(left - 1, left + 1);
+    }
+
+    @Test
+    void tabInField_focusesNextField() {
+        robot.interact(() -> robot.lookup("#intensity .number-field").<TextField>query().requestFocus());
+        robot.moveTo("#traced-picture");
+        robot.push(KeyCode.TAB);
+        assertThat(isVisible("#lights")).isTrue();
+    }
+
+    @Test
+    void arrangement_afterRestart_isRestoredButHiddenPanelsAreNot() {
+        arrange(CanvasLayout.PICTURE_LARGE);
+        robot.interact(() -> model().commands().run(Command.HIDE_PANELS));
+        waitFor("it is written", () -> Files.exists(folder.resolve("own/preferences.properties")));
+        waitFor("it is kept", () -> new Preferences(folder.resolve("own"), Runnable::run).hasValue("arrangement", "PICTURE_LARGE"));
+    }
+
+    @Test
+    void newScene_isWrittenAndOpenedAtScreenSize() throws Exception {
+        answer = folder.resolve("fresh");
+        robot.interact(() -> model().commands().run(Command.NEW_SCENE));
+        waitFor("it is open", () -> model().editor().document().name().equals("fresh.jen"));
+        robot.interact(() -> model().commands().run(Command.CANCEL));
+        var read = JenReader.read(folder.resolve("fresh.jen")).scene();
+        assertThat(read).isEqualTo(model().editor().scene());
+        assertThat(List.of(read.picture().width(), read.picture().height())).containsExactly(1280, 720);
+        assertThat(read.picture().sampling().antialias()).isEqualTo(AntialiasMode.EDGES);
+        assertThat(read.lights()).hasSize(3);
+    }
+}

@@ -1,0 +1,56 @@
+package lightning.editor.window.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+import lightning.base.work.Await;
+import lightning.editor.window.JavaFxRequirement;
+import lightning.editor.window.StageExtension;
+import lightning.format.exchange.LightUnits;
+import lightning.render.image.Film;
+import lightning.sample.Slow;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.testfx.framework.junit5.Start;
+import org.testfx.util.WaitForAsyncUtils;
+
+@ExtendWith({JavaFxRequirement.class, StageExtension.class})
+@Slow
+class LightUnitChooserTest {
+    private final Map<LightUnits, Film> pictures = new EnumMap<>(LightUnits.class);
+    private Stage stage;
+
+    @Start
+    void open(Stage given) {
+        stage = given;
+        for (LightUnits units : LightUnits.values()) {
+            pictures.put(units, Film.black(280, 210));
+        }
+    }
+
+    private double width(double maxWidth) {
+        return WaitForAsyncUtils.waitForAsyncFx(TimeUnit.SECONDS.toMillis(Await.TIMEOUT_SECONDS), () -> {
+            var cards = new LightUnitChooser(pictures, maxWidth, () -> {});
+            stage.setScene(new Scene(cards));
+            cards.applyCss();
+            return cards.prefWidth(-1);
+        });
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {640, 920})
+    void smallScreen_fitsAllPictures(double maxWidth) {
+        assertThat(width(maxWidth)).isLessThanOrEqualTo(maxWidth);
+    }
+
+    @Test
+    void largeScreen_showsPicturesAtFullSize() {
+        assertThat(width(1880)).isEqualTo(width(3800)).isGreaterThan(3 * 280);
+    }
+}

@@ -1,0 +1,106 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.util.stream.Stream;
+import javafx.scene.Node;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.text.Text;
+import lightning.editor.document.Command;
+import lightning.editor.window.EditorFixture;
+import lightning.scene.Environment;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import org.junit.jupiter.api.Test;
+
+class EnvironmentFieldTest extends EditorFixture {
+    private MenuButton choice() {
+        return robot.lookup("#environment").query();
+    }
+
+    private World world() {
+        return model().editor().scene().world();
+    }
+
+    private String choiceText() {
+        return world().environment().map(Environment::file).orElse("");
+    }
+
+    /** Two pixels of light: warm to the left, dim to the right. */
+    private void writeEnvironmentMap(String name) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        bytes.writeBytes("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".getBytes(StandardCharsets.ISO_8859_1));
+        bytes.writeBytes(new byte[] {(byte) 128, 96, 64, (byte) 129, 16, 16, 32, (byte) 128});
+        Files.write(Files.createDirectories(folder.resolve("textures")).resolve(name), bytes.toByteArray());
+    }
+
+    private void choose(String name) {
+        robot.interact(() -> choice().getOnShowing().handle(null));
+        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
+        MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
+        robot.interact(item::fire);
+    }
+
+    private void type(String dial, String number) {
+        TextField field = robot.from(robot.lookup("#" + dial).<Node>query()).lookup((Node n) -> n instanceof TextField).query();
+        robot.interact(() -> {
+            field.requestFocus();
+            field.setText(number);
+        });
+        robot.push(KeyCode.ENTER);
+    }
+
+    @Test
+    void environmentMapNextToScene_lightsItAndIsUndone() throws IOException {
+        writeEnvironmentMap("red_dusk.hdr");
+        Scene before = model().editor().scene();
+        choose("red_dusk.hdr");
+        waitFor("it is read", () -> choiceText().equals("red_dusk.hdr"));
+        assertThat(robot.from(choice()).lookup((Node n) -> n instanceof Text t && t.getText().equals("red_dusk.hdr")).tryQuery())
+                .as("underscore and all").isPresent();
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment none → red_dusk.hdr");
+        assertGoShowsTheScene();
+        click("undo");
+        assertThat(model().editor().scene()).isEqualTo(before);
+        assertThat(choice().getText()).isEqualTo("none");
+    }
+
+    @Test
+    void environmentNumbers_withoutEnvironment_areDisabled() throws IOException {
+        Stream.of("intensity", "rotation", "lamps", "softness").map(n -> robot.lookup("#environment-" + n).<Node>query())
+                .forEach(dial -> assertThat(robot.from(dial).lookup((Node n) -> n instanceof TextField).<Node>query().isDisabled())
+                        .isTrue());
+        writeEnvironmentMap("dusk.hdr");
+        choose("dusk.hdr");
+        waitFor("it is read", () -> choiceText().equals("dusk.hdr"));
+        robot.interact(() -> model().editor().selection().selectLight(null));
+        type("environment-intensity", "2.5");
+        type("environment-rotation", "-30");
+        type("environment-softness", "0.5");
+        type("environment-lamps", "7");
+        assertThat(world().intensity()).isEqualTo(2.5);
+        assertThat(world().rotation()).isEqualTo(-30);
+        assertThat(world().lightCount()).isEqualTo(7);
+        assertThat(world().softness()).isEqualTo(0.5);
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment lamps 16 → 7");
+        choose("None");
+        waitFor("it is gone", () -> choiceText().isEmpty());
+        assertThat(world().rotation()).as("is kept for the next").isEqualTo(-30);
+    }
+
+    @Test
+    void invalidEnvironmentMap_showsError() throws IOException {
+        Files.writeString(Files.createDirectories(folder.resolve("textures")).resolve("fake.hdr"), "no picture");
+        choose("fake.hdr");
+        waitFor("it is refused", () -> model().editor().message().textProperty().get().contains("fake.hdr"));
+        assertThat(choiceText()).isEmpty();
+        assertThat(isEnabled(Command.UNDO)).isFalse();
+    }
+}

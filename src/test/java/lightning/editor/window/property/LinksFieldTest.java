@@ -1,0 +1,112 @@
+package lightning.editor.window.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.IntStream;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.CustomMenuItem;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import lightning.editor.document.Command;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.LightEdits;
+import lightning.editor.window.EditorFixture;
+import lightning.scene.Material;
+import lightning.scene.NodeGroup;
+import lightning.scene.Placement;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.ShapeLinks;
+import lightning.scene.Solid;
+import org.junit.jupiter.api.Test;
+
+class LinksFieldTest extends EditorFixture {
+    private MenuButton menu(String id) {
+        return robot.lookup("#" + id).query();
+    }
+
+    private String check(String id) {
+        // The window that shows no screen has no room for a menu.
+        robot.interact(() -> menu(id).getOnShowing().handle(null));
+        CheckBox first = menu(id).getItems().stream().filter(CustomMenuItem.class::isInstance)
+                .map(i -> ((CustomMenuItem) i).getContent()).filter(CheckBox.class::isInstance).map(CheckBox.class::cast).findFirst()
+                .orElseThrow();
+        robot.interact(first::fire);
+        return first.getText();
+    }
+
+    @Test
+    void checkedShape_isExcluded_andUndone() {
+        String shape = check("illuminates");
+        assertThat(model().editor().selection().light().illuminates()).isEqualTo(ShapeLinks.except(shape));
+        assertThat(model().editor().selection().light().shadowedBy()).isEqualTo(ShapeLinks.ALL);
+        assertThat(menu("illuminates").getText()).isEqualTo("all but '" + shape + "'");
+        robot.interact(() -> model().commands().run(Command.UNDO));
+        assertThat(menu("illuminates").getText()).isEqualTo("all");
+    }
+
+    @Test
+    void onlyChecked_castShadows() {
+        String shape = check("shadowed_by");
+        MenuItem only = menu("shadowed_by").getItems().get(1);
+        robot.interact(only::fire);
+        assertThat(model().editor().selection().light().shadowedBy()).isEqualTo(ShapeLinks.only(shape));
+    }
+
+    @Test
+    void lightDroppedOnShape_togglesItsIllumination() {
+        robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));
+        assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.except("ball"));
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp does not shine on ball");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("lamp: illuminates all → all but 'ball'");
+        assertGoShowsTheScene();
+        robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));
+        assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.ALL);
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp shines on ball");
+    }
+
+    @Test
+    void lightDroppedOnShape_withCtrlAndShift_togglesItsShadow() {
+        robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", true, model().editor()));
+        assertThat(light("lamp").shadowedBy()).isEqualTo(ShapeLinks.except("ball"));
+        assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.ALL);
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("ball throws no shadow in the light of lamp");
+        assertGoShowsTheScene();
+        click("undo");
+        assertThat(light("lamp").shadowedBy()).isEqualTo(ShapeLinks.ALL);
+    }
+
+    @Test
+    void links_withoutLight_areDisabled() {
+        robot.interact(() -> model().editor().selection().selectLight(null));
+        assertThat(menu("illuminates").isDisabled()).isTrue();
+    }
+
+    private List<String> listedNames(String id) {
+        robot.interact(() -> menu(id).getOnShowing().handle(null));
+        return menu(id).getItems().stream()
+                .map(i -> i instanceof CustomMenuItem c ? c.getContent() instanceof CheckBox b ? b.getText() : null : i.getText())
+                .filter(Objects::nonNull).toList();
+    }
+
+    private static NodeGroup group(String name, int shapes) {
+        return new NodeGroup(name, Placement.IDENTITY,
+                IntStream.range(0, shapes).<SceneNode>mapToObj(i -> new Shape(Solid.SPHERE, name + "_" + i,
+                        Material.DEFAULT.name(), Placement.IDENTITY)).toList(),
+                false);
+    }
+
+    @Test
+    void menu_afterLargeGroup_listsOtherShapes_andLinkedOnes() {
+        robot.interact(() -> model().editor().edit(scene -> EditOutcome.of(
+                () -> scene.withNodes(List.of(group("many", 300), group("few", 3), group("others", 195))))));
+        assertThat(listedNames("illuminates")).contains("many", "few", "few_2", "others").doesNotContain("many_0", "others_0")
+                .last().isEqualTo("More can be named in the file");
+        String light = model().editor().selection().light().name();
+        robot.interact(
+                () -> model().editor().edit(scene -> LightEdits.edit(scene, light, l -> l.withIlluminates(ShapeLinks.except("others_7")))));
+        assertThat(listedNames("illuminates")).contains("others_7", "others_194").doesNotContain("few_2");
+    }
+}

@@ -1,0 +1,237 @@
+package lightning.editor.window.timeline;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javafx.scene.control.TextField;
+import lightning.base.text.ReleaseInfo;
+import lightning.base.work.Await;
+import lightning.editor.document.Command;
+import lightning.editor.document.NumericParameter;
+import lightning.editor.document.OpenDocument;
+import lightning.editor.window.EditorFixture;
+import lightning.editor.window.model.Preferences;
+import lightning.editor.window.model.RenderMachines;
+import lightning.render.image.Downscale;
+import lightning.render.image.Film;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.LightAttribute;
+import lightning.scene.Scene;
+import lightning.shot.FrameState;
+import lightning.shot.LocalFrameHost;
+import lightning.shot.cluster.FreePort;
+import lightning.shot.cluster.NodeConfig;
+import lightning.shot.cluster.RenderNode;
+import lightning.shot.cluster.SelfSignedCertificate;
+import lightning.shot.cluster.TlsNetwork;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.testfx.util.WaitForAsyncUtils;
+
+/** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
+class RemoteFramesTest extends EditorFixture {
+    private static final String SHOT =
+            "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
+
+    /** Nodes start one after the other: the first need not look for others for long. */
+    private static final NodeConfig.Timing FAST_TIMING = new NodeConfig.Timing(500, 15_000, 4000, 1500);
+
+    private final InetAddress loopback = InetAddress.getLoopbackAddress();
+    private final List<RenderNode> nodes = new ArrayList<>();
+    private Path certificate;
+
+    @BeforeEach
+    void openStrip() throws Exception {
+        certificate = folder.resolve("shared.p12");
+        SelfSignedCertificate.write(certificate);
+        var file = folder.resolve("desk.jen");
+        Files.writeString(file, Files.readString(file) + SHOT);
+        OpenDocument opened = OpenDocument.open(file);
+        robot.interact(() -> model().open(opened));
+        waitForPicture();
+        robot.interact(() -> model().commands().run(Command.FILM_STRIP));
+    }
+
+    /** What a node still does after it is closed ends before its folder goes. */
+    @AfterEach
+    void endNodes() throws Exception {
+        nodes.forEach(RenderNode::close);
+        Await.untilThreadEnded("lightning-node");
+    }
+
+    private RenderNode node(int port, int join) throws Exception {
+        var place = new NodeConfig(loopback, port, 1, List.of(new InetSocketAddress(loopback, join)), certificate, FAST_TIMING);
+        Path own = folder.resolve("node-" + port);
+        var node = new RenderNode(new TlsNetwork(place), new RenderNode.Settings(ReleaseInfo.machineText(), 1, 1 << 30, own,
+                () -> new LocalFrameHost(RenderOptions.DEFAULT.withThreads(1), 1 << 28), _ -> {}));
+        nodes.add(node);
+        node.start();
+        return node;
+    }
+
+    private void type(String field, String text) {
+        robot.interact(() -> robot.lookup("#" + field).<TextField>query().clear());
+        robot.clickOn("#" + field).write(text);
+    }
+
+    private void join(String hosts, Path file) {
+        click("strip-elsewhere");
+        type("machines-hosts", hosts);
+        type("machines-certificate", file.toString());
+        click("machines-begin");
+    }
+
+    private void waitForStatus(String text) {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Await.TIMEOUT_SECONDS);
+        while (!status().equals(text)) {
+            assertThat(System.nanoTime()).as("waited until the strip says %s; it says %s", text, status()).isLessThan(end);
+            WaitForAsyncUtils.sleep(20, TimeUnit.MILLISECONDS);
+        }
+    }
+
+    private String status() {
+        return WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> text("strip-progress")));
+    }
+
+    private FilmStrip strip() {
+        return robot.lookup("#strip").<FilmStripPane>query().strip().orElseThrow();
+    }
+
+    /** The films that the nodes hold, in every bit, and the small pictures that are seen of them. */
+    private void assertAllExact() throws Exception {
+        for (int frame = 1; frame <= 4; frame++) {
+            Scene scene = model().editor().document().content().sceneAt(frame);
+            Film exact = new ReferenceTracer(scene).trace();
+            assertThat(film(frame).hasSameBits(exact)).as("every bit of frame " + frame).isTrue();
+            int number = frame;
+            waitFor("the small picture is there", () -> strip().isUpToDate(number));
+            Film small = strip().thumbnail(frame).orElseThrow().film();
+            assertThat(small.hasSameBits(Downscale.fit(exact.width(), exact.height(), small.width(), small.height()).apply(exact)))
+                    .isTrue();
+        }
+    }
+
+    /** Where the machine that has it is lost in that moment, another traces it. */
+    private Film film(int frame) throws Exception {
+        var film = new CompletableFuture<Film>();
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Await.TIMEOUT_SECONDS);
+        while (!film.isDone()) {
+            assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
+            if (strip().state(frame) == FrameState.CURRENT) {
+                // One after the other is brought: what was asked for again in vain must not hold up the next frame.
+                strip().fetch(frame, () -> !film.isDone(), film::complete);
+            }
+            WaitForAsyncUtils.sleep(200, TimeUnit.MILLISECONDS);
+        }
+        return film.get();
+    }
+
+    @Test
+    void remoteFrames_afterEdit_areExact() throws Exception {
+        int port = FreePort.next();
+        int other = FreePort.next();
+        node(port, port);
+        node(other, port);
+        join("127.0.0.1:" + port + ", 127.0.0.1:" + other, certificate);
+        waitForStatus("2 machines, 4 of 4 frames");
+        assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
+        assertAllExact();
+        robot.interact(() -> {
+            model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
+            assertThat(strip().isUpToDate(4)).isFalse();
+        });
+        waitForStatus("2 machines, 4 of 4 frames");
+        assertAllExact();
+    }
+
+    @Test
+    void lostMachine_isReported_andItsFramesMoveToAnother() throws Exception {
+        int port = FreePort.next();
+        int other = FreePort.next();
+        node(port, port);
+        RenderNode going = node(other, port);
+        join("127.0.0.1:" + port, certificate);
+        waitForStatus("2 machines, 4 of 4 frames");
+        going.close();
+        waitForStatus("1 machine, 4 of 4 frames");
+        assertAllExact();
+        nodes.removeFirst().close();
+        waitForStatus("all machines are gone; one that comes goes on, 0 of 4 frames");
+    }
+
+    @Test
+    void localFramesAgain_releaseMachines() throws Exception {
+        int port = FreePort.next();
+        node(port, port);
+        join("127.0.0.1:" + port, certificate);
+        waitForStatus("1 machine, 4 of 4 frames");
+        click("strip-here");
+        waitForStatus("");
+        assertThat(strip().frames().machineCount()).isEmpty();
+        assertThat(isShown("strip-here")).isFalse();
+    }
+
+    @Test
+    void noMachine_isReported_andLateMachineGetsFrames() throws Exception {
+        int port = FreePort.next();
+        join("127.0.0.1:" + port, certificate);
+        waitForStatus("no machine answers at 127.0.0.1:" + port + ": none is there yet, or it has another certificate, 0 of 4 frames");
+        node(port, port);
+        waitForStatus("1 machine, 4 of 4 frames");
+        assertAllExact();
+    }
+
+    @Test
+    void remoteFrame_isShownWhileTracedLocally() throws Exception {
+        int port = FreePort.next();
+        node(port, port);
+        join("127.0.0.1:" + port, certificate);
+        waitForStatus("1 machine, 4 of 4 frames");
+        var film = new CompletableFuture<Film>();
+        Scene fourth = model().editor().document().content().sceneAt(4);
+        robot.interact(() -> {
+            model().editor().showFrame(4);
+            Scene scene = model().editor().scene();
+            var ahead = new RemoteFramePreview(model().editor(), model().files().windowExecutor(), (brought, of) -> {
+                assertThat(of).isSameAs(scene);
+                film.complete(brought);
+            });
+            // However soon it is traced here.
+            ahead.update(model().editor().editorStateProperty().get().withSceneInProgress(Optional.of(scene)), strip());
+        });
+        assertThat(film.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS).hasSameBits(new ReferenceTracer(fourth).trace())).isTrue();
+        waitForPicture();
+        assertCanvasShows(new ReferenceTracer(fourth).trace());
+    }
+
+    @Test
+    void invalidCertificate_showsError_andKeepsInput() throws Exception {
+        Path none = Files.writeString(folder.resolve("none.p12"), "words");
+        join("127.0.0.1:1", none);
+        waitFor("it is told", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
+        assertThat(text("machines-status")).doesNotContain("Exception");
+        type("machines-certificate", folder.resolve("gone.p12").toString());
+        click("machines-begin");
+        waitFor("it is told", () -> text("machines-status").contains("gone.p12"));
+        assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
+        type("machines-hosts", "a b");
+        click("machines-begin");
+        assertThat(text("machines-status")).contains("expected a machine and a port");
+        var preferences = new Preferences(folder.resolve("p"), Runnable::run);
+        var next = new RenderMachines();
+        robot.interact(() -> model().renderMachines().save(preferences));
+        next.restore(preferences);
+        assertThat(next.hostsProperty().get()).isEqualTo("127.0.0.1:1");
+        assertThat(next.certificateProperty().get()).endsWith("gone.p12");
+    }
+}

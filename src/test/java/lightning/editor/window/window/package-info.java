@@ -1,2 +1,0 @@
-/** The packaged program in a real window, on a virtual display. */
-package lightning.editor.window.window;

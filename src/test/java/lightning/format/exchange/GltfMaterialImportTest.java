@@ -1,0 +1,366 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import lightning.base.math.Rgb;
+import lightning.base.math.SrgbCurve;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.format.gltf.GltfFixtures;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.format.mesh.MeshException;
+import lightning.render.image.Film;
+import lightning.render.shading.ReferenceTracer;
+import lightning.scene.AlphaCutout;
+import lightning.scene.Material;
+import lightning.scene.Scene;
+import lightning.scene.ShadingModel;
+import lightning.scene.ShadowCasting;
+import lightning.scene.Transmission;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What materials of glTF become, and that they are lit as the format's specification says (appendix B). */
+class GltfMaterialImportTest {
+    private static final Vec3 EYE = new Vec3(0.5, -0.9, 0.8);
+    private static final Vec3 BULB = new Vec3(0.8, 1.4, 0.7);
+    private static final double WATTS_PER_STERADIAN = 2.5;
+    /** By which the eye is turned about x, so that it looks along (0, sin 60°, −cos 60°). */
+    private static final double ROTATION = Math.toRadians(60);
+    private static final double YFOV = 0.5;
+    /** A pixel of 128, 192, 255. */
+    private static final String PIXEL =
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC";
+
+    @TempDir
+    private Path folder;
+
+    private ImportedScene importJson(String material) throws IOException, MeshException {
+        return importJson(material, "", "");
+    }
+
+    private ImportedScene importJson(String material, String from, String to) throws IOException, MeshException {
+        String json = GltfFixtures.SQUARE_JSON
+                .replace("'nodes': [{'mesh': 0, 'name': 'floor'}]",
+                        String.format(Locale.ROOT, """
+                                'nodes': [{'mesh': 0, 'name': 'floor', 'children': [1, 2]},
+                                  {'name': 'bulb', 'translation': [%s, %s, %s], 'extensions': {'KHR_lights_punctual': {'light': 0}}},
+                                  {'name': 'eye', 'camera': 0, 'translation': [%s, %s, %s], 'rotation': [%s, 0, 0, %s]}],
+                                 'extensions': {'KHR_lights_punctual': {'lights': [{'type': 'point', 'intensity': %s}]}},
+                                 'cameras': [{'perspective': {'yfov': %s}}], 'textures': [{'source': 0}],
+                                 'images': [{'uri': 'data:image/png;base64,%s'}],
+                                 'materials': [%s]""", BULB.x(), BULB.y(), BULB.z(), EYE.x(), EYE.y(), EYE.z(), Math.sin(ROTATION / 2),
+                                Math.cos(ROTATION / 2),
+                                683 * WATTS_PER_STERADIAN, YFOV, PIXEL, material))
+                .replace("'indices': 3", "'indices': 3, 'material': 0").replace(from, to);
+        return SceneImporter.read(Files.write(folder.resolve("a.glb"), GltfFixtures.binary(json, GltfFixtures.SQUARE)),
+                folder.resolve("a.jen"),
+                LightUnits.CANDELA, Progress.NONE);
+    }
+
+    private Material material(String text) throws IOException, MeshException {
+        return importJson(text).scene().materials().getFirst();
+    }
+
+    private static String surface(String numbers) {
+        return "{'pbrMetallicRoughness': {" + numbers + "}}";
+    }
+
+    /** Appendix B.3: a mixture of a metal and of what scatters below a surface that mirrors, for an irradiance of 1 on what faces the light. */
+    private static double specifiedBrdf(double base, double metallic, double roughness, double f0, Vec3 n, Vec3 l, Vec3 v) {
+        double alpha = roughness * roughness;
+        Vec3 h = l.plus(v).normalized();
+        double nl = n.dot(l);
+        double nv = n.dot(v);
+        double distribution = alpha * alpha / (Math.PI * Math.pow(n.dot(h) * n.dot(h) * (alpha * alpha - 1) + 1, 2));
+        double masking = 2 * nl / (nl + Math.sqrt(alpha * alpha + (1 - alpha * alpha) * nl * nl));
+        double shadowing = 2 * nv / (nv + Math.sqrt(alpha * alpha + (1 - alpha * alpha) * nv * nv));
+        double mirrored = distribution * masking * shadowing / (4 * nl * nv);
+        double grazing = Math.pow(1 - v.dot(h), 5);
+        double metal = mirrored * (base + (1 - base) * grazing);
+        // Not (1 − F)·base/π, but what decision 47 says: coupled to what is mirrored on the way in and on the way out.
+        double scattered = base / Math.PI * (1 - f0) * (1 - Math.pow(1 - nl, 5)) * (1 - Math.pow(1 - nv, 5));
+        double dielectric = scattered + mirrored * (f0 + (1 - f0) * grazing);
+        return nl * (metallic * metal + (1 - metallic) * dielectric);
+    }
+
+    /**
+     * All pixels of a picture of the file, against the specification at the place that they see. Points and directions there are floats: N·H is
+     * off by at most 8·2⁻²⁴ beside a highlight whose slope is at most 4/α of its height.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 0.3, 1.5", "1, 0.6, 1.5", "1, 1, 1.5", "0, 0.3, 1.5", "0, 0.5, 1.8", "0, 1, 1", "0.4, 0.45, 2.4"})
+    void importedSurface_isShadedAsInTheSpecification(double metallic, double roughness, double ior) throws Exception {
+        double[] base = {0.9, 0.5, 0.1};
+        ImportedScene imported =
+                importJson(surface(
+                        "'baseColorFactor': [0.9, 0.5, 0.1, 1], 'metallicFactor': " + metallic + ", 'roughnessFactor': " + roughness)
+                        .replace("}}", "}, 'extensions': {'KHR_materials_ior': {'ior': " + ior + "}}}"));
+        imported.write();
+        Film film =
+                new ReferenceTracer(
+                        JenReader.read(folder.resolve("a.jen")).scene().withPicture(imported.scene().picture().withSize(40, 30)))
+                        .trace();
+        double f0 = Math.pow((ior - 1) / (ior + 1), 2);
+        int compared = 0;
+        for (int y = 0; y < film.height(); y++) {
+            for (int x = 0; x < film.width(); x++) {
+                Vec3 position = visiblePoint(x, y, film.width(), film.height());
+                if (position.x() > 0.01 && position.x() < 0.99 && position.y() > 0.01 && position.y() < 0.99) {
+                    Vec3 toLight = BULB.minus(position);
+                    double irradiance = WATTS_PER_STERADIAN / toLight.dot(toLight);
+                    float[] rendered = {film.red(x, y), film.green(x, y), film.blue(x, y)};
+                    for (int c = 0; c < 3; c++) {
+                        double expected =
+                                irradiance * specifiedBrdf(base[c], metallic, roughness, f0, new Vec3(0, 0, 1), toLight.normalized(),
+                                        EYE.minus(position).normalized());
+                        assertThat((double) rendered[c]).as("channel %d of pixel %d, %d", c, x, y)
+                                .isCloseTo(expected, within(expected * 32 * 0x1p-24 / (roughness * roughness)));
+                    }
+                    compared++;
+                }
+            }
+        }
+        assertThat(compared).isGreaterThan(300);
+    }
+
+    /** Where the middle of a pixel sees the square's plane. */
+    private static Vec3 visiblePoint(int x, int y, int width, int height) {
+        double halfHeight = Math.tan(YFOV / 2);
+        double right = ((x + 0.5) / width * 2 - 1) * halfHeight * width / height;
+        double up = (1 - (y + 0.5) / height * 2) * halfHeight;
+        Vec3 ray = new Vec3(right, Math.sin(ROTATION) + up * Math.cos(ROTATION), -Math.cos(ROTATION) + up * Math.sin(ROTATION));
+        return EYE.plus(ray.times(-EYE.z() / ray.z()));
+    }
+
+    @Test
+    void missingProperties_haveFormatDefaults() throws Exception {
+        Material material = material("{}");
+        assertThat(material.model()).isEqualTo(ShadingModel.METALLIC);
+        assertThat(material.base()).isEqualTo(Rgb.WHITE);
+        assertThat(material.metalness()).isEqualTo(1);
+        assertThat(material.roughness()).isEqualTo(1);
+        assertThat(material.f0()).isEqualTo(0.04);
+    }
+
+    /** Most files say 1 1 1, and where they glow by the picture: a factor alone would make all of the surface shine. */
+    @Test
+    void emissiveTexture_isReplacedByItsMean() throws Exception {
+        ImportedScene imported = importJson("{'emissiveTexture': {'index': 0}, 'emissiveFactor': [1, 0.5, 1]}");
+        Rgb emission = imported.scene().materials().getFirst().ambient();
+        assertThat(emission.r()).isEqualTo(SrgbCurve.toLinear(128 / 255.0), within(1e-6));
+        assertThat(emission.g()).isEqualTo(0.5 * SrgbCurve.toLinear(192 / 255.0), within(1e-6));
+        assertThat(emission.b()).isEqualTo(1, within(1e-6));
+        assertThat(imported.notes()).containsEntry("emissiveTexture of materials, of which the mean is taken", 1);
+    }
+
+    @Test
+    void unreadableEmissiveTexture_isIgnored() throws Exception {
+        String broken = "{'emissiveTexture': {'index': 1}, 'emissiveFactor': [1, 1, 1]}";
+        ImportedScene imported = importJson(broken, "'textures': [{'source': 0}]", "'textures': [{'source': 0}, {}]");
+        assertThat(imported.scene().materials().getFirst().ambient()).isEqualTo(Rgb.BLACK);
+        assertThat(imported.notes()).containsEntry("emissiveTexture of materials", 1);
+    }
+
+    @Test
+    void importedMaterial_roundTripsThroughJen() throws Exception {
+        ImportedScene imported =
+                importJson(surface(
+                        "'baseColorFactor': [0.1, 0.2, 0.30000001192092896, 1], 'metallicFactor': 0.7, 'roughnessFactor': 0.123456789")
+                        .replace("}}", "}, 'emissiveFactor': [0, 0.5, 1]}"));
+        imported.write();
+        assertThat(JenReader.read(folder.resolve("a.jen")).scene().materials()).isEqualTo(imported.scene().materials());
+        assertThat(imported.scene().materials().getFirst().ambient()).isEqualTo(new Rgb(0, 0.5, 1));
+    }
+
+    @Test
+    void specularAndIor_setF0AndLossesAreNoted() throws Exception {
+        String plastic = "{'pbrMetallicRoughness': {'metallicFactor': 0}, 'extensions': {'KHR_materials_ior': {'ior': 3},"
+                + " 'KHR_materials_specular': {'specularFactor': 0.5, 'specularColorFactor': [COLOR]}}}";
+        assertThat(material(plastic.replace("COLOR", "1, 1, 1")).f0()).isEqualTo(0.125);
+        assertThat(material(plastic.replace("COLOR", "8, 8, 8")).f0()).as("a surface mirrors all, half of which is left").isEqualTo(0.5);
+        ImportedScene tinted = importJson(plastic.replace("COLOR", "1, 0, 0"));
+        assertThat(tinted.scene().materials().getFirst().f0()).isEqualTo(0.2126 * 0.125);
+        assertThat(tinted.notes()).containsEntry("colored highlights of materials that are no metals, grey here", 1)
+                .containsEntry("highlights of materials weakened where they are grazed, not weakened here", 1);
+        assertThat(importJson(plastic.replace("COLOR", "1, 0, 0").replace("'metallicFactor': 0", "'metallicFactor': 1")).notes().keySet())
+                .as("of a metal").noneMatch(note -> note.contains("highlights"));
+    }
+
+    @Test
+    void smoothMetal_isReflectiveAndOthersAreNoted() throws Exception {
+        String gold = "'baseColorFactor': [1, 0.77, 0.34, 1], 'roughnessFactor': 0.2";
+        assertThat(material(surface(gold)).reflective()).isEqualTo(new Rgb(1, 0.77, 0.34));
+        assertThat(importJson(surface(gold)).notes().keySet()).noneMatch(note -> note.contains("metals"));
+        for (String rough : new String[] {surface(gold.replace("0.2", "0.21")), surface(gold + ", 'metallicFactor': 0.9"),
+            surface(gold + ", 'baseColorTexture': {'index': 0}"), surface(gold).replace("}}", "}, 'emissiveFactor': [1, 0, 0]}")}) {
+            ImportedScene imported = importJson(rough);
+            assertThat(imported.scene().materials().getFirst().reflective()).as(rough).isEqualTo(Rgb.BLACK);
+            assertThat(imported.notes()).as(rough)
+                    .containsEntry("metals that mirror lights alone here, being rough, in part no metal, textured or shining", 1);
+        }
+        ImportedScene plastic = importJson(surface(gold + ", 'metallicFactor': 0"));
+        assertThat(plastic.scene().materials().getFirst().reflective()).isEqualTo(Rgb.BLACK);
+        assertThat(plastic.notes().keySet()).noneMatch(note -> note.contains("metals"));
+    }
+
+    @Test
+    void metallicRoughnessTexture_isReplacedByItsMean() throws Exception {
+        ImportedScene imported =
+                importJson(surface("'metallicFactor': 0.5, 'roughnessFactor': 0.5, 'metallicRoughnessTexture': {'index': 0}"));
+        Material material = imported.scene().materials().getFirst();
+        assertThat(material.metalness()).isEqualTo(0.5);
+        assertThat(material.roughness()).isEqualTo(0.5 * (192 / 255f));
+        assertThat(material.texture()).isEmpty();
+        assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials, of which the mean is taken", 1);
+    }
+
+    @Test
+    void unreadableMetallicRoughnessTexture_isNotedAndFactorsStay() throws Exception {
+        String json = GltfFixtures.SQUARE_JSON.replace("'buffers':", """
+                'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64,AAAA'}],
+                'materials': [{'pbrMetallicRoughness': {'metallicFactor': 0.5, 'metallicRoughnessTexture': {'index': 0}}}], 'buffers':""");
+        ImportedScene imported = SceneImporter.read(Files.write(folder.resolve("a.glb"), GltfFixtures.binary(json, GltfFixtures.SQUARE)),
+                folder.resolve("a.jen"),
+                LightUnits.CANDELA, Progress.NONE);
+        assertThat(imported.scene().materials().getFirst().metalness()).isEqualTo(0.5);
+        assertThat(imported.notes()).containsEntry("metallicRoughnessTexture of materials", 1);
+    }
+
+    @Test
+    void specularGlossiness_isNotMetallic() throws Exception {
+        Material material = material("{'extensions': {'KHR_materials_pbrSpecularGlossiness': {'diffuseFactor': [0.1, 0.2, 0.3, 1],"
+                + " 'specularFactor': [0.2, 0.2, 0.2], 'glossinessFactor': 0.75}}}");
+        assertThat(material.base()).isEqualTo(new Rgb(0.1, 0.2, 0.3));
+        assertThat(material.metalness()).isZero();
+        assertThat(material.roughness()).isEqualTo(0.25);
+        assertThat(material.f0()).isEqualTo(0.2);
+    }
+
+    @Test
+    void thicknessTexture_isNoted() throws Exception {
+        assertThat(importJson("{'extensions': {'KHR_materials_volume': {'thicknessFactor': 1, 'thicknessTexture': {'index': 0}}}}").notes())
+                .containsEntry("thicknessTexture of materials", 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = ';',
+            value = {"'texCoord': 1; 1", "'extensions': {'KHR_texture_transform': {'scale': [2, 2]}}; 1", "'texCoord': 0; 0"})
+    void differentlyPlacedNormalMap_isNoted(String placement, int noteCount) throws Exception {
+        ImportedScene imported =
+                importJson("{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}, 'normalTexture': {'index': 0, PLACED}}"
+                        .replace("PLACED", placement));
+        assertThat(
+                imported.notes().getOrDefault("normalTexture of materials placed otherwise than their baseColorTexture, as that here", 0))
+                .isEqualTo(noteCount);
+    }
+
+    @Test
+    void unlitMaterial_showsOnlyItsColor() throws IOException, MeshException, JenException {
+        Material material =
+                material("{'pbrMetallicRoughness': {'baseColorFactor': [0.1, 0.2, 0.3, 1]}, 'extensions': {'KHR_materials_unlit': {}}}");
+        assertThat(Map.of(material.ambient(), material.diffuse())).containsEntry(new Rgb(0.1, 0.2, 0.3), Rgb.BLACK);
+    }
+
+    @Test
+    void glass_hasTheTransmissionOfTheFile() throws Exception {
+        Material glass = material("""
+                {'pbrMetallicRoughness': {'baseColorFactor': [0.8, 0.5, 0.25, 1], 'metallicFactor': 0, 'roughnessFactor': 0},
+                 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 0.5}, 'KHR_materials_ior': {'ior': 1.33},
+                   'KHR_materials_volume': {'thicknessFactor': 1, 'attenuationColor': [1, 0.5, 0.25], 'attenuationDistance': 3}}}""");
+        assertThat(glass.transmission()).isEqualTo(new Transmission(new Rgb(0.4, 0.25, 0.125), 1.33, false, new Rgb(1, 0.5, 0.25), 3,
+                ShadowCasting.TINTED));
+        // Its clearest channel lets 0.4 pass, so 0.6 of this is half of the file's.
+        assertThat(glass.base().times(0.6).r()).isCloseTo(0.4, within(1e-15));
+        assertThat(glass.base().times(0.6).b()).isCloseTo(0.125, within(1e-15));
+    }
+
+    @Test
+    void glassWithoutThickness_isThin() throws Exception {
+        Material pane = material("""
+                {'pbrMetallicRoughness': {'metallicFactor': 0},
+                 'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}""");
+        assertThat(pane.transmission()).isEqualTo(Transmission.NONE.withColor(Rgb.WHITE).withThin(true).withShadows(ShadowCasting.TINTED));
+        assertThat(pane.base()).isEqualTo(Rgb.BLACK);
+    }
+
+    @Test
+    void metal_isOpaque() throws Exception {
+        assertThat(material("{'extensions': {'KHR_materials_transmission': {'transmissionFactor': 1}}}").transmission())
+                .isEqualTo(Transmission.NONE);
+    }
+
+    /** A veil over a background of 1 that nothing lights, so that its own colour is black. */
+    @Test
+    void blendedMaterial_showsBackgroundByItsOpacity() throws Exception {
+        ImportedScene imported =
+                importJson(
+                        """
+                                {'alphaMode': 'BLEND', 'pbrMetallicRoughness': {'baseColorFactor': [1, 1, 1, 0.25], 'metallicFactor': 0, 'roughnessFactor': 1}}
+                                """);
+        imported.write();
+        Scene scene = JenReader.read(folder.resolve("a.jen")).scene();
+        Film film = new ReferenceTracer(scene.withLights(List.of()).withWorld(scene.world().withBackground(Rgb.WHITE))
+                .withPicture(scene.picture().withSize(9, 9))).trace();
+        assertThat(film.red(4, 4)).isEqualTo(0.75f);
+        assertThat(scene.materials().getFirst().base()).isEqualTo(Rgb.WHITE);
+    }
+
+    private ImportedScene masked(String material, double alpha, int type) throws Exception {
+        var image = new BufferedImage(2, 1, type);
+        image.setRGB(0, 0, 0xFFFFFFFF);
+        image.setRGB(1, 0, 0x40FFFFFF);
+        var png = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", png);
+        String json = GltfFixtures.SQUARE_JSON.replace("'buffers':",
+                "'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64,"
+                        + Base64.getEncoder().encodeToString(png.toByteArray()) + "'}], 'materials': [{" + material
+                        + "'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}, 'baseColorFactor': [1, 1, 1, " + alpha
+                        + "]}}], 'buffers':");
+        return SceneImporter.read(Files.write(folder.resolve("a.glb"), GltfFixtures.binary(json, GltfFixtures.SQUARE)),
+                folder.resolve("a.jen"),
+                LightUnits.CANDELA, Progress.NONE);
+    }
+
+    @Test
+    void alphaMask_becomesCutout() throws Exception {
+        ImportedScene imported = masked("'alphaMode': 'MASK', 'alphaCutoff': 0.4, ", 0.8, BufferedImage.TYPE_INT_ARGB);
+        imported.write();
+        Material material = JenReader.read(folder.resolve("a.jen")).scene().materials().getFirst();
+        assertThat(material.cutout().cutoff()).isEqualTo(0.5);
+        assertThat(material.cutout().map().orElseThrow().image().channel(0, 0, 0)).isEqualTo(1);
+        assertThat(material.cutout().map().orElseThrow().image().channel(1, 0, 0)).isEqualTo(0x40 / 255f);
+    }
+
+    @Test
+    void alphaMaskWithoutAlphaChannel_isIgnored() throws Exception {
+        assertThat(masked("'alphaMode': 'MASK', ", 1, BufferedImage.TYPE_INT_RGB).scene().materials().getFirst().cutout())
+                .isEqualTo(AlphaCutout.NONE);
+        assertThat(masked("", 1, BufferedImage.TYPE_INT_ARGB).scene().materials().getFirst().cutout()).isEqualTo(AlphaCutout.NONE);
+    }
+
+    @Test
+    void blendedTexture_isCutOutAtHalfAlpha() throws Exception {
+        ImportedScene fading = masked("'alphaMode': 'BLEND', ", 1, BufferedImage.TYPE_INT_ARGB);
+        assertThat(fading.scene().materials().getFirst().cutout().cutoff()).isEqualTo(0.5);
+        assertThat(fading.scene().materials().getFirst().cutout().isActive()).isTrue();
+        assertThat(fading.notes()).containsEntry("pictures that fade out, cut out here where half of them is there", 1);
+        ImportedScene veil = masked("'alphaMode': 'BLEND', ", 0.8, BufferedImage.TYPE_INT_ARGB);
+        assertThat(veil.scene().materials().getFirst().cutout()).isEqualTo(AlphaCutout.NONE);
+        assertThat(veil.scene().materials().getFirst().transmission().isTransparent()).isTrue();
+    }
+}

@@ -1,0 +1,171 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.format.gltf.GltfFixtures;
+import lightning.format.jen.JenReader;
+import lightning.format.mesh.MeshException;
+import lightning.scene.Attenuation;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Lights go back into the glTF file that they came from. */
+class LightExportTest {
+    private static final JsonMapper EXACT = JsonMapper.builder().enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS).build();
+    private static final String SCENE = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
+            'nodes': [{'name': 'set', 'translation': [0, 0, 5.000], 'children': [1, 2, 3]}, {'mesh': 0, 'name': 'floor'},
+              {'name': 'lamp', 'translation': [0, 1, 0], 'extensions': {'KHR_lights_punctual': {'light': 0}}},
+              {'name': 'beam', 'rotation': [0, 0.6, 0, 0.8], 'extensions': {'KHR_lights_punctual': {'light': 1}, 'OTHER': {'a': 1.10}}}],
+             'extras': {'kept': [1.2300000000000000000004, 1e2, -0.0, 'ä', null, true, 12345678901234567890]},
+             'extensions': {'KHR_lights_punctual': {'lights': [{'type': 'point', 'intensity': 5, 'color': [1, 0.5, 0.25]},
+              {'type': 'spot', 'intensity': 7, 'spot': {'innerConeAngle': 0.3, 'outerConeAngle': 0.6}}]}}""");
+    @TempDir
+    private Path folder;
+    private Path gltf;
+    private Scene scene;
+
+    @BeforeEach
+    void setUp() throws Exception {
+        gltf = Files.write(folder.resolve("a.gltf"), GltfFixtures.text(SCENE, GltfFixtures.SQUARE));
+        scene = imported(gltf, "a.jen");
+    }
+
+    @Test
+    void untouchedLights_roundTrip() throws Exception {
+        Scene reimported = imported(exported(scene), "b.jen");
+        assertThat(reimported.lights()).hasSize(2);
+        for (int i = 0; i < 2; i++) {
+            assertSame(reimported.lights().get(i), scene.lights().get(i));
+        }
+    }
+
+    @Test
+    void editedLights_roundTrip() throws Exception {
+        Light light = scene.light("lamp").orElseThrow();
+        Scene edited =
+                scene.withLight(light.withPosition(new Vec3(3, 4, -5)).withIntensity(2 * light.intensity()).withColor(new Rgb(0, 1, 0.5)))
+                        .withLight(scene.light("beam").orElseThrow().withDirection(new Vec3(0, 0, 3)).withAngle(38));
+        List<Light> lights = new ArrayList<>(edited.lights());
+        lights.add(Light.of("sun", LightType.DIRECTIONAL).withDirection(new Vec3(1, -2, 0.5)).withIntensity(0.25));
+        edited = edited.withLights(lights);
+        Scene reimported = imported(exported(edited), "b.jen");
+        assertThat(reimported.lights()).hasSize(3);
+        for (int i = 0; i < 3; i++) {
+            assertSame(reimported.light(edited.lights().get(i).name()).orElseThrow(), edited.lights().get(i));
+        }
+    }
+
+    @Test
+    void otherContent_isUnchanged() throws Exception {
+        assertThat(withoutLights(EXACT.readTree(Files.readAllBytes(exported(scene)))))
+                .isEqualTo(withoutLights(EXACT.readTree(Files.readAllBytes(gltf))));
+        assertThat(Files.readString(exported(scene))).contains("1.2300000000000000000004", "12345678901234567890");
+    }
+
+    @Test
+    void binaryFile_retainsItsData() throws Exception {
+        gltf = Files.write(folder.resolve("c.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE));
+        byte[] copy = LightExport.toGltf(gltf, scene, LightUnits.CANDELA, Progress.NONE).bytes();
+        byte[] end = Arrays.copyOfRange(copy, copy.length - GltfFixtures.SQUARE.length, copy.length);
+        assertThat(end).isEqualTo(GltfFixtures.SQUARE);
+        assertThat(imported(Files.write(folder.resolve("d.glb"), copy), "d.jen").lights()).hasSize(2);
+    }
+
+    @Test
+    void unsupportedFeatures_areNoted() throws Exception {
+        Scene odd = scene.withLight(scene.light("lamp").orElseThrow().withAttenuation(new Attenuation(1, 0.5, 0)))
+                .withLight(scene.light("beam").orElseThrow().withOn(false).withAngle(120));
+        assertThat(LightExport.toGltf(gltf, odd, LightUnits.CANDELA, Progress.NONE).notes()).containsKeys(
+                "lights that do not fall off with the square of the distance; theirs is right at distance 1",
+                "lights that are dark, which shine there", "spots wider than 90 degrees");
+    }
+
+    @Test
+    void hugeNumber_isRejectedWithItsPath() throws Exception {
+        assertRejected("1e999", "extensions.KHR_lights_punctual.lights[0].intensity: must be a number of at most 1.8e308, was '1E+999'");
+        assertRejected("1e9999999999", "line 5, column 83: must be a number with an exponent below 2147483648, was '1e9999999999'");
+        assertRejected("9".repeat(400), "lights[0].intensity: must be a number of at most 1.8e308, was '" + "9".repeat(99) + "…'");
+    }
+
+    private void assertRejected(String intensity, String message) throws Exception {
+        Files.write(gltf, GltfFixtures.text(SCENE.replace("'intensity': 5", "'intensity': " + intensity), GltfFixtures.SQUARE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> exported(scene)).withMessageEndingWith(message);
+    }
+
+    @Test
+    void jsonList_hasEveryAttribute() {
+        JsonNode light = EXACT.readTree(LightExport.toJson(scene).bytes()).get("lights").get(0);
+        assertThat(light.get("name").asString()).isEqualTo("lamp");
+        assertThat(light.get("at").get(1).asDouble()).isEqualTo(1);
+        assertThat(light.propertyNames()).contains("type", "color", "intensity", "direction", "attenuation", "angle", "dropoff", "on",
+                "solo");
+    }
+
+    /** The file without the extension's lists and references. */
+    private static JsonNode withoutLights(JsonNode root) {
+        ((ObjectNode) root.get("extensions")).remove("KHR_lights_punctual");
+        ((ObjectNode) root).remove("extensionsUsed");
+        root.get("nodes").forEach(node -> {
+            if (node.get("extensions") instanceof ObjectNode extensions) {
+                extensions.remove("KHR_lights_punctual");
+                if (extensions.isEmpty()) {
+                    ((ObjectNode) node).remove("extensions");
+                }
+            }
+        });
+        return root;
+    }
+
+    private static void assertSame(Light actual, Light expected) {
+        assertThat(actual.name()).isEqualTo(expected.name());
+        assertThat(actual.type()).isEqualTo(expected.type());
+        assertNear(actual.weight().r() / quadratic(actual), expected.weight().r() / quadratic(expected));
+        assertNear(actual.weight().g() / quadratic(actual), expected.weight().g() / quadratic(expected));
+        if (expected.type().hasPosition()) {
+            assertThat(actual.position().minus(expected.position()).maxAbs()).isLessThan(1e-5);
+        }
+        if (expected.type().hasDirection()) {
+            assertThat(actual.direction().normalized().minus(expected.direction().normalized()).maxAbs()).isLessThan(1e-5);
+        }
+        if (expected.type().hasCone()) {
+            assertNear(actual.angle(), expected.angle());
+            assertThat(Math.abs(actual.dropoff() - expected.dropoff())).isLessThan(1e-5 * (1 + expected.dropoff()));
+        }
+    }
+
+    private static double quadratic(Light light) {
+        return light.type().hasPosition() ? light.attenuation().quadratic() : 1;
+    }
+
+    private static void assertNear(double actual, double expected) {
+        assertThat(Math.abs(actual - expected)).as("%s, expected %s", actual, expected)
+                .isLessThanOrEqualTo(1e-9 * Math.max(1e-6, Math.abs(expected)));
+    }
+
+    private Path exported(Scene edited) throws Exception {
+        return Files.write(folder.resolve("back.gltf"), LightExport.toGltf(gltf, edited, LightUnits.CANDELA, Progress.NONE).bytes());
+    }
+
+    private Scene imported(Path file, String name) throws Exception {
+        Path sceneFile = folder.resolve(name);
+        SceneImporter.read(file, sceneFile, LightUnits.CANDELA, Progress.NONE).write();
+        return JenReader.read(sceneFile).scene();
+    }
+}

@@ -1,0 +1,354 @@
+package lightning.format.exchange;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CancellationException;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.base.work.Await;
+import lightning.base.work.Progress;
+import lightning.format.gltf.GltfFixtures;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import lightning.format.mesh.MeshException;
+import lightning.scene.BumpMapping;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.PlacedShape;
+import lightning.scene.Scene;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Files of other programs become scenes that can be read and shown. */
+class SceneImporterTest {
+    private static final String SCENE = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]", """
+            'nodes': [{'name': 'set', 'translation': [0, 0, 5], 'scale': [2, 2, 2], 'children': [1, 2, 3, 4]},
+              {'mesh': 0, 'name': 'floor', 'rotation': [-0.70710678, 0, 0, 0.70710678]}, {'mesh': 0, 'name': 'floor'},
+              {'name': 'bulb', 'translation': [0, 1, 0], 'extensions': {'KHR_lights_punctual': {'light': 0}}},
+              {'name': 'eye', 'camera': 0, 'translation': [0, 0, 4]}],
+             'extensions': {'KHR_lights_punctual': {'lights': [{'type': 'point', 'intensity': 683, 'range': 3}]}},
+             'cameras': [{'perspective': {'yfov': 1}}], 'skins': [{}],
+             'materials': [{'name': 'red', 'pbrMetallicRoughness': {'baseColorFactor': [1, 0, 0, 1], 'metallicFactor': 0}}]""")
+            .replace("'indices': 3", "'indices': 3, 'material': 0");
+    @TempDir
+    private Path folder;
+    private Path from;
+    private Path to;
+
+    @BeforeEach
+    void makeFolders() throws IOException {
+        from = Files.createDirectory(folder.resolve("from"));
+        to = Files.createDirectory(folder.resolve("to")).resolve("a.jen");
+    }
+
+    @Test
+    void nodes_haveTheTransformsOfTheFile() throws Exception {
+        Scene scene = imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE)));
+        assertThat(scene.placedShapes()).extracting(s -> s.shape().name()).containsExactly("floor", "floor 2");
+        PlacedShape lying = scene.placedShapes().getFirst();
+        assertNear(lying.toWorld().transformPoint(new Vec3(1, 1, 0)), new Vec3(2, 0, 3));
+        assertThat(lying.material().base()).isEqualTo(new Rgb(1, 0, 0));
+    }
+
+    @Test
+    void shearedNode_becomesTwoGroups() throws Exception {
+        String sheared = SCENE.replace("'rotation': [-0.70710678, 0, 0, 0.70710678]", "'matrix': [1,0,0,0, 0.5,1,0,0, 0,0,-2,0, 0,3,0,1]");
+        ImportedScene imported = read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(sheared, GltfFixtures.SQUARE)));
+        PlacedShape shape = imported.scene().placedShapes().getFirst();
+        assertNear(shape.toWorld().transformPoint(new Vec3(1, 1, 1)), new Vec3(3, 8, 1));
+        assertThat(imported.notes().keySet()).noneMatch(note -> note.contains("nodes"));
+    }
+
+    @Test
+    void cameraAndLight_matchTheFile() throws Exception {
+        Scene scene = imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE)));
+        assertNear(scene.camera().from(), new Vec3(0, 0, 13));
+        assertThat(scene.camera().fov()).isCloseTo(Math.toDegrees(1), Offset.offset(1e-9));
+        Light bulb = scene.light("bulb").orElseThrow();
+        assertThat(bulb.type()).isEqualTo(LightType.POINT);
+        assertNear(bulb.position(), new Vec3(0, 2, 5));
+        // 683 candela are a watt per steradian, which on white at distance 1 is 1 / π.
+        assertThat(bulb.intensity() / bulb.attenuation().quadratic()).isCloseTo(1 / Math.PI, Offset.offset(1e-12));
+    }
+
+    @Test
+    void skippedFeatures_areNotedAndCounted() throws Exception {
+        ImportedScene imported = read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE)));
+        assertThat(imported.notes()).containsEntry("skins", 1).containsEntry("ranges of lights", 1);
+        assertThat(imported.text())
+                .startsWith("jen 1\n# imported from a.glb\n# light units: the file's numbers were taken as candela and lux\n");
+    }
+
+    @Test
+    void clampedTextures_areNoted() throws Exception {
+        String clamped =
+                SCENE.replace("'metallicFactor': 0}", "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
+                        "'textures': [{'sampler': 0, 'source': 0}], 'samplers': [{'wrapS': 33071, 'magFilter': 9728}], "
+                                + "'images': [{'uri': 'data:image/png;base64,'}], 'cameras':");
+        assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(clamped, GltfFixtures.SQUARE))).notes())
+                .containsEntry("textures that end or turn back at their edges, repeated here", 1)
+                .containsEntry("textures with hard pixels, smooth here", 1);
+    }
+
+    /** A pixel of 128, 192, 255. */
+    @Test
+    void normalMap_hasItsScale() throws Exception {
+        String mapped =
+                SCENE.replace("'materials': [{", "'materials': [{'normalTexture': {'index': 0, 'scale': 0.5}, ").replace("'cameras':",
+                        "'textures': [{'source': 0}], 'images': [{'uri': 'data:image/png;base64,"
+                                + "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNoOPAfAAQDAkBvhCYaAAAAAElFTkSuQmCC"
+                                + "'}], 'cameras':");
+        BumpMapping relief = imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(mapped, GltfFixtures.SQUARE))).materials()
+                .getFirst().bumpMapping();
+        assertThat(relief.strength()).isEqualTo(0.5);
+        assertThat(relief.normalMap().orElseThrow().image().channel(0, 0, 1)).as("a number, no colour of sRGB").isEqualTo(192 / 255f);
+    }
+
+    @Test
+    void specularTexturesAndCameraExtras_areNoted() throws Exception {
+        String rich = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 1.5, 'znear': 0.1, 'zfar': 100}").replace("'name': 'red',",
+                "'name': 'red', 'extensions': {'KHR_materials_specular': "
+                        + "{'specularTexture': {'index': 0}, 'specularColorTexture': {'index': 0}}},");
+        assertThat(read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(rich, GltfFixtures.SQUARE))).notes())
+                .containsEntry("specularTexture of materials", 1).containsEntry("specularColorTexture of materials", 1)
+                .containsEntry("znear of cameras", 1).containsEntry("zfar of cameras", 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1.5, 800, 533", "1, 800, 800", "0.5, 400, 800", "1e9, 800, 1", "1e-9, 1, 800"})
+    void cameraAspectRatio_setsTheImageSize(String ratio, int width, int height) throws Exception {
+        String shaped = SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': " + ratio + "}");
+        ImportedScene imported = read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(shaped, GltfFixtures.SQUARE)));
+        assertThat(imported.scene().picture().width()).isEqualTo(width);
+        assertThat(imported.scene().picture().height()).isEqualTo(height);
+        assertThat(imported.scene().camera().fov()).as("vertical in both").isCloseTo(Math.toDegrees(1), Offset.offset(1e-9));
+        assertThat(imported.notes()).doesNotContainKey("aspect ratios of cameras");
+    }
+
+    @Test
+    void orthographicCamera_setsTheImageSize() throws Exception {
+        String parallel = SCENE.replace("{'perspective': {'yfov': 1}}", "{'orthographic': {'xmag': 1, 'ymag': 2, 'znear': 0, 'zfar': 9}}");
+        ImportedScene imported = read(Files.write(from.resolve("a.glb"), GltfFixtures.binary(parallel, GltfFixtures.SQUARE)));
+        assertThat(imported.scene().picture().width()).isEqualTo(400);
+        assertThat(imported.scene().picture().height()).isEqualTo(800);
+    }
+
+    @Test
+    void invalidAspectRatio_isRejected() throws IOException {
+        Path file = Files.write(from.resolve("a.glb"),
+                GltfFixtures.binary(SCENE.replace("{'yfov': 1}", "{'yfov': 1, 'aspectRatio': 0}"), GltfFixtures.SQUARE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("cameras[0].perspective.aspectRatio: must be above 0, was 0");
+    }
+
+    /** Wherever the camera stands, and however it is held, light comes over its shoulder. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 4, 0, 0, 0, 1", "0, 0, -4, 0, 1, 0, 0", "4, 0, 0, 0, 0.70710678, 0, 0.70710678",
+        "0, 4, 0, -0.70710678, 0, 0, 0.70710678",
+        "0, 0, 4, 0, 0, 1, 0"})
+    void defaultLight_isOnTheCameraSide(double x, double y, double z, double qx, double qy, double qz, double qw) throws Exception {
+        String unlit = GltfFixtures.SQUARE_JSON.replace("'nodes': [{'mesh': 0, 'name': 'floor'}]",
+                "'nodes': [{'mesh': 0, 'name': 'floor', 'children': [1]}, {'camera': 0, 'translation': [" + x + "," + y + "," + z
+                        + "], 'rotation': [" + qx + "," + qy + "," + qz + "," + qw + "]}], 'cameras': [{'perspective': {'yfov': 1}}]");
+        assertLitFromTheCamera(imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(unlit, GltfFixtures.SQUARE))));
+    }
+
+    @Test
+    void defaultLightOfDefaultCamera_isOnItsSide() throws Exception {
+        assertLitFromTheCamera(imported(Files.writeString(from.resolve("b.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
+    }
+
+    private static void assertLitFromTheCamera(Scene scene) {
+        Vec3 lightDirection = scene.lights().getFirst().direction().normalized();
+        Vec3 view = scene.camera().to().minus(scene.camera().from()).normalized();
+        Vec3 right = view.cross(scene.camera().up()).normalized();
+        assertThat(lightDirection.dot(view)).as("along the view").isGreaterThan(0.6);
+        assertThat(lightDirection.dot(right.cross(view))).as("from above").isLessThan(-0.3);
+        assertThat(Math.abs(lightDirection.dot(right))).as("from one side").isGreaterThan(0.25);
+    }
+
+    @Test
+    void assets_areCopiedWithoutOverwriting() throws Exception {
+        Path file = Files.write(from.resolve("a.gltf"), new String(GltfFixtures.text(SCENE, new byte[0]), StandardCharsets.UTF_8).replace(
+                "data:application/octet-stream;base64,", "my%20data.bin").getBytes(StandardCharsets.UTF_8));
+        Files.write(from.resolve("my data.bin"), GltfFixtures.SQUARE);
+        imported(file);
+        assertThat(to.resolveSibling("my data.bin")).hasSameBinaryContentAs(from.resolve("my data.bin"));
+        Files.write(to.resolveSibling("a.gltf"), new byte[1]);
+        assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
+                .withMessageContaining("a.gltf: is there already and holds something else");
+        assertThat(to.resolveSibling("a.gltf")).hasSize(1);
+    }
+
+    @Test
+    void objWithMaterials_isImported() throws Exception {
+        Files.writeString(from.resolve("b.mtl"), "newmtl red\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 20\nillum 3\n");
+        Scene scene = imported(Files.writeString(from.resolve("b.obj"),
+                "mtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\no one\nusemtl red\nf 1 2 3\no two\nf 1 3 2\nusemtl blue\nf 1 2 3\n"));
+        assertThat(scene.placedShapes()).extracting(s -> s.shape().name()).containsExactly("one", "two (red)", "two (blue)");
+        assertThat(scene.placedShapes().getFirst().material().reflective()).isEqualTo(Rgb.gray(0.5));
+        assertThat(scene.lights()).as("one is made up").hasSize(1);
+    }
+
+    /** As MeshLab writes materials, under the diffuse model and under that of highlights. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void zeroExponent_addsNoHighlight(int illumination) throws Exception {
+        Material material = objMaterial("Kd 0.5 0.2 0.1\nKs 1 1 1\nNs 0\nillum " + illumination + "\n").material();
+        assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+        assertThat(material.diffuse()).isEqualTo(new Rgb(0.5, 0.2, 0.1));
+    }
+
+    @Test
+    void diffuseModel_hasNoHighlight() throws Exception {
+        assertThat(objMaterial("Ks 1 1 1\nNs 50\nillum 1\n").material().specular()).isEqualTo(Rgb.BLACK);
+        assertThat(objMaterial("Ks 1 1 1\nNs 50\nillum 2\n").material().specular()).isEqualTo(Rgb.WHITE);
+    }
+
+    @Test
+    void highlightWithoutExponent_hasTheDefault() throws Exception {
+        Material material = objMaterial("Ks 1 1 1\n").material();
+        assertThat(material.specular()).isEqualTo(Rgb.WHITE);
+        assertThat(material.shininess()).isEqualTo(Material.DEFAULT.shininess());
+    }
+
+    @Test
+    void mirrorWithoutHighlight_isReflective() throws Exception {
+        Material material = objMaterial("Ks 0.5 0.5 0.5\nNs 0\nillum 3\n").material();
+        assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+        assertThat(material.reflective()).isEqualTo(Rgb.gray(0.5));
+    }
+
+    @Test
+    void constantModel_ignoresLights() throws Exception {
+        Material material = objMaterial("Kd 0.5 0.2 0.1\nKe 0 0 1\nKs 1 1 1\nNs 50\nillum 0\n").material();
+        assertThat(material.ambient()).isEqualTo(new Rgb(0.5, 0.2, 1.1));
+        assertThat(material.diffuse()).isEqualTo(Rgb.BLACK);
+        assertThat(material.specular()).isEqualTo(Rgb.BLACK);
+    }
+
+    @Test
+    void utf16Text_isReported() throws IOException {
+        Path file = Files.write(from.resolve("a.obj"), "\uFEFFv 0 0 0\nf 1 1 1\n".getBytes(StandardCharsets.UTF_16LE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("is text in UTF-16; save it as UTF-8");
+    }
+
+    @Test
+    void defaultCamera_hasRoundedNumbers() throws Exception {
+        Scene scene = imported(Files.writeString(from.resolve("b.obj"), "v 0 0 0\nv 1000.123456 0 0\nv 0 1 0\nf 1 2 3\n"));
+        assertThat(scene.camera().to()).isEqualTo(new Vec3(500, 0, 0));
+    }
+
+    @Test
+    void fileNextToScene_isNotCopied() throws Exception {
+        Path file = Files.writeString(to.resolveSibling("c.ply"), """
+                ply
+                format ascii 1.0
+                element vertex 3
+                property float x
+                property float y
+                property float z
+                element face 1
+                property list uchar int vertex_indices
+                end_header
+                0 0 0 1 0 0 0 1 0 3 0 1 2
+                """);
+        assertThat(imported(file).placedShapes()).hasSize(1);
+        try (var files = Files.list(to.getParent())) {
+            assertThat(files).hasSize(2);
+        }
+    }
+
+    @Test
+    void cyclicNode_isRejected() throws IOException {
+        Path file = Files.write(from.resolve("a.glb"),
+                GltfFixtures.binary(SCENE.replace("'children': [1, 2, 3, 4]", "'children': [1, 0]"), GltfFixtures.SQUARE));
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("nodes[0].children[1]: must be a node that stands nowhere else, was 0");
+    }
+
+    /** A picture whose file is named so. */
+    private Path withTexture(String uri) throws IOException {
+        return Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE.replace("'metallicFactor': 0}",
+                "'metallicFactor': 0, 'baseColorTexture': {'index': 0}}").replace("'cameras':",
+                        "'textures': [{'source': 0}], 'images': [{'uri': '" + uri + "'}], 'cameras':"),
+                GltfFixtures.SQUARE));
+    }
+
+    @Test
+    @Timeout(Await.TIMEOUT_SECONDS)
+    @DisabledOnOs(OS.WINDOWS)
+    void textureThatIsAPipe_isRejectedImmediately() throws Exception {
+        assertThat(new ProcessBuilder("mkfifo", from.resolve("pipe.png").toString()).start().waitFor()).isZero();
+        Path file = withTexture("pipe.png");
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file)).withMessageEndingWith("images[0].uri: must be a file in"
+                + " the folder of this one, was 'pipe.png', which is no file but a pipe or a device");
+    }
+
+    @Test
+    void textureThatIsAFolder_isRejectedWithItsPath() throws IOException {
+        Path file = withTexture(".");
+        assertThatExceptionOfType(MeshException.class).isThrownBy(() -> read(file))
+                .withMessageEndingWith("images[0].uri: must be a file in the folder of this one, was '.', which is a folder");
+    }
+
+    @Test
+    @Timeout(Await.TIMEOUT_SECONDS)
+    @DisabledOnOs(OS.WINDOWS)
+    void pipeAtTargetPath_isRejectedImmediately() throws Exception {
+        Path file = Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE));
+        assertThat(new ProcessBuilder("mkfifo", to.resolveSibling("a.glb").toString()).start().waitFor()).isZero();
+        assertThatExceptionOfType(IOException.class).isThrownBy(() -> read(file).write())
+                .withMessageEndingWith("a.glb: is no file but a pipe or a device, expected a file to lie beside the scene");
+    }
+
+    @Test
+    void cancelledImport_writesNothing() throws IOException {
+        Path file = Files.write(from.resolve("a.glb"), GltfFixtures.binary(SCENE, GltfFixtures.SQUARE));
+        Progress stop = new Progress() {
+            @Override
+            public void report(int done, int total) {}
+
+            @Override
+            public boolean isCanceled() {
+                return true;
+            }
+        };
+        assertThatExceptionOfType(CancellationException.class).isThrownBy(() -> SceneImporter.read(file, to, LightUnits.CANDELA, stop));
+        assertThat(to.getParent()).isEmptyDirectory();
+    }
+
+    private PlacedShape objMaterial(String lines) throws Exception {
+        Files.writeString(to.resolveSibling("m.mtl"), "newmtl a\n" + lines);
+        return imported(Files.writeString(to.resolveSibling("m.obj"), "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"))
+                .placedShapes().getFirst();
+    }
+
+    private static void assertNear(Vec3 actual, Vec3 expected) {
+        assertThat(actual.minus(expected).maxAbs()).as("%s, expected %s", actual, expected).isLessThan(1e-6);
+    }
+
+    private ImportedScene read(Path file) throws IOException, MeshException {
+        return SceneImporter.read(file, to, LightUnits.CANDELA, Progress.NONE);
+    }
+
+    private Scene imported(Path file) throws IOException, MeshException, JenException {
+        read(file).write();
+        return JenReader.read(to).scene();
+    }
+}

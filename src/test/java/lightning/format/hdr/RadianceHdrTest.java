@@ -1,0 +1,45 @@
+package lightning.format.hdr;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Random;
+import lightning.format.image.ImageFile;
+import lightning.format.mesh.MeshException;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.scene.EnvironmentMap;
+import lightning.scene.SceneLimits;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+
+/** What is written as a picture of Radiance is what its reader reads. */
+class RadianceHdrTest {
+    /** The mantissas have 8 bits, of which the largest of the three uses all: half a unit of it is lost at most. */
+    @Property(tries = 60)
+    void values_areWithinHalfAUnitOfTheLargestChannel(@ForAll @IntRange(min = 1, max = 300) int width, @ForAll long seed,
+            @ForAll boolean isFlat) throws IOException, MeshException {
+        Random random = new Random(seed);
+        float[] rgb = new float[3 * width * 2];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = isFlat && random.nextInt(20) > 0 && i > 3 ? rgb[i - 3]
+                    : (float) Math.min(random.nextFloat() * Math.scalb(1.0, random.nextInt(30) - 15), SceneLimits.MAX_EMISSION);
+        }
+        Path file = Files.createTempFile("a", ".hdr");
+        try {
+            ImageFile.write(file, Film.ofScanlines(width, 2, rgb), ViewTransform.DEFAULT);
+            EnvironmentMap result = HdrReader.read(file);
+            for (int i = 0; i < rgb.length; i++) {
+                int pixel = i / 3 * 3;
+                double max = Math.max(rgb[pixel], Math.max(rgb[pixel + 1], rgb[pixel + 2]));
+                double unit = max == 0 ? 0 : Math.scalb(1.0, Math.getExponent(max) + 1 - 7);
+                assertThat(Math.abs(result.channel(i / 3 % width, i / 3 / width, i % 3) - rgb[i])).isLessThanOrEqualTo((float) (unit / 2));
+            }
+        } finally {
+            Files.delete(file);
+        }
+    }
+}

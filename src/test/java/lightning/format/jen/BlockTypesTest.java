@@ -1,0 +1,141 @@
+package lightning.format.jen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import lightning.scene.Mesh;
+import lightning.scene.ShapeLinks;
+import lightning.scene.Texture;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The table of properties against the records of the scene: both know the ranges, and they must agree. */
+class BlockTypesTest {
+    record Case(BlockType<?> type, Property<?> property, int index) {
+        @Override
+        public String toString() {
+            return type.keyword() + "." + property.name() + property.labels().get(index);
+        }
+    }
+
+    static Stream<Case> numbers() {
+        return types().flatMap(t -> t.properties().stream().filter(p -> p.form() == Property.Form.NUMBERS)
+                .flatMap(p -> java.util.stream.IntStream.range(0, p.count()).mapToObj(i -> new Case(t, p, i))));
+    }
+
+    /** As if every file were there. */
+    private static final AssetSource FILES = new AssetSource() {
+        @Override
+        public lightning.scene.Photometry profile(String file) {
+            throw new IllegalArgumentException(file);
+        }
+
+        @Override
+        public lightning.scene.EnvironmentMap environment(String file) {
+            throw new IllegalArgumentException(file);
+        }
+
+        @Override
+        public Texture texture(String file, lightning.scene.TextureUsage samples) {
+            return new Texture(1, 1, new float[3]);
+        }
+
+        @Override
+        public Mesh mesh(String file, String part) {
+            return new Mesh(new float[0], new int[0], null, null, null);
+        }
+    };
+
+    static Stream<BlockType<?>> types() {
+        return BlockTypes.KEYWORDS.stream().map(k -> BlockTypes.of(k).orElseThrow());
+    }
+
+    @ParameterizedTest
+    @MethodSource("numbers")
+    void limits_areAcceptedByTheRecord(Case c) {
+        build(c, c.property.max());
+        if (c.property.min() >= 0) {
+            build(c, c.property.min());
+        } else {
+            build(c, -c.property.max());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("numbers")
+    void numberOutsideRange_isRejectedByTheRecord(Case c) {
+        double step = c.property.isInteger() ? 1 : 0;
+        double above = step + Math.nextUp(c.property.max());
+        double below = Math.nextDown(c.property.min()) - step;
+        for (double v : new double[] {above, below, Double.NaN, Double.POSITIVE_INFINITY}) {
+            assertThatThrownBy(() -> c.property.checkNumber(c.index, v)).isInstanceOf(IllegalArgumentException.class);
+            if (!c.property.isInteger()) {
+                assertThatThrownBy(() -> build(c, v)).isInstanceOf(IllegalArgumentException.class);
+            }
+        }
+        if (c.property.isInteger()) {
+            assertThatThrownBy(() -> build(c, c.property.max() + 1)).isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(() -> build(c, c.property.min() - 1)).isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+
+    @Test
+    void initialValues_areAllowed() {
+        types().forEach(t -> t.properties().forEach(p -> {
+            switch (p.initial()) {
+                case Value.Numbers(List<Double> all) -> {
+                    for (int i = 0; i < all.size(); i++) {
+                        p.checkNumber(i, all.get(i));
+                    }
+                    p.checkValue(p.initial());
+                }
+                case Value.Word(String word) -> p.checkWord(word);
+                case Value.Name(String name) -> lightning.scene.SceneLimits.checkName(name);
+                case Value.Quoted q -> p.checkValue(q);
+                case Value.LinkSet(ShapeLinks links) -> assertThat(links.isAll()).isTrue();
+                case Value.Absent a ->
+                        assertThat(p.name()).isIn("texture", "cutout", "bump", "normal_map", "gobo", "profile", "environment", "bank",
+                                BlockTypes.FILE, BlockTypes.PART);
+            }
+        }));
+    }
+
+    @Test
+    void initialBlocks_buildSceneDefaults() {
+        assertThat(BlockTypes.PICTURE.builder().build("", new PropertyValues(BlockTypes.PICTURE.initials()::get, FILES), List.of()))
+                .isEqualTo(lightning.scene.PictureSettings.DEFAULT);
+        assertThat(BlockTypes.CAMERA.builder().build("", new PropertyValues(BlockTypes.CAMERA.initials()::get, FILES), List.of()))
+                .isEqualTo(lightning.scene.Camera.DEFAULT);
+        assertThat(
+                BlockTypes.MATERIAL.builder().build("default", new PropertyValues(BlockTypes.MATERIAL.initials()::get, FILES), List.of()))
+                .isEqualTo(lightning.scene.Material.DEFAULT);
+    }
+
+    private static Object build(Case c, double v) {
+        Map<String, Value> values = new HashMap<>(c.type.initials());
+        values.put("type", new Value.Word("spot"));
+        if (c.type == BlockTypes.MATERIAL) {
+            TextureProperty.ALL.forEach(p -> values.put(p.name(), new Value.Quoted("a.png")));
+        }
+        values.put(BlockTypes.FILE, new Value.Quoted("a.ply"));
+        if (c.type == BlockTypes.CAMERA) {
+            // So that no single number puts the view along the up direction.
+            values.put("from", Value.of(3, 5, 10));
+            values.put("up", Value.of(1, 2, 3));
+        }
+        if (c.type == BlockTypes.SHOT) {
+            // So that neither end comes behind the other.
+            values.put("frames", Value.of(0, lightning.scene.shot.Shot.MAX_FRAME));
+        }
+        List<Double> numbers = new ArrayList<>(((Value.Numbers) values.get(c.property.name())).values());
+        numbers.set(c.index, v);
+        values.put(c.property.name(), new Value.Numbers(numbers));
+        return c.type.builder().build("name", new PropertyValues(values::get, FILES), List.of());
+    }
+}

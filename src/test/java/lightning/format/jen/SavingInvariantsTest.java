@@ -1,0 +1,118 @@
+package lightning.format.jen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import lightning.scene.Scene;
+import lightning.scene.Texture;
+import lightning.scene.TextureUsage;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.lifecycle.AfterContainer;
+import net.jqwik.api.lifecycle.BeforeContainer;
+
+/** Laws of writing and saving, over random scenes and edits. */
+class SavingInvariantsTest {
+    private static Path folder;
+    private static List<Texture> images;
+    private static List<Texture> numbers;
+    private static List<Texture> opacities;
+
+    @BeforeContainer
+    static void writeTextures() throws Exception {
+        folder = Files.createTempDirectory("lightning-jen");
+        images = new ArrayList<>();
+        numbers = new ArrayList<>();
+        opacities = new ArrayList<>();
+        var loader = new TextureFolder(folder);
+        for (int i = 0; i < RandomScenes.TEXTURES.size(); i++) {
+            Path file = folder.resolve(RandomScenes.TEXTURES.get(i));
+            Files.createDirectories(file.getParent());
+            var image = new BufferedImage(1 + i, 2, BufferedImage.TYPE_INT_RGB);
+            image.setRGB(0, 1, 0x102030 * (i + 1));
+            ImageIO.write(image, "png", file.toFile());
+            images.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.COLOR));
+            numbers.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.DATA));
+            opacities.add(loader.load(RandomScenes.TEXTURES.get(i), TextureUsage.OPACITY));
+        }
+    }
+
+    @AfterContainer
+    static void removeTextures() throws IOException {
+        try (var files = Files.walk(folder)) {
+            files.sorted(java.util.Comparator.reverseOrder()).forEach(f -> {
+                try {
+                    Files.delete(f);
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+            });
+        }
+    }
+
+    @Property
+    void scene_roundTrips(@ForAll long seed) throws JenException {
+        Scene scene = new RandomScenes(new Random(seed), images, numbers, opacities).scene();
+        assertThat(read(JenWriter.write(scene))).isEqualTo(scene);
+    }
+
+    @Property
+    void savedEdit_roundTrips(@ForAll long seed) throws JenException {
+        var random = new Random(seed);
+        var scenes = new RandomScenes(random, images, numbers, opacities);
+        Scene scene = scenes.scene();
+        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
+        assertThat(document.scene()).isEqualTo(scene);
+        for (int i = 0; i < 3; i++) {
+            scene = scenes.edited(scene);
+            document = document.withScene(scene);
+            assertThat(document.scene()).isEqualTo(scene);
+            assertThat(read(document.text())).isEqualTo(scene);
+        }
+    }
+
+    @Property
+    void nonDeletingEdit_retainsComments(@ForAll long seed) throws JenException {
+        var random = new Random(seed);
+        var scenes = new RandomScenes(random, images, numbers, opacities);
+        Scene scene = scenes.scene();
+        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
+        List<lightning.scene.Light> lights = new ArrayList<>(scene.lights());
+        java.util.Collections.shuffle(lights, random);
+        lights.replaceAll(l -> l.withIntensity(l.intensity() + 1).withSolo(!l.solo()));
+        lights.add(random.nextInt(lights.size() + 1), lightning.scene.Light.of("new-one", lightning.scene.LightType.SPOT));
+        String edited = document.withScene(scene.withLights(lights).withWorld(scene.world().withAmbience(7))).text();
+        assertThat(comments(edited)).containsExactlyInAnyOrderElementsOf(comments(document.text()));
+    }
+
+    @Property
+    void editedNumber_changesOneToken(@ForAll long seed) throws JenException {
+        var random = new Random(seed);
+        Scene scene = new RandomScenes(random, images, numbers, opacities).scene();
+        scene = scene.withWorld(scene.world().withAmbience(0.25));
+        JenDocument document = JenReader.read(new TextReformatter(random).reformat(JenWriter.write(scene)), "s.jen", folder);
+        String before = document.text();
+        String after = document.withScene(scene.withWorld(scene.world().withAmbience(123.75))).text();
+        TokenList tokens = Lexer.tokens(before, new ProblemList());
+        int changed = IntStream.range(0, tokens.size()).filter(i -> tokens.text(i).equals("ambience")).findFirst().orElseThrow() + 1;
+        assertThat(after).isEqualTo(before.substring(0, tokens.start(changed)) + "123.75" + before.substring(tokens.end(changed)));
+    }
+
+    private static Scene read(String text) throws JenException {
+        return JenReader.read(text, "s.jen", folder).scene();
+    }
+
+    private static List<String> comments(String text) {
+        return Pattern.compile("# comment[^\n]*").matcher(text).results().map(r -> r.group().strip()).toList();
+    }
+}

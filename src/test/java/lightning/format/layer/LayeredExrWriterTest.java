@@ -1,0 +1,275 @@
+package lightning.format.layer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.format.exr.ExrChannel;
+import lightning.format.exr.ExrReader;
+import lightning.format.exr.ExrType;
+import lightning.render.image.Film;
+import lightning.render.relight.LightImage;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.WeightedLight;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.PixelRays;
+import lightning.render.trace.SurfacePoint;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
+import lightning.sample.StudioScene;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.core.type.TypeReference;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A picture taken apart: the layers of the file add up to the picture in every bit, and each is what it says. */
+@Slow
+class LayeredExrWriterTest {
+    private static final List<String> COLORS = List.of("R", "G", "B");
+
+    @TempDir
+    private Path folder;
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    @Property(tries = 20, edgeCases = EdgeCasesMode.NONE)
+    void layers_sumToTheImageBitForBit(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
+            @ForAll ReflectionMode reflections, @ForAll MirrorStorage storage) throws IOException {
+        try (Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, storage, 2))) {
+            for (Scene scene : session.scenes()) {
+                renderer.render(scene, Progress.NONE);
+            }
+            ExrValues file = writeFile(renderer, ExrType.FLOAT);
+            Film film = renderer.film();
+            List<String> layers = file.list("lightning/sum");
+            for (int c = 0; c < 3; c++) {
+                float[] beauty = file.channel(COLORS.get(c));
+                float[] rounding = file.channel("rounding." + COLORS.get(c));
+                for (int i = 0; i < beauty.length; i++) {
+                    float sum = 0;
+                    for (String layer : layers) {
+                        sum += file.channel(layer + "." + COLORS.get(c))[i];
+                    }
+                    assertThat(Float.floatToRawIntBits(sum)).as("sum of pixel %d", i).isEqualTo(Float.floatToRawIntBits(beauty[i]));
+                    assertThat(beauty[i]).isEqualTo(List.of(film.red(i % film.width(), i / film.width()),
+                            film.green(i % film.width(), i / film.width()), film.blue(i % film.width(), i / film.width())).get(c));
+                    // Each of n additions and of at most 16 steps of a layer loses at most half a unit, all values being at least 0.
+                    assertThat(Math.abs(rounding[i])).isLessThanOrEqualTo((layers.size() + 16) * 0x1p-23f * beauty[i] + 0x1p-140f);
+                }
+            }
+        }
+    }
+
+    @Property(tries = 20, edgeCases = EdgeCasesMode.NONE)
+    void lightLayers_sumToItsContributionBitForBit(@ForAll("sessions") EditSession session) throws IOException {
+        Scene scene = session.scenes().getFirst();
+        Scene directScene = scene.withPicture(scene.picture().withDepth(0).withSampling(SamplingSettings.DEFAULT));
+        boolean[] inside = insideHits(directScene);
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(directScene, Progress.NONE);
+            ExrValues file = writeFile(renderer, ExrType.FLOAT);
+            Map<String, String> lights = file.map("lightning/lights");
+            for (Light light : directScene.lights()) {
+                List<String> layers = lights.keySet().stream().filter(layer -> lights.get(layer).equals(light.name())).toList();
+                assertThat(layers).hasSize(WeightedLight.of(light, directScene).isDark() ? 0 : 2);
+                if (!layers.isEmpty()) {
+                    assertSame(file.sum(layers), new ReferenceTracer(LightImage.scene(directScene, light.name())).trace(), inside);
+                }
+            }
+        }
+    }
+
+    /**
+     * Whether each pixel's ray began inside a clear shape: the way through it leaves a part t of all that comes. Of a light's scattered
+     * part a and its mirrored part b the picture has t·(a + b), the layers t·a and t·b, each step rounded for itself.
+     */
+    private static boolean[] insideHits(Scene scene) {
+        Geometry geometry = new Geometry(scene);
+        boolean[] inside = new boolean[scene.picture().width() * scene.picture().height()];
+        for (int i = 0; i < inside.length; i++) {
+            Ray ray = new PixelRays(scene).ray(i % scene.picture().width(), i / scene.picture().width());
+            int primitive = geometry.nearestBruteForce(ray);
+            SurfacePoint.BackSide isInside = primitive < 0 ? null : geometry.surfaceBruteForce(primitive, ray).backSide();
+            inside[i] = isInside != null && isInside.insideDistance() >= 0;
+        }
+        return inside;
+    }
+
+    private static void assertSame(float[] sum, Film contribution, boolean[] inside) {
+        for (int i = 0; i < inside.length; i++) {
+            int x = i % contribution.width();
+            int y = i / contribution.width();
+            float[] expected = {contribution.red(x, y), contribution.green(x, y), contribution.blue(x, y)};
+            for (int c = 0; c < 3; c++) {
+                // Two roundings of at most u = 2⁻²⁴ on either side: (1 + u)²/(1 − u)² − 1 < 5u. A product below the least normal float
+                // loses at most 2⁻¹⁵⁰ more, and there are three.
+                float room = inside[i] ? 5 * 0x1p-24f * expected[c] + 0x1p-148f : 0;
+                assertThat(sum[3 * i + c]).as("pixel %d", i).isBetween(expected[c] - room, expected[c] + room);
+            }
+        }
+    }
+
+    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    void surfaceChannels_matchThePixelCenterRay(@ForAll("sessions") EditSession session) throws IOException {
+        Scene scene = session.scenes().getLast();
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(scene, Progress.NONE);
+            ExrValues file = writeFile(renderer, ExrType.HALF);
+            Geometry geometry = new Geometry(scene);
+            List<String> shapes = file.list("lightning/shapes");
+            List<String> materials = file.list("lightning/materials");
+            Vec3 viewDirection = scene.camera().to().minus(scene.camera().from()).normalized();
+            for (int i = 0; i < file.width * file.height; i++) {
+                Ray ray = new PixelRays(scene).ray(i % file.width, i / file.width);
+                int primitive = geometry.nearestBruteForce(ray);
+                float shape = file.channel("shape.id")[i];
+                if (primitive < 0) {
+                    assertThat(shape).isZero();
+                    assertThat(file.channel("material.id")[i]).isZero();
+                    assertThat(file.channel("Z")[i]).isEqualTo(1e10f);
+                } else {
+                    SurfacePoint at = geometry.surfaceBruteForce(primitive, ray);
+                    assertThat(shapes.get((int) shape - 1)).isEqualTo(geometry.shape(primitive).name());
+                    assertThat(materials.get((int) file.channel("material.id")[i] - 1)).isEqualTo(geometry.material(primitive).name());
+                    Vec3 point = new Vec3(at.px(), at.py(), at.pz());
+                    assertThat(file.channel("Z")[i]).isEqualTo((float) point.dot(viewDirection));
+                    assertThat(file.channel("P.Y")[i]).isEqualTo((float) (point.y() + scene.camera().from().y()));
+                    assertThat(file.channel("N.X")[i]).isEqualTo(Float.float16ToFloat(Float.floatToFloat16(at.nx())));
+                }
+            }
+        }
+    }
+
+    @Test
+    void layerNames_areUnambiguous() throws IOException {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        Scene odd = scene.withLights(List.of(key, key.withName("2nd rim.light"), key.withName("2nd rim light"), key.withName("Key")));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(odd, Progress.NONE);
+            ExrValues file = writeFile(renderer, ExrType.HALF);
+            assertThat(file.list("lightning/sum")).containsExactly("background", "ambient", "key.diffuse", "key.specular",
+                    "_2nd_rim_light.diffuse", "_2nd_rim_light.specular", "_2nd_rim_light_2.diffuse", "_2nd_rim_light_2.specular",
+                    "Key_2.diffuse", "Key_2.specular", "reflections");
+            assertThat(file.map("lightning/lights")).containsEntry("_2nd_rim_light.diffuse", "2nd rim.light");
+            assertThat(List.copyOf(file.values.keySet())).contains("R", "key.diffuse.R", "N.X", "P.Z", "Z").isSorted();
+        }
+    }
+
+    @Test
+    void canceledExport_leavesNoFile() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
+            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            assertThatThrownBy(() -> file.write(folder.resolve("a.exr"), Long.MAX_VALUE, workers, new Progress() {
+                @Override
+                public void report(int done, int total) {}
+
+                @Override
+                public boolean isCanceled() {
+                    return true;
+                }
+            })).isInstanceOf(CancellationException.class);
+            assertThat(folder).isEmptyDirectory();
+        }
+    }
+
+    @Test
+    void exportBeyondMemoryLimit_isRejected() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1)); WorkerPool workers = new WorkerPool(1)) {
+            renderer.render(StudioScene.of(LightType.POINT), Progress.NONE);
+            LayeredExrWriter file = new LayeredExrWriter(renderer.cache(), renderer.options().engines(), ExrType.HALF);
+            assertThatIOException()
+                    .isThrownBy(() -> file.write(folder.resolve("a.exr"), file.bytesToWrite(1) - 1, workers, Progress.NONE))
+                    .withMessageContaining("GB of memory to write");
+            assertThat(folder).isEmptyDirectory();
+        }
+    }
+
+    private static ExrValues writeFile(Renderer renderer, ExrType type) throws IOException {
+        Path file = Files.createTempFile("layers", ".exr");
+        try (WorkerPool workers = new WorkerPool(2)) {
+            new LayeredExrWriter(renderer.cache(), renderer.options().engines(), type).write(file, Long.MAX_VALUE, workers, Progress.NONE);
+            return new ExrValues(file);
+        } finally {
+            Files.delete(file);
+        }
+    }
+
+    /** What a file holds. */
+    private static final class ExrValues {
+        private final Map<String, float[]> values = new LinkedHashMap<>();
+        private final Map<String, String> attributes;
+        private final int width;
+        private final int height;
+
+        ExrValues(Path file) throws IOException {
+            try (ExrReader reader = new ExrReader(file)) {
+                width = reader.header().width();
+                height = reader.header().height();
+                attributes = new HashMap<>(reader.header().attributes());
+                List<String> names = reader.header().channels().stream().map(ExrChannel::name).toList();
+                names.forEach(name -> values.put(name, new float[width * height]));
+                List<float[]> columns = new ArrayList<>(values.values());
+                reader.read(names, (x, y, numbers) -> {
+                    for (int c = 0; c < numbers.length; c++) {
+                        columns.get(c)[y * width + x] = numbers[c];
+                    }
+                });
+            }
+        }
+
+        float[] channel(String name) {
+            return values.get(name);
+        }
+
+        List<String> list(String attribute) {
+            return new JsonMapper().readValue(attributes.get(attribute), new TypeReference<List<String>>() {});
+        }
+
+        Map<String, String> map(String attribute) {
+            return new JsonMapper().readValue(attributes.get(attribute), new TypeReference<Map<String, String>>() {});
+        }
+
+        /** The sum of some layers: red, green, blue of each pixel. */
+        float[] sum(List<String> layers) {
+            float[] rgb = new float[3 * width * height];
+            for (String layer : layers) {
+                for (int i = 0; i < rgb.length; i++) {
+                    rgb[i] += channel(layer + "." + COLORS.get(i % 3))[i / 3];
+                }
+            }
+            return rgb;
+        }
+    }
+}

@@ -1,0 +1,107 @@
+package lightning.render.engine.lanes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import java.util.stream.Stream;
+import lightning.base.math.Ray;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.TraceScenes;
+import lightning.render.trace.solid.SolidGeometry;
+import lightning.sample.Slow;
+import lightning.scene.Scene;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Where several shapes are met at one distance, the first of them is: by one ray alone, in a packet, with the tree
+ * of boxes and without it. And a way is blocked by a shape nearer than its end, never by one exactly there.
+ */
+@Slow
+class EqualDistanceTest {
+    private static final int PACKETS = 100;
+
+    static Stream<Arguments> scenes() {
+        return Stream.of(
+                Arguments.of("equal balls in one spot", TraceScenes.overlappingShapes(1000)),
+                Arguments.of("a thousand shapes in one spot", TraceScenes.mixedOverlappingShapes(1000)),
+                Arguments.of("shapes within shapes", TraceScenes.nested()),
+                Arguments.of("flat shapes", TraceScenes.flat()),
+                Arguments.of("shapes of all scales, many of them twice", TraceScenes.randomScene(60, 8)));
+    }
+
+    private final RayPacket rayPacket = new RayPacket();
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("scenes")
+    void equalDistances_lowestIndexWinsInEveryTracer(String name, Scene scene) {
+        Geometry geometry = new Geometry(scene);
+        PacketTracer byTree = new PacketTracer(geometry.bvh(), 1);
+        PacketTracer inTurn = new PacketTracer(geometry.bvh(), Integer.MAX_VALUE);
+        RandomRays rays = new RandomRays(geometry, 1);
+        int[] first = new int[RayPacket.WIDTH];
+        double[] least = new double[RayPacket.WIDTH];
+        int ties = 0;
+        for (int n = 0; n < PACKETS; n++) {
+            rays.fill(rayPacket);
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = RandomRays.ray(rayPacket, i);
+                ties += lowest(geometry, ray, i, first, least) > 1 ? 1 : 0;
+                assertThat(geometry.nearestBruteForce(ray)).as("%s", ray).isEqualTo(first[i]);
+                assertThat(geometry.nearest(ray)).as("%s", ray).isEqualTo(first[i]);
+            }
+            for (PacketTracer tracer : new PacketTracer[] {byTree, inTurn}) {
+                tracer.findNearest(rayPacket, RayPacket.WIDTH);
+                assertThat(rayPacket.primitive).isEqualTo(first);
+                assertThat(rayPacket.t).isEqualTo(least);
+            }
+        }
+        assertThat(ties).as("rays that meet several shapes first").isGreaterThan(100);
+    }
+
+    /** From the last shape to the first, unlike any tracer; returns how many shapes are met at the least distance. */
+    private static int lowest(Geometry geometry, Ray ray, int lane, int[] nearest, double[] minDistance) {
+        nearest[lane] = -1;
+        minDistance[lane] = SolidGeometry.MISS;
+        int equals = 0;
+        for (int s = geometry.primitiveCount() - 1; s >= 0; s--) {
+            double t = geometry.distance(s, ray);
+            if (t < SolidGeometry.MISS && t <= minDistance[lane]) {
+                equals = t < minDistance[lane] ? 1 : equals + 1;
+                minDistance[lane] = t;
+                nearest[lane] = s;
+            }
+        }
+        return equals;
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("scenes")
+    void shadowRayEndingAtFirstHit_isUnblocked_andBlockedBeyondIt(String name, Scene scene) {
+        Geometry geometry = new Geometry(scene);
+        PacketTracer byTree = new PacketTracer(geometry.bvh(), 1);
+        PacketTracer inTurn = new PacketTracer(geometry.bvh(), Integer.MAX_VALUE);
+        RandomRays rays = new RandomRays(geometry, 2);
+        Random random = new Random(2);
+        int[] blocked = new int[2];
+        for (int n = 0; n < PACKETS; n++) {
+            rays.fill(rayPacket);
+            int expected = 0;
+            for (int i = 0; i < RayPacket.WIDTH; i++) {
+                Ray ray = RandomRays.ray(rayPacket, i);
+                int first = geometry.nearestBruteForce(ray);
+                double t = first < 0 ? SolidGeometry.MISS : geometry.distance(first, ray);
+                boolean beyondLimit = t < SolidGeometry.MISS && random.nextBoolean();
+                rayPacket.limit[i] = beyondLimit ? Math.nextUp(t) : t;
+                assertThat(geometry.isBlockedBruteForce(ray, rayPacket.limit[i])).as("%s", ray).isEqualTo(beyondLimit);
+                assertThat(geometry.isBlocked(ray, rayPacket.limit[i])).as("%s", ray).isEqualTo(beyondLimit);
+                expected |= beyondLimit ? 1 << i : 0;
+                blocked[beyondLimit ? 1 : 0]++;
+            }
+            assertThat(byTree.findBlocked(rayPacket, RayPacket.WIDTH)).isEqualTo(expected);
+            assertThat(inTurn.findBlocked(rayPacket, RayPacket.WIDTH)).isEqualTo(expected);
+        }
+        assertThat(Math.min(blocked[0], blocked[1])).as("rays of either answer").isGreaterThan(100);
+    }
+}

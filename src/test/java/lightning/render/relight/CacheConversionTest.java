@@ -1,0 +1,126 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.RayCounts;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
+import lightning.sample.StudioScene;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.junit.jupiter.api.Test;
+
+/** Another accuracy, in the midst of a session, keeps what is known and breaks no promise. */
+class CacheConversionTest {
+    private static final RenderOptions EXACT = new RenderOptions(Accuracy.EXACT, ReflectionMode.STALE, MirrorStorage.FULL_ROWS, 1);
+    private static final RenderOptions RATIO = EXACT.withAccuracy(Accuracy.RATIO);
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    @Slow
+    void accuracySwitch_keepsPromiseOfEachAccuracy(@ForAll("sessions") EditSession session,
+            @ForAll @Size(13) List<Accuracy> accuracies, @ForAll ReflectionMode reflections,
+            @ForAll @IntRange(min = 1, max = 2) int threads) {
+        RenderOptions options = EXACT.withReflections(reflections).withThreads(threads);
+        try (Renderer renderer = new Renderer(options.withAccuracy(accuracies.getLast()))) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                renderer.setOptions(options.withAccuracy(accuracies.get(step)));
+                UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
+                if (accuracies.get(step) == Accuracy.EXACT) {
+                    assertThat(update.errorBound()).isZero();
+                }
+                ReferenceCheck.assertPromise(renderer, update, "after edit " + step);
+            }
+        }
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    void accuracySwitch_castsNoRays(@ForAll("sessions") EditSession session, @ForAll boolean toRatio) {
+        Scene last = session.scenes().getLast();
+        try (Renderer renderer = new Renderer(toRatio ? EXACT : RATIO)) {
+            for (Scene scene : session.scenes()) {
+                renderer.render(scene, Progress.NONE);
+            }
+            renderer.setOptions(toRatio ? RATIO : EXACT);
+            UpdateResult update = renderer.render(last, Progress.NONE);
+            assertThat(update.rays()).isEqualTo(RayCounts.NONE);
+            SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(last, renderer.cache().mirroredScene()).trace(),
+                    "switch", session, session.scenes().size() - 1, update.plan().description());
+        }
+    }
+
+    @Test
+    void switchToRatio_equalsFirstPass() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        try (Renderer switched = new Renderer(EXACT); Renderer first = new Renderer(RATIO)) {
+            switched.render(scene, Progress.NONE);
+            switched.setOptions(RATIO);
+            UpdateResult update = switched.render(scene, Progress.NONE);
+            first.render(scene, Progress.NONE);
+            assertThat(update.plan().description()).isEqualTo("key: refresh, reflections");
+            assertThat(switched.cache().bytes()).isEqualTo(first.cache().bytes());
+            assertThat(switched.film().hasSameBits(first.film())).isTrue();
+        }
+    }
+
+    @Test
+    void reflectionsSwitchedToCurrent_updateOnlyMirrors() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Scene edited = scene.withWorld(scene.world().withAmbience(0.5));
+        try (Renderer renderer = new Renderer(EXACT)) {
+            renderer.render(scene, Progress.NONE);
+            renderer.render(edited, Progress.NONE);
+            renderer.setOptions(EXACT.withReflections(ReflectionMode.CURRENT));
+            UpdateResult update = renderer.render(edited, Progress.NONE);
+            assertThat(update.plan().description()).isEqualTo("reflections");
+            assertThat(update.rays()).isEqualTo(RayCounts.NONE);
+        }
+    }
+
+    @Test
+    void mirrorsStoredAsHitShapes_areRetraced() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Scene mirroring = scene.withPicture(scene.picture().withDepth(2));
+        RenderOptions shapes = EXACT.withStorage(MirrorStorage.HIT_SHAPES);
+        try (Renderer renderer = new Renderer(shapes)) {
+            renderer.render(mirroring, Progress.NONE);
+            renderer.setOptions(shapes.withAccuracy(Accuracy.RATIO));
+            assertThat(renderer.plan(mirroring).update()).isInstanceOf(UpdatePlan.FirstPass.class);
+        }
+    }
+
+    @Test
+    void canceledSwitch_leavesOldImage() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        try (Renderer renderer = new Renderer(RATIO)) {
+            renderer.render(scene, Progress.NONE);
+            Film before = renderer.film();
+            renderer.setOptions(EXACT);
+            assertThatThrownBy(() -> renderer.render(scene, new CancelingProgress(0))).isInstanceOf(CancellationException.class);
+            assertThat(renderer.film().hasSameBits(before)).isTrue();
+            assertThat(renderer.render(scene, Progress.NONE).rays()).isEqualTo(RayCounts.NONE);
+        }
+    }
+}

@@ -1,0 +1,253 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.render.image.FilmAssert;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.plan.UpdatePlan;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.render.shading.RenderedScenes;
+import lightning.render.shading.SceneCoverage;
+import lightning.render.trace.Geometry;
+import lightning.sample.EditSession;
+import lightning.sample.StudioScene;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.Size;
+import net.jqwik.api.statistics.StatisticsReport;
+import org.junit.jupiter.api.Test;
+
+/** Pixels' centres first and finer samples when there is time: the finished picture is the same in every bit. */
+class DeferredSamplesTest {
+    /** What happens after the centres of an edit are there. */
+    enum NextAction {
+        FINISH, LEAVE, CANCEL, RENDER, REFLECT
+    }
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    @Property(edgeCases = EdgeCasesMode.NONE)
+    @StatisticsReport(onFailureOnly = true)
+    void deferredSamples_equalSingleUpdate(@ForAll("sessions") EditSession session, @ForAll MirrorStorage storage,
+            @ForAll ReflectionMode reflections, @ForAll Accuracy accuracy, @ForAll @Size(13) List<NextAction> actions,
+            @ForAll boolean edges) {
+        RenderOptions options = new RenderOptions(accuracy, reflections, storage, 2);
+        int followed = 0;
+        try (Renderer atOnce = new Renderer(options); Renderer later = new Renderer(options)) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = edges ? sampled(session.scenes().get(step), new SamplingSettings(AntialiasMode.EDGES, 2))
+                        : session.scenes().get(step);
+                atOnce.render(scene, Progress.NONE);
+                UpdateResult update = later.renderCenters(later.plan(scene), Progress.NONE);
+                boolean finished = later.isFinished();
+                followed += finished ? 0 : 1;
+                if (!finished) {
+                    SessionAssert.assertSameBits(later.film(), centers(later.cache().scenes()), "centres-first", session, step,
+                            update.plan().description());
+                }
+                apply(actions.get(step), atOnce, later, scene);
+                if (later.isFinished()) {
+                    SessionAssert.assertSameBits(later.film(), atOnce.film(), "samples-later", session, step, update.plan().description());
+                }
+            }
+            if (!later.isFinished()) {
+                later.finish(Progress.NONE);
+            }
+            SessionAssert.assertSameBits(later.film(), atOnce.film(), "samples-last", session, session.scenes().size() - 1, "finish");
+            SceneCoverage.collect("samples that followed", followed > 0, 15);
+        }
+    }
+
+    private static void apply(NextAction action, Renderer atOnce, Renderer later, Scene scene) {
+        switch (action) {
+            case LEAVE -> {}
+            case FINISH -> {
+                if (!later.isFinished()) {
+                    later.finish(Progress.NONE);
+                }
+            }
+            case CANCEL -> {
+                if (!later.isFinished()) {
+                    Film before = later.film().copy();
+                    assertThatThrownBy(() -> later.finish(new CancelingProgress(0))).isInstanceOf(CancellationException.class);
+                    FilmAssert.assertSameBits(later.film(), before, "samples-cancelled");
+                }
+            }
+            case RENDER -> later.render(scene, Progress.NONE);
+            case REFLECT -> {
+                atOnce.updateReflections(Progress.NONE);
+                later.updateReflections(Progress.NONE);
+            }
+        }
+    }
+
+    private static Scene sampled(Scene scene, SamplingSettings sampling) {
+        return scene.withPicture(scene.picture().withSampling(sampling));
+    }
+
+    private static Film centers(RenderedScenes scenes) {
+        Scene scene = sampled(scenes.scene(), SamplingSettings.DEFAULT);
+        try (var workers = new WorkerPool(1)) {
+            return new TraditionalTracer(scene, sampled(scenes.mirrored(), SamplingSettings.DEFAULT), new Geometry(scene))
+                    .trace(workers, Progress.NONE).film();
+        }
+    }
+
+    private static Scene studio() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        return scene.withPicture(scene.picture().withSize(70, 50).withSampling(new SamplingSettings(AntialiasMode.EDGES, 2)));
+    }
+
+    private static Scene key(double intensity, boolean on) {
+        Light key = studio().light(StudioScene.KEY).orElseThrow();
+        return studio().withLight(key.withIntensity(intensity).withOn(on));
+    }
+
+    private static UpdateResult centers(Renderer renderer, Scene scene) {
+        return renderer.renderCenters(renderer.plan(scene), Progress.NONE);
+    }
+
+    @Test
+    void editBeforeFirstSamples_retracesNoCenter() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            centers(renderer, studio());
+            UpdateResult edit = centers(renderer, key(0.5, true));
+            assertThat(edit.plan()).isInstanceOf(UpdatePlan.Relight.class);
+            assertThat(edit.rays().total()).isZero();
+            renderer.finish(Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(key(0.5, true)).trace(), "edit-before-samples");
+        }
+    }
+
+    @Test
+    void firstSamplesAfterEdit_reportEdit() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            UpdateResult first = centers(renderer, studio());
+            UpdateResult edit = centers(renderer, key(0.5, true));
+            UpdateResult finished = renderer.finish(Progress.NONE);
+            assertThat(finished.plan()).isEqualTo(edit.plan());
+            assertThat(first.plan()).isInstanceOf(UpdatePlan.FirstPass.class);
+            assertThat(finished.rays().eye()).as("of the samples alone").isPositive().isEqualTo(firstSamples());
+        }
+    }
+
+    /** The eye's rays of the samples without those of the centres. */
+    private static long firstSamples() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            return renderer.render(key(0.5, true), Progress.NONE).rays().eye() - 70L * 50;
+        }
+    }
+
+    @Test
+    void finish_reportsAllWorkSinceLastFinishedImage() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT); Renderer atOnce = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(studio(), Progress.NONE);
+            atOnce.render(studio(), Progress.NONE);
+            centers(renderer, key(0.5, true));
+            UpdateResult whole = atOnce.render(key(0.5, true), Progress.NONE);
+            UpdateResult finished = renderer.finish(Progress.NONE);
+            assertThat(finished.plan()).isEqualTo(whole.plan());
+            assertThat(finished.rowsTouched()).isEqualTo(whole.rowsTouched());
+            assertThat(finished.rowsComposed()).isEqualTo(whole.rowsComposed());
+            assertThat(finished.bytesMoved()).isEqualTo(whole.bytesMoved());
+        }
+    }
+
+    @Test
+    void undoneEditBeforeSamples_restoresFinishedImage() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(studio(), Progress.NONE);
+            Film before = renderer.film();
+            centers(renderer, key(0.5, true));
+            UpdateResult back = centers(renderer, studio());
+            assertThat(back.plan()).isInstanceOf(UpdatePlan.Nothing.class);
+            assertThat(renderer.isFinished()).isTrue();
+            assertThat(renderer.film().red(0)).isSameAs(before.red(0));
+        }
+    }
+
+    @Test
+    void lightMovedAndSwitchedOff_returnsAtNewPosition() {
+        Light key = studio().light(StudioScene.KEY).orElseThrow();
+        Light there = key.withPosition(key.position().times(0.7));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(studio(), Progress.NONE);
+            centers(renderer, studio().withLight(there));
+            centers(renderer, studio().withLight(there.withOn(false)));
+            renderer.finish(Progress.NONE);
+            Scene lit = studio().withLight(there);
+            renderer.render(lit, Progress.NONE);
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(lit).trace(), "moved-out-and-back");
+        }
+    }
+
+    @Test
+    void undoneDepthBeforeSamples_keepsCurrentMirrors() {
+        Scene lit = key(0.5, true);
+        Scene dark = key(0.5, false);
+        RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE);
+        try (Renderer later = new Renderer(options); Renderer atOnce = new Renderer(options)) {
+            for (Renderer renderer : List.of(later, atOnce)) {
+                renderer.render(studio(), Progress.NONE);
+                renderer.render(lit, Progress.NONE);
+                renderer.render(dark, Progress.NONE);
+                // Mirrors show that the light is off, but what is known of it there is of the intensity before.
+                renderer.updateReflections(Progress.NONE);
+            }
+            for (Scene scene : List.of(dark.withPicture(dark.picture().withDepth(0)), lit)) {
+                centers(later, scene);
+                atOnce.render(scene, Progress.NONE);
+            }
+            if (!later.isFinished()) {
+                later.finish(Progress.NONE);
+            }
+            assertThat(later.hasCurrentReflections()).isEqualTo(atOnce.hasCurrentReflections()).isTrue();
+            FilmAssert.assertSameBits(later.film(), atOnce.film(), "depth-and-back");
+            FilmAssert.assertSameBits(later.film(), new ReferenceTracer(lit).trace(), "depth-and-back");
+        }
+    }
+
+    @Test
+    void changedAccuracyBeforeSamples_updatesFinishedImage() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            renderer.render(studio(), Progress.NONE);
+            centers(renderer, key(0.5, true));
+            renderer.setOptions(RenderOptions.DEFAULT.withAccuracy(Accuracy.RATIO));
+            UpdateResult update = centers(renderer, key(0.5, true));
+            assertThat(update.plan()).isInstanceOf(UpdatePlan.Relight.class);
+            assertThat(renderer.isFinished()).isTrue();
+        }
+    }
+
+    @Test
+    void imageWithoutEdgeSamples_isFinishedImmediately() {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
+            for (AntialiasMode antialias : List.of(AntialiasMode.OFF, AntialiasMode.EVERY)) {
+                centers(renderer, sampled(studio(), new SamplingSettings(antialias, 2)));
+                assertThat(renderer.isFinished()).isTrue();
+            }
+            assertThatThrownBy(() -> renderer.finish(Progress.NONE)).isInstanceOf(IllegalStateException.class);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.format.jen.JenReader;
+import lightning.render.image.Film;
+import lightning.render.image.ViewTransform;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
+import lightning.sample.StudioScene;
+import lightning.scene.Environment;
+import lightning.scene.EnvironmentMap;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import lightning.scene.World;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+
+/** Which lights matter, held against the reference. */
+@Slow
+class LightContributionsTest {
+    private static final RenderOptions OPTIONS = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    @Property(tries = 25, edgeCases = EdgeCasesMode.NONE)
+    void imageWithoutLight_matchesReference(@ForAll("sessions") EditSession session) {
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            Scene scene = session.scenes().getLast();
+            renderer.render(scene, Progress.NONE);
+            Film picture = renderer.film().copy();
+            LightContributions found = LightContributions.of(renderer.cache(), OPTIONS, ViewTransform.DEFAULT,
+                    LightContributions.Region.ofFilm(picture), Progress.NONE);
+            assertThat(found.lights()).extracting(LightContribution::light).isEqualTo(scene.lights().stream().map(Light::name).toList());
+            for (LightContribution one : found.lights()) {
+                if (one.shines()) {
+                    Film filmOff = new ReferenceTracer(LightContributions.switchOff(scene, List.of(one.light()))).trace();
+                    assertThat(one.changeWhenOff())
+                            .isEqualTo(LightContribution.FilmChange.between(picture, filmOff, ViewTransform.DEFAULT));
+                    assertThat(one.regionShare()).isEqualTo(one.imageShare());
+                }
+            }
+            Film dark = new ReferenceTracer(LightContributions.switchOff(scene, found.idleLights())).trace();
+            assertThat(LightContribution.FilmChange.between(picture, dark, ViewTransform.DEFAULT)).isEqualTo(found.changeWhenIdleOff());
+            assertThat(found.changeWhenIdleOff().isInvisible()).isTrue();
+            assertThat(renderer.film().hasSameBits(picture)).as("the picture stays").isTrue();
+        }
+    }
+
+    private static LightContributions of(Scene scene, LightContributions.Region region) {
+        try (Renderer renderer = new Renderer(OPTIONS)) {
+            renderer.render(scene, Progress.NONE);
+            return LightContributions.of(renderer.cache(), OPTIONS, ViewTransform.DEFAULT, region, Progress.NONE);
+        }
+    }
+
+    @Test
+    void sharesOfAllLights_addUpToOne() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        Scene lit = scene.withWorld(scene.world().withAmbience(0).withBackground(lightning.base.math.Rgb.BLACK));
+        LightContributions found = of(lit, new LightContributions.Region(0, 0, 5, 5));
+        assertThat(found.lights().stream().mapToDouble(LightContribution::imageShare).sum()).isCloseTo(1, within(1e-6));
+        assertThat(found.lights()).extracting(LightContribution::regionShare)
+                .isNotEqualTo(found.lights().stream().map(LightContribution::imageShare).toList());
+    }
+
+    @Test
+    void invisibleLights_areIdle() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        List<Light> lights = new java.util.ArrayList<>(scene.lights());
+        lights.add(key.withName("dim").withIntensity(1e-7));
+        lights.add(key.withName("far below").withPosition(new Vec3(0, -1e6, 0)));
+        lights.add(key.withName("off").withOn(false));
+        LightContributions found = of(scene.withLights(lights), new LightContributions.Region(0, 0, 1, 1));
+        assertThat(found.idleLights()).contains("dim").doesNotContain(StudioScene.KEY, "off");
+        assertThat(found.lights().stream().filter(c -> c.light().equals("off")).findFirst().orElseThrow().shines()).isFalse();
+    }
+
+    /** A white wall that both lights meet head-on, so that all pixels are as bright as both: 0.5/255/12.92 is the least that is displayed as 1. */
+    @Test
+    void lightsVisibleOnlyTogether_areNotBothIdle() throws Exception {
+        Scene scene = JenReader.read("""
+                jen 1
+                picture { size 8 8  depth 0 }
+                camera { from 0 0 5  to 0 0 0 }
+                world { ambience 0  background 0 0 0 }
+                material white { diffuse 1 1 1  specular 0 0 0  ambient 0 0 0 }
+                plane wall { material white  rotate 90 0 0  scale 100 1 100 }
+                light a directional { direction 0 0 -1  intensity 0.00017 }
+                light b directional { direction 0 0 -1  intensity 0.00016 }
+                """, "wall", Path.of("")).scene();
+        LightContributions found = of(scene, new LightContributions.Region(0, 0, 1, 1));
+        assertThat(found.lights()).allMatch(one -> one.changeWhenOff().isInvisible() && !one.changeWhenOff().isNone());
+        assertThat(found.idleLights()).containsExactly("b");
+    }
+
+    @Test
+    void environmentShare_isLossWithoutIt() {
+        Scene scene = StudioScene.of(LightType.POINT);
+        float[] rgb = new float[3 * 8 * 4];
+        Arrays.fill(rgb, 0.5f);
+        World around = scene.world().withAmbience(0).withEnvironment(Optional.of(new Environment("sky.hdr", new EnvironmentMap(8, 4, rgb))))
+                .withLightCount(6);
+        Scene lit = scene.withWorld(around);
+        LightContribution environment = of(lit, new LightContributions.Region(0, 0, 5, 5)).environment().orElseThrow();
+        Film picture = new ReferenceTracer(lit).trace();
+        Film filmOff = new ReferenceTracer(scene.withWorld(around.withIntensity(0))).trace();
+        assertThat(environment.light()).isEqualTo("environment");
+        assertThat(environment.shines()).isTrue();
+        assertThat(environment.changeWhenOff()).isEqualTo(LightContribution.FilmChange.between(picture, filmOff, ViewTransform.DEFAULT));
+        Film alone = new ReferenceTracer(LightContributions.switchOff(lit, scene.lights().stream().map(Light::name).toList())).trace();
+        assertThat(environment.imageShare()).isCloseTo(luminance(alone) / luminance(picture), within(1e-5));
+        assertThat(of(scene, new LightContributions.Region(0, 0, 5, 5)).environment()).isEmpty();
+    }
+
+    private static double luminance(Film film) {
+        return LightContributions.Region.ofFilm(film).luminance(film);
+    }
+}

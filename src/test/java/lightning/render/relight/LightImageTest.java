@@ -1,0 +1,91 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
+import lightning.sample.StudioScene;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** One light's share of a picture, from what is known of it. */
+@Slow
+class LightImageTest {
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    /** Each case traces the reference for each light of each scene: as many as take no longer than another property's. */
+    @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+    void lightImage_matchesReferenceOfSingleLight(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
+            @ForAll @IntRange(min = 1, max = 2) int threads) {
+        try (Renderer renderer = new Renderer(new RenderOptions(Accuracy.EXACT, reflections, MirrorStorage.FULL_ROWS, threads))) {
+            for (int step = 0; step < session.scenes().size(); step++) {
+                Scene scene = session.scenes().get(step);
+                renderer.render(scene, Progress.NONE);
+                Film picture = renderer.film().copy();
+                for (Light light : scene.lights()) {
+                    Film expected = new ReferenceTracer(LightImage.scene(scene, light.name()),
+                            LightImage.scene(renderer.cache().mirroredScene(), light.name()))
+                            .trace(ReferenceCheck.referenceTracer(renderer.cache().scenes()));
+                    SessionAssert.assertSameBits(renderer.lightImage(light.name(), Progress.NONE), expected, "share", session, step,
+                            light.name());
+                }
+                assertThat(renderer.film().hasSameBits(picture)).as("the picture stays").isTrue();
+            }
+        }
+    }
+
+    @Test
+    void switchedOffLight_isBlack() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Scene dark = scene.withLight(scene.light(StudioScene.KEY).orElseThrow().withOn(false));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(dark, Progress.NONE);
+            Film share = renderer.lightImage(StudioScene.KEY, Progress.NONE);
+            assertThat(share.hasSameBits(Film.black(share.width(), share.height()))).isTrue();
+        }
+    }
+
+    @Test
+    void lightMutedBySolo_isBlack() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Light key = scene.light(StudioScene.KEY).orElseThrow();
+        Scene solo = scene.withLights(List.of(key, key.withName("other").withSolo(true)));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(solo, Progress.NONE);
+            Film share = renderer.lightImage(StudioScene.KEY, Progress.NONE);
+            assertThat(share.hasSameBits(Film.black(share.width(), share.height()))).isTrue();
+        }
+    }
+
+    @Test
+    void mirrorsStoredAsHitShapes_haveNoLightImage() {
+        Scene scene = StudioScene.of(LightType.SPOT);
+        Scene mirroring = scene.withPicture(scene.picture().withDepth(2));
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withStorage(MirrorStorage.HIT_SHAPES))) {
+            renderer.render(mirroring, Progress.NONE);
+            assertThatThrownBy(() -> renderer.lightImage(StudioScene.KEY, Progress.NONE)).isInstanceOf(IllegalStateException.class)
+                    .hasMessage("mirror levels are kept as hit shapes");
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package lightning.render.relight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import lightning.base.work.Progress;
+import lightning.render.image.Film;
+import lightning.render.relight.plan.Accuracy;
+import lightning.render.relight.plan.ReflectionMode;
+import lightning.render.relight.tile.MirrorStorage;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Scene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.constraints.IntRange;
+
+/** What lights give to a few pixels. */
+@Slow
+class LightThumbnailsTest {
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
+    void lightThumbnail_matchesLightImageBits(@ForAll("sessions") EditSession session, @ForAll Accuracy accuracy,
+            @ForAll ReflectionMode reflections, @ForAll @IntRange(min = 1, max = 70) int width,
+            @ForAll @IntRange(min = 1, max = 70) int height) {
+        try (Renderer renderer = new Renderer(new RenderOptions(accuracy, reflections, MirrorStorage.FULL_ROWS, 1))) {
+            for (Scene drawn : session.scenes()) {
+                Scene scene = drawn.picture().sampling().antialias() == AntialiasMode.EVERY ? drawn
+                        : drawn.withPicture(drawn.picture().withSampling(lightning.scene.SamplingSettings.DEFAULT));
+                renderer.render(scene, Progress.NONE);
+                LightThumbnails small = LightThumbnails.of(renderer.cache(), width, height);
+                assertThat(small.width()).isLessThanOrEqualTo(width);
+                assertThat(small.height()).isLessThanOrEqualTo(height);
+                if (scene.picture().sampling().antialias() != AntialiasMode.EVERY) {
+                    for (int l = 0; l < scene.lights().size(); l++) {
+                        assertPixels(small, small.lightImage(l), renderer.lightImage(scene.lights().get(l).name(), Progress.NONE), scene);
+                    }
+                }
+                assertPixels(small, small.image(), renderer.film(), scene);
+            }
+        }
+    }
+
+    private static void assertPixels(LightThumbnails small, float[] found, Film film, Scene scene) {
+        for (int y = 0; y < small.height(); y++) {
+            for (int x = 0; x < small.width(); x++) {
+                int px = (2 * x + 1) * scene.picture().width() / (2 * small.width());
+                int py = (2 * y + 1) * scene.picture().height() / (2 * small.height());
+                int i = 3 * (y * small.width() + x);
+                assertThat(new float[] {found[i], found[i + 1], found[i + 2]}).as("pixel %d %d", px, py)
+                        .containsExactly(film.red(px, py), film.green(px, py), film.blue(px, py));
+            }
+        }
+    }
+}

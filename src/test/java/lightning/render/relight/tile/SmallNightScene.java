@@ -1,0 +1,21 @@
+package lightning.render.relight.tile;
+
+import java.nio.file.Path;
+import lightning.format.jen.JenReader;
+import lightning.scene.Scene;
+
+/** A scene of thirty lights over so few pixels that it is traced again and again. */
+final class SmallNightScene {
+    static final Scene SCENE = read();
+
+    private SmallNightScene() {}
+
+    private static Scene read() {
+        try {
+            Scene scene = JenReader.read(Path.of("scenes/night.jen")).scene();
+            return scene.withPicture(scene.picture().withSize(70, 50));
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

@@ -1,0 +1,150 @@
+package lightning.render.shading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.scene.AreaShape;
+import lightning.scene.Attenuation;
+import lightning.scene.Camera;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.Material;
+import lightning.scene.PictureSettings;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import lightning.scene.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Larger lights against formulas, and their samples against many more. */
+class AreaLightSamplesTest {
+    private static final Shape FLOOR = new Shape(Solid.PLANE, "floor", "white", placement(Vec3.ZERO, new Vec3(50, 1, 50)));
+
+    private static Placement placement(Vec3 at, Vec3 scale) {
+        return new Placement(at, Vec3.ZERO, scale);
+    }
+
+    /** A white floor seen from straight above, by a camera that is under the light. */
+    private static Scene floor(int size, List<SceneNode> nodes, Light light) {
+        Material white = Material.of("white").withAmbient(Rgb.BLACK).withDiffuse(Rgb.WHITE);
+        return new Scene(new PictureSettings(size, size, 0), new Camera(new Vec3(0, 0.5, 0), Vec3.ZERO, new Vec3(0, 0, 1), 90),
+                new World(0, Rgb.BLACK), List.of(white), nodes, List.of(light));
+    }
+
+    private static Light lightAbove(LightType type, UnaryOperator<AreaShape> area) {
+        return Light.of("l", type).withPosition(new Vec3(0, 2, 0)).withDirection(new Vec3(0, -1, 0))
+                .withAttenuation(new Attenuation(0, 0, 1)).withArea(area.apply(AreaShape.DEFAULT.withSamples(64)));
+    }
+
+    /** The form factor between a point and a rectangle over whose middle it is, four times that over a corner (Howell, B-3), by π over the area. */
+    @Test
+    void rectLight_litFloorMatchesFormFactor() {
+        double x = 0.75;
+        double y = 0.5;
+        double corner = (x / Math.hypot(1, x) * Math.atan(y / Math.hypot(1, x)) + y / Math.hypot(1, y) * Math.atan(x / Math.hypot(1, y)))
+                / (2 * Math.PI);
+        double expected = 4 * corner * Math.PI / (4 * 4 * x * y);
+        Scene scene = floor(9, List.of(FLOOR), lightAbove(LightType.RECT, a -> a.withWidth(4 * x).withHeight(4 * y)));
+        assertThat(new ReferenceTracer(scene).pixel(4, 4)[0]).isCloseTo((float) expected, within(0.005f * (float) expected));
+    }
+
+    /** A disc of radius r at height h lights the point under its middle by π·r²/(r² + h²) over its area (Howell, B-12). */
+    @Test
+    void discLight_litFloorMatchesFormFactor() {
+        float expected = 1f / (1 + 4);
+        Scene scene = floor(9, List.of(FLOOR), lightAbove(LightType.DISC, a -> a.withRadius(1)));
+        assertThat(new ReferenceTracer(scene).pixel(4, 4)[0]).isCloseTo(expected, within(0.005f * expected));
+    }
+
+    @Test
+    void rectLightOnCeiling_isNotShadowedByCeiling() {
+        Shape ceiling = new Shape(Solid.PLANE, "ceiling", "white", placement(new Vec3(0, 2, 0), new Vec3(9, 1, 9)));
+        Light light = lightAbove(LightType.RECT, a -> a.withWidth(1.7).withHeight(0.9));
+        float free = new ReferenceTracer(floor(9, List.of(FLOOR), light)).pixel(2, 3)[0];
+        assertThat(new ReferenceTracer(floor(9, List.of(FLOOR, ceiling), light)).pixel(2, 3)[0]).isEqualTo(free).isPositive();
+    }
+
+    /** Of a light that a floor cuts in two, the half that is above lights it. */
+    @Test
+    void sphereLightCutByFloor_lightsWithUpperHalf() {
+        Light whole = lightAbove(LightType.POINT, a -> a.withRadius(0.4)).withPosition(new Vec3(0.3, 0.4, 0));
+        Light half = whole.withPosition(new Vec3(0.3, 0, 0));
+        double above = new ReferenceTracer(floor(9, List.of(FLOOR), whole)).pixel(1, 4)[0];
+        double cut = new ReferenceTracer(floor(9, List.of(FLOOR), half)).pixel(1, 4)[0];
+        assertThat(cut).isPositive().isLessThan(above);
+        int facing = 0;
+        LightSource source = LightSource.of(half, floor(9, List.of(FLOOR), half));
+        for (int s = 0; s < source.samples().samples(); s++) {
+            facing += source.samples().position(3, s).y() > -0.5 ? 1 : 0;
+        }
+        assertThat(facing).isBetween(30, 34);
+    }
+
+    /** What is over the edge of a wide shade sees half of what it would see without it. */
+    @ParameterizedTest
+    @EnumSource(value = LightType.class, names = "SPOT", mode = EnumSource.Mode.EXCLUDE)
+    void halfOccludedLight_isHalfAsBright(LightType type) {
+        Shape shade = new Shape(Solid.PLANE, "shade", "white", placement(new Vec3(5, 1, 0), new Vec3(10, 1, 10)));
+        Light light = lightAbove(type, a -> a.withRadius(0.5).withSpread(10));
+        double free = new ReferenceTracer(floor(9, List.of(FLOOR), light)).pixel(4, 4)[0];
+        double half = new ReferenceTracer(floor(9, List.of(FLOOR, shade), light)).pixel(4, 4)[0];
+        assertThat(half / free).isCloseTo(0.5, within(1.0 / 16));
+    }
+
+    /** All turns of 64 samples are 1024 places; the error of n of them falls faster than that of n drawn at random, 1/√n. */
+    @ParameterizedTest
+    @EnumSource(LightType.class)
+    void fewSamples_approximateThousandSamples(LightType type) {
+        double four = error(type, 4);
+        double sixteen = error(type, 16);
+        double all = error(type, 64);
+        assertThat(sixteen).isLessThan(four / 2);
+        assertThat(all).isLessThan(sixteen / 2);
+    }
+
+    /** Root mean square of visibility less that of 1024 samples, over points in a ball's penumbra, of full light. */
+    static double error(LightType type, int samples) {
+        Light light = lightAbove(type, a -> a.withRadius(0.6).withSpread(12)).withAngle(80);
+        Scene scene = floor(9, List.of(FLOOR), light);
+        AreaSamples few = LightSource.of(light.withArea(light.area().withSamples(samples)), scene).samples();
+        AreaSamples many = LightSource.of(light, scene).samples();
+        double squares = 0;
+        int points = 0;
+        for (int i = 0; i < 400; i++) {
+            double x = i % 20 * 0.06 - 0.6;
+            double z = i / 20 * 0.06 - 0.6;
+            Vec3 point = new Vec3(x, -0.5, z);
+            double truth = 0;
+            for (int t = 0; t < AreaSamples.ROTATIONS; t++) {
+                truth += visible(many, t, point, type) / AreaSamples.ROTATIONS;
+            }
+            if (truth > 0 && truth < 1) {
+                double off = visible(few, i % AreaSamples.ROTATIONS, point, type) - truth;
+                squares += off * off;
+                points++;
+            }
+        }
+        return Math.sqrt(squares / points);
+    }
+
+    /** The share of samples that a point sees past a ball of radius 0.4 between it and the light. */
+    private static double visible(AreaSamples area, int rotation, Vec3 point, LightType type) {
+        int visibleCount = 0;
+        for (int s = 0; s < area.samples(); s++) {
+            Vec3 to = area.position(rotation, s);
+            Vec3 toTarget = (type.hasPosition() ? to.minus(point) : to).normalized();
+            Vec3 center = new Vec3(0.1, 0.3, 0.05).minus(point);
+            double along = center.dot(toTarget);
+            visibleCount += along > 0 && center.minus(toTarget.times(along)).length() < 0.4 ? 0 : 1;
+        }
+        return (double) visibleCount / area.samples();
+    }
+}

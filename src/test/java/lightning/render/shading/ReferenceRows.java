@@ -1,0 +1,122 @@
+package lightning.render.shading;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import lightning.base.math.Ray;
+import lightning.base.math.Vec3;
+import lightning.render.trace.Geometry;
+import lightning.render.trace.PixelRays;
+import lightning.render.trace.SurfacePoint;
+import lightning.scene.Light;
+import lightning.scene.Scene;
+
+/**
+ * The hit rows of a picture and how each light meets them, found ray by ray without any cache: what the
+ * renderer's counts are checked against.
+ */
+public final class ReferenceRows {
+    private final Scene scene;
+    private final Geometry geometry;
+    private final List<List<SurfacePoint>> levels = new ArrayList<>();
+
+    public ReferenceRows(Scene scene) {
+        this.scene = scene;
+        geometry = new Geometry(scene);
+        PixelRays eye = new PixelRays(scene);
+        List<Ray> rays = new ArrayList<>();
+        for (int y = 0; y < scene.picture().height(); y++) {
+            for (int x = 0; x < scene.picture().width(); x++) {
+                rays.add(eye.ray(x, y));
+            }
+        }
+        for (int k = 0; k <= scene.picture().depth(); k++) {
+            levels.add(hits(rays));
+            rays = levels.get(k).stream().filter(this::isMirror).map(SurfacePoint::reflectedRay).toList();
+        }
+    }
+
+    private List<SurfacePoint> hits(List<Ray> rays) {
+        List<SurfacePoint> hits = new ArrayList<>();
+        for (Ray ray : rays) {
+            int shape = geometry.nearestBruteForce(ray);
+            if (shape >= 0) {
+                hits.add(geometry.surface(shape, ray));
+            }
+        }
+        return hits;
+    }
+
+    /** Whether anything is seen through a clear surface that the eye sees. */
+    public boolean hasRefractedHits() {
+        return rowsOfLevel(0).stream().filter(row -> row.backSide() != null).map(SurfacePoint::refractedRay)
+                .anyMatch(ray -> ray != null && geometry.nearestBruteForce(ray) >= 0);
+    }
+
+    /** Whether a row casts a mirrored ray. */
+    public boolean isMirror(SurfacePoint row) {
+        return geometry.materials().isReflective(row.material());
+    }
+
+    /** The rows seen over {@code level} mirrors. */
+    public List<SurfacePoint> rowsOfLevel(int level) {
+        return levels.get(level);
+    }
+
+    /** How many rows of a level are of some kind. */
+    public long count(int level, Predicate<SurfacePoint> kind) {
+        return rowsOfLevel(level).stream().filter(kind).count();
+    }
+
+    /** How many rows all levels from {@code first} on have together. */
+    public long rowsFrom(int first) {
+        return levels.subList(first, levels.size()).stream().mapToLong(List::size).sum();
+    }
+
+    private LightingEquation equation(SurfacePoint p, Light light) {
+        LightingEquation equation = new LightingEquation(LightSource.of(light, scene));
+        equation.moveTo(p.px(), p.py(), p.pz(), p.nx(), p.ny(), p.nz());
+        return equation;
+    }
+
+    /** Rows that face a light. */
+    public Predicate<SurfacePoint> isFacing(Light light) {
+        return p -> equation(p, light).cosine(p.nx(), p.ny(), p.nz()) > 0;
+    }
+
+    /** Rows inside a light's cone; all for a light without one. */
+    public Predicate<SurfacePoint> isInsideCone(Light light) {
+        return p -> equation(p, light).insideCone();
+    }
+
+    /** Rows that face a light inside its cone: those that need to know the way to it. */
+    public Predicate<SurfacePoint> isReached(Light light) {
+        return isFacing(light).and(isInsideCone(light));
+    }
+
+    /** Rows with nothing between them and a light. */
+    public Predicate<SurfacePoint> isUnblocked(Light light) {
+        LightSource source = LightSource.of(light, scene);
+        return p -> {
+            Vec3 point = new Vec3(p.px(), p.py(), p.pz());
+            return light.type().hasPosition()
+                    ? !geometry.isBlockedBruteForce(point, geometry.shadowRayTarget(source.position()))
+                    : !geometry.isBlockedBruteForce(new Ray(point, source.position()), Double.POSITIVE_INFINITY);
+        };
+    }
+
+    /** Rows that a light lights. */
+    public Predicate<SurfacePoint> isLit(Light light) {
+        return isReached(light).and(isUnblocked(light));
+    }
+
+    /** Rows that face a light inside its cone, with something in between. */
+    public Predicate<SurfacePoint> isShadowed(Light light) {
+        return isReached(light).and(isUnblocked(light).negate());
+    }
+
+    /** Rows that face a light and are outside its cone. */
+    public Predicate<SurfacePoint> isOutsideCone(Light light) {
+        return isFacing(light).and(isInsideCone(light).negate());
+    }
+}

@@ -1,0 +1,54 @@
+package lightning.render.warmup;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import lightning.sample.StudioScene;
+import lightning.scene.AntialiasMode;
+import lightning.scene.Light;
+import lightning.scene.LightType;
+import lightning.scene.PictureSettings;
+import lightning.scene.SamplingSettings;
+import lightning.scene.Scene;
+import org.junit.jupiter.api.Test;
+
+class LongRenderCheckTest {
+
+    @Test
+    void estimate_countsOneShadowRayPerPixelAndLight() {
+        assertThat(LongRenderCheck.estimateRays(scene(1920, 1080, lights(30)))).isEqualTo(1920L * 1080 * 31);
+    }
+
+    @Test
+    void estimate_areaLight_countsItsSamples() {
+        List<Light> lights = lights(1);
+        Light area = lights.getFirst().withArea(lights.getFirst().area().withRadius(1).withSamples(64));
+        assertThat(LongRenderCheck.estimateRays(scene(100, 100, List.of(area)))).isEqualTo(100L * 100 * 65);
+    }
+
+    @Test
+    void estimate_antialiasing_countsAllSamples() {
+        Scene scene = scene(100, 100, lights(2));
+        Scene fine = scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 4)));
+        assertThat(LongRenderCheck.estimateRays(fine)).isEqualTo(100L * 100 * 16 * 3);
+    }
+
+    @Test
+    void hundredMillionRays_isLong() {
+        assertThat(LongRenderCheck.isLong(scene(10_000, 5_000, lights(1)))).isTrue();
+        assertThat(LongRenderCheck.isLong(scene(10_000, 4_999, lights(1)))).isFalse();
+    }
+
+    private static Scene scene(int width, int height, List<Light> lights) {
+        return StudioScene.of(LightType.POINT).withLights(lights).withPicture(new PictureSettings(width, height, 0));
+    }
+
+    private static List<Light> lights(int count) {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            lights.add(Light.of("lamp" + i, LightType.POINT));
+        }
+        return lights;
+    }
+}

@@ -1,0 +1,56 @@
+package lightning.sample;
+
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * What the fuzzers share. {@code -Dlightning.tries=N} makes N tries, {@code -Dlightning.fuzz.seed=S} others than the usual ones; a
+ * try is told by its number, and made again by the same seed.
+ */
+public final class ByteFuzzer {
+    private static final long SEED = Long.getLong("lightning.fuzz.seed", 1);
+
+    private ByteFuzzer() {}
+
+    /** How many tries to make. */
+    public static int tryCount(int usual) {
+        return Integer.getInteger("lightning.tries", usual);
+    }
+
+    /** The random numbers of one try. */
+    public static SplittableRandom random(int number) {
+        return new SplittableRandom(SEED + number);
+    }
+
+    /**
+     * One of the texts with one to three changes: a byte or a bit put in, some bytes cut out, the end of another text.
+     *
+     * @param bits what is put in, hostile to the reader
+     */
+    public static byte[] mutate(List<byte[]> pool, SplittableRandom random, List<byte[]> bits) {
+        byte[] bytes = pool.get(random.nextInt(pool.size())).clone();
+        for (int i = random.nextInt(3); i >= 0; i--) {
+            int position = random.nextInt(bytes.length + 1);
+            int to = Math.min(bytes.length, position + random.nextInt(8));
+            bytes = switch (random.nextInt(5)) {
+                case 0 -> join(bytes, position, new byte[] {(byte) random.nextInt(256)}, bytes, position);
+                case 1 -> join(bytes, position, new byte[0], bytes, to);
+                case 2 -> {
+                    byte[] donor = pool.get(random.nextInt(pool.size()));
+                    yield join(bytes, position, new byte[] {' '}, donor, random.nextInt(donor.length + 1));
+                }
+                case 3 -> join(bytes, position, bits.get(random.nextInt(bits.size())), bytes, position);
+                default -> join(bytes, position, bits.get(random.nextInt(bits.size())), bytes, to);
+            };
+        }
+        return bytes;
+    }
+
+    private static byte[] join(byte[] a, int to, byte[] between, byte[] b, int rest) {
+        byte[] all = new byte[to + between.length + b.length - rest];
+        System.arraycopy(a, 0, all, 0, to);
+        System.arraycopy(between, 0, all, to, between.length);
+        System.arraycopy(b, rest, all, to + between.length, b.length - rest);
+        return all;
+    }
+}

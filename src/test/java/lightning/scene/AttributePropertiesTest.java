@@ -1,0 +1,140 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import lightning.base.work.Progress;
+import lightning.editor.document.LightEdits;
+import lightning.render.relight.Renderer;
+import lightning.render.relight.tile.RenderOptions;
+import lightning.render.shading.ReferenceTracer;
+import lightning.sample.AttributeArbitraries;
+import lightning.sample.AttributeArbitraries.Changed;
+import lightning.sample.Slow;
+import lightning.sample.StudioScene;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.Example;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+
+/** What holds of every attribute that the tables have, whichever: no place may forget one. */
+class AttributePropertiesTest {
+    /** On a shape of the studio. */
+    private static final String MATT = "matt";
+    /** Words of scene files that differ from those of the program. */
+    private static final Map<String, String> KEYWORDS = Map.of("light group", "bank", "light count", "lamps");
+
+    @Provide
+    Arbitrary<Changed<Light>> lights() {
+        return AttributeArbitraries.lights();
+    }
+
+    @Provide
+    Arbitrary<Changed<Material>> materials() {
+        return AttributeArbitraries.materials(MATT);
+    }
+
+    @Example
+    void everyRecordComponent_isAnAttribute() {
+        assertThat(titles(LightAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Light.class));
+        assertThat(titles(MaterialAttribute.ALL)).containsExactlyInAnyOrderElementsOf(components(Material.class));
+        // People are told whose intensity and rotation it is.
+        assertThat(World.ATTRIBUTES.stream().map(SceneAttribute::name)).containsExactlyInAnyOrderElementsOf(components(World.class));
+    }
+
+    private static List<String> titles(List<? extends SceneAttribute<?, ?>> attributes) {
+        return attributes.stream().map(SceneAttribute::title).toList();
+    }
+
+    private static List<String> components(Class<? extends Record> type) {
+        return Arrays.stream(type.getRecordComponents()).flatMap(AttributePropertiesTest::names).filter(n -> !n.equals("name"))
+                .map(AttributePropertiesTest::words).toList();
+    }
+
+    private static String words(String component) {
+        String words = component.replaceAll("(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+        return KEYWORDS.getOrDefault(words, words);
+    }
+
+    /** An area's components are attributes of their light, a relief's, a clarity's and a cut-out's of their material. */
+    private static Stream<String> names(RecordComponent component) {
+        return component.getType() == AreaShape.class || component.getType() == BumpMapping.class
+                || component.getType() == Transmission.class
+                || component.getType() == AlphaCutout.class
+                        ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(component.getName());
+    }
+
+    @Property
+    void setValue_changesOnlyThatAttribute(@ForAll("lights") Changed<Light> changed) {
+        for (LightAttribute<?> attribute : LightAttribute.ALL) {
+            if (attribute != changed.attribute()) {
+                assertThat(attribute.get(changed.after())).as(attribute.title()).isEqualTo(attribute.get(changed.before()));
+            }
+        }
+        assertThat(copy(changed.attribute(), changed.after(), changed.before())).isEqualTo(changed.after());
+    }
+
+    private static <T> T copy(SceneAttribute<T, ?> attribute, T from, T to) {
+        return attribute.copy(from, to);
+    }
+
+    @Property
+    void changedAttribute_isDescribed(@ForAll("lights") Changed<Light> light, @ForAll("materials") Changed<Material> material) {
+        Scene studio = StudioScene.of(LightType.SPOT);
+        assertDescribed(light.attribute(), light, studio.withLight(light.before()), studio.withLight(light.after()));
+        assertDescribed(material.attribute(), material, studio.withMaterial(material.before()), studio.withMaterial(material.after()));
+    }
+
+    private static <T> void assertDescribed(SceneAttribute<T, ?> attribute, Changed<T> changed, Scene before, Scene after) {
+        String was = attribute.format(changed.before());
+        String is = attribute.format(changed.after());
+        if (!was.equals(is)) {
+            assertThat(SceneDiff.summarize(before, after)).endsWith(": " + attribute.title() + " " + was + " → " + is);
+        } else if (!changed.before().equals(changed.after())) {
+            assertThat(SceneDiff.summarize(before, after)).endsWith(": a little");
+        }
+    }
+
+    @Property
+    void pastedSettings_excludePositionAndSwitches(@ForAll("lights") Changed<Light> changed) {
+        Scene scene = StudioScene.of(LightType.SPOT).withLight(changed.before());
+        Scene pasted = LightEdits.pasteSettings(scene, StudioScene.KEY, changed.after()).sceneOr(scene);
+        boolean stays = List.of(LightAttribute.POSITION, LightAttribute.DIRECTION, LightAttribute.ON, LightAttribute.SOLO,
+                LightAttribute.ILLUMINATES, LightAttribute.SHADOWED_BY)
+                .contains(changed.attribute());
+        assertThat(pasted.lights()).containsExactly(stays ? changed.before() : changed.after());
+    }
+
+    /** What is said to be unseen is unseen, and an update by the difference that was found gives the full trace's bits. */
+    @Property(tries = 400, edgeCases = EdgeCasesMode.NONE)
+    @Slow
+    void changedLight_matchesFullTrace(@ForAll("lights") Changed<Light> changed) {
+        Scene studio = StudioScene.of(changed.before().type());
+        assertUpdated(studio.withLight(changed.before()), studio.withLight(changed.after()), changed.attribute());
+    }
+
+    @Property(tries = 150, edgeCases = EdgeCasesMode.NONE)
+    void changedMaterial_matchesFullTrace(@ForAll("materials") Changed<Material> changed) {
+        Scene studio = StudioScene.of(LightType.SPOT);
+        assertUpdated(studio.withMaterial(changed.before()), studio.withMaterial(changed.after()), changed.attribute());
+    }
+
+    private static void assertUpdated(Scene before, Scene after, SceneAttribute<?, ?> attribute) {
+        var full = new ReferenceTracer(after).trace();
+        if (VisibleState.isSame(before, after)) {
+            assertThat(new ReferenceTracer(before).trace().hasSameBits(full)).as("%s is not seen", attribute).isTrue();
+        }
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withThreads(1))) {
+            renderer.render(before, Progress.NONE);
+            String plan = renderer.render(after, Progress.NONE).plan().description();
+            assertThat(renderer.film().hasSameBits(full)).as("%s: %s", attribute, plan).isTrue();
+        }
+    }
+}

@@ -1,0 +1,163 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** What is seen of a sky, and the lamps that it is cut into. */
+class EnvironmentMapTest {
+    private static EnvironmentMap sky(int width, int height, long seed) {
+        var random = new Random(seed);
+        float[] rgb = new float[3 * width * height];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = random.nextInt(4) == 0 ? 0 : (float) Math.exp(random.nextGaussian() * 3);
+        }
+        return new EnvironmentMap(width, height, rgb);
+    }
+
+    private static double[] radiance(EnvironmentMap sky, double x, double y, double z, double turn) {
+        double[] to = new double[3];
+        sky.radiance(x, y, z, turn, to);
+        return to;
+    }
+
+    /** Four pixels side by side: +z to −x, −x to −z, −z to x, x to +z. */
+    private static final EnvironmentMap FOUR = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
+
+    @Test
+    void center_isMinusZ_rightHalfIsX() {
+        assertThat(radiance(FOUR, 0, 0, -1, 0)[0]).isEqualTo(2.5, within(1e-12));
+        assertThat(radiance(FOUR, 1, 0, 0, 0)[0]).isEqualTo(3.5, within(1e-12));
+        assertThat(radiance(FOUR, 0, 0, 1, 0)[0]).as("around the sides").isEqualTo(2.5, within(1e-12));
+        assertThat(radiance(FOUR, -1, 0, 0, 0)[0]).isEqualTo(1.5, within(1e-12));
+    }
+
+    @Test
+    void top_isUp() {
+        EnvironmentMap two = new EnvironmentMap(1, 2, new float[] {5, 0, 0, 1, 0, 0});
+        assertThat(radiance(two, 0, 1, 0, 0)[0]).isEqualTo(5);
+        assertThat(radiance(two, 0, -1, 0, 0)[0]).isEqualTo(1);
+        assertThat(radiance(two, 0.6, 0, -0.8, 0)[0]).isEqualTo(3, within(1e-12));
+    }
+
+    /** A shape at −z that is turned by 90 degrees about y is at −x. */
+    @Test
+    void rotation_matchesShapeRotation() {
+        assertThat(radiance(FOUR, -1, 0, 0, 90)[0]).isEqualTo(2.5, within(1e-12));
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
+        List<Light> lights = world.environmentLights(_ -> false);
+        List<Light> turned = world.withRotation(90).environmentLights(_ -> false);
+        for (int i = 0; i < 4; i++) {
+            Vec3 d = lights.get(i).direction();
+            assertThat(turned.get(i).direction().minus(new Vec3(d.z(), d.y(), -d.x())).length()).isLessThan(1e-12);
+        }
+    }
+
+    /** All light of the picture is in the lamps: its integral over π, whatever the number of lamps. */
+    @Property
+    void lights_preserveTotalEnergy(@ForAll @IntRange(min = 1, max = 600) int width, @ForAll @IntRange(min = 1, max = 40) int height,
+            @ForAll @IntRange(min = 4, max = 64) int maxLights, @ForAll long seed) {
+        EnvironmentMap sky = sky(width, height, seed);
+        double[] lights = new double[3];
+        double sphere = 0;
+        for (int y = 0; y < height; y++) {
+            sphere += width * sky.solidAngle(y);
+            for (int x = 0; x < width; x++) {
+                for (int c = 0; c < 3; c++) {
+                    lights[c] += sky.channel(x, y, c) * sky.solidAngle(y) / Math.PI;
+                }
+            }
+        }
+        assertThat(sphere).isEqualTo(4 * Math.PI, within(1e-12 * 4 * Math.PI));
+        List<EnvironmentLight> lamps = sky.lights(maxLights);
+        assertThat(lamps).hasSizeBetween(1, maxLights);
+        // Sums of at most 24,000 terms that are not negative, each of them off by a rounding at most: 24,000 · 2⁻⁵³ of the sum, on both sides.
+        double bound = 2 * 24_010 * 0x1p-53;
+        assertThat(lamps.stream().mapToDouble(EnvironmentLight::red).sum()).isEqualTo(lights[0], within(bound * lights[0]));
+        assertThat(lamps.stream().mapToDouble(EnvironmentLight::green).sum()).isEqualTo(lights[1], within(bound * lights[1]));
+        assertThat(lamps.stream().mapToDouble(EnvironmentLight::blue).sum()).isEqualTo(lights[2], within(bound * lights[2]));
+        lamps.forEach(lamp -> assertThat(lamp.direction().length()).isEqualTo(1, within(1e-12)));
+    }
+
+    @Test
+    void smallSun_getsOneLight() {
+        float[] rgb = new float[3 * 64 * 32];
+        java.util.Arrays.fill(rgb, 0.01f);
+        rgb[3 * (8 * 64 + 40)] = 1e5f;
+        List<EnvironmentLight> lamps = new EnvironmentMap(64, 32, rgb).lights(16);
+        EnvironmentLight sun = lamps.stream().max(java.util.Comparator.comparingDouble(EnvironmentLight::red)).orElseThrow();
+        double polar = Math.PI * 8.5 / 32;
+        double around = 2 * Math.PI * (40.5 / 64 - 0.5);
+        Vec3 sunLights = new Vec3(Math.sin(polar) * Math.sin(around), Math.cos(polar), -Math.sin(polar) * Math.cos(around));
+        assertThat(sun.direction().minus(sunLights).length()).isLessThan(0.01);
+    }
+
+    /** Of all parts of one solid angle a cap has the longest mean direction, so that what is no cap is spread farther. */
+    @Property
+    void uniformSky_lightsCoverTheirRegions(@ForAll @IntRange(min = 32, max = 256) int width,
+            @ForAll @IntRange(min = 4, max = 64) int maxLights) {
+        float[] rgb = new float[3 * width * (width / 2)];
+        java.util.Arrays.fill(rgb, 1);
+        for (EnvironmentLight lamp : new EnvironmentMap(width, width / 2, rgb).lights(maxLights)) {
+            double cap = Math.toDegrees(Math.acos(1 - lamp.red() * Math.PI / (2 * Math.PI)));
+            // The caps that cells are taken for shorten a direction by less than the cells do.
+            assertThat(lamp.spread()).isBetween(0.99 * cap, Math.min(90, 2 * cap));
+        }
+    }
+
+    @Test
+    void singlePixelLight_coversThePixel() {
+        float[] rgb = new float[3 * 64 * 32];
+        rgb[3 * (8 * 64 + 40)] = 5;
+        EnvironmentMap sky = new EnvironmentMap(64, 32, rgb);
+        List<EnvironmentLight> lit = sky.lights(16).stream().filter(lamp -> lamp.red() > 0).toList();
+        assertThat(lit).hasSize(1);
+        assertThat(lit.getFirst().spread()).isEqualTo(Math.toDegrees(Math.acos(1 - sky.solidAngle(8) / (2 * Math.PI))), within(1e-6));
+        assertThat(new EnvironmentMap(1, 1, new float[] {1, 1, 1}).lights(4).getFirst().spread()).isEqualTo(90);
+    }
+
+    @Test
+    void softness_scalesSpread() {
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR))).withLightCount(4);
+        assertThat(world.environmentLights(_ -> false)).noneMatch(Light::isArea);
+        List<EnvironmentLight> lamps = FOUR.lights(4);
+        List<Light> half = world.withSoftness(0.5).environmentLights(_ -> false);
+        for (int i = 0; i < 4; i++) {
+            assertThat(half.get(i).area().spread()).isEqualTo(lamps.get(i).spread() / 2).isPositive();
+        }
+    }
+
+    @Test
+    void blackSky_givesBlackLight() {
+        assertThat(new EnvironmentMap(3, 2, new float[18]).lights(16)).hasSize(1).allSatisfy(lamp -> assertThat(lamp.red()).isZero());
+    }
+
+    /** The sun of a file may have a name that the lamps would have. */
+    @Test
+    void environmentLights_haveUniqueNames() {
+        World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR)));
+        assertThat(world.environmentLights("environment 1"::equals).getFirst().name()).isEqualTo("environment' 1");
+    }
+
+    @Test
+    void whiteSurfaceUnderUniformSky_hasSkyRadiance() {
+        float[] rgb = new float[3 * 64 * 32];
+        java.util.Arrays.fill(rgb, 1);
+        double sum = 0;
+        for (EnvironmentLight lamp : new EnvironmentMap(64, 32, rgb).lights(64)) {
+            sum += lamp.red() * Math.max(lamp.direction().y(), 0);
+        }
+        // 64 lamps of some 0.2 sr each stand for what they are in the middle of: their cosines' mean is off by less than their width, 0.25.
+        assertThat(sum).isEqualTo(1, within(0.25));
+        assertThat(Rgb.WHITE.r()).isEqualTo(1);
+    }
+}

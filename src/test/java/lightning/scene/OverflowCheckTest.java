@@ -1,0 +1,60 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.MaterialEdits;
+import lightning.format.jen.JenException;
+import lightning.format.jen.JenReader;
+import org.junit.jupiter.api.Test;
+
+class OverflowCheckTest {
+    private static final String BRIGHT = """
+            camera { from 0 0 5 to 0 0 0 }
+            material "wall" { specular 1 1 1 }
+            sphere "ball" { material "wall" }
+            light "sun" directional { intensity 1e30 color 1000 1 1 }
+            """;
+    private static final String GOLD = "material \"gold\" { model metallic roughness 0 }\n";
+
+    private static Scene read(String text) throws JenException {
+        return JenReader.read("jen 1\n" + text, "sun.jen", Path.of("")).scene();
+    }
+
+    @Test
+    void oldFormatIntensity_isAccepted() throws JenException {
+        assertThat(read(BRIGHT).light("sun").orElseThrow().weight().max()).isEqualTo(1e3 * 1e30);
+    }
+
+    @Test
+    void roughMetal_allowsSameIntensity() throws JenException {
+        assertThat(read(BRIGHT + GOLD.replace("roughness 0", "roughness 0.3")).material("gold")).isPresent();
+    }
+
+    @Test
+    void smoothMetal_isReportedAtBrightestLight() {
+        assertThatThrownBy(() -> read("light \"dim\" point { on no }\n" + BRIGHT + GOLD)).isInstanceOf(JenException.class)
+                .hasMessageContaining("sun.jen:6:").hasMessageContaining("light 'sun': colour times intensity of all lights must add up "
+                        + "to at most 1.66e28 before metallic material 'gold', which has highlights so sharp, was 1e33");
+    }
+
+    @Test
+    void tooBrightEdit_isRejected() throws JenException {
+        Scene rough = read(BRIGHT + GOLD.replace("roughness 0", "roughness 0.3"));
+        assertThat(MaterialEdits.edit(rough, "gold", m -> m.withRoughness(0)).refusal()).isPresent();
+        Scene dim = rough.withLight(rough.light("sun").orElseThrow().withIntensity(1e20));
+        Scene smooth = MaterialEdits.edit(dim, "gold", m -> m.withRoughness(0)).sceneOr(dim);
+        assertThat(smooth).isNotEqualTo(dim);
+        assertThat(LightEdits.edit(smooth, "sun", l -> l.withIntensity(1e30)).refusal()).isPresent();
+    }
+
+    /** What is switched on, or leaves a bank that dims it, would be too bright then. */
+    @Test
+    void darkLight_countsAsLit() throws JenException {
+        String dark = BRIGHT.replace("1e30", "1e30 bank \"dim\" on no") + "bank \"dim\" { intensity 0 }\n";
+        assertThat(read(dark).lights()).hasSize(1);
+        assertThatThrownBy(() -> read(dark + GOLD)).isInstanceOf(JenException.class);
+    }
+}

@@ -1,0 +1,86 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import lightning.base.math.Rgb;
+import lightning.base.math.Vec3;
+import lightning.editor.document.DeskScene;
+import org.junit.jupiter.api.Test;
+
+class SceneDiffTest {
+    private final Scene scene = DeskScene.scene();
+    private final Light sun = DeskScene.light(scene, "sun");
+
+    private String diffTo(Scene after) {
+        return SceneDiff.describe(scene, after);
+    }
+
+    @Test
+    void attributes_showBothValues() {
+        assertThat(diffTo(scene.withLight(sun.withColor(new Rgb(1, 0, 0)).withIntensity(1 / 3.0).withOn(false))))
+                .isEqualTo("sun: color 1 1 1 → 1 0 0, intensity 0.3 → 0.3333, on yes → no");
+        assertThat(diffTo(scene.withLight(sun.withType(LightType.SPOT).withAngle(12).withPosition(new Vec3(4, 5, 6)))))
+                .isEqualTo("sun: type directional → spot, position 1 2 3 → 4 5 6, angle 30 → 12");
+        assertThat(diffTo(scene.withWorld(scene.world().withAmbience(0.1)))).isEqualTo("ambience 1 → 0.1");
+        assertThat(diffTo(scene.withPicture(scene.picture().withDepth(9)))).isEqualTo("depth 2 → 9");
+        assertThat(diffTo(scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 3)))))
+                .isEqualTo("anti-aliasing off 4 × 4 → edges 3 × 3");
+        assertThat(diffTo(scene.withWorld(scene.world().withBackground(Rgb.WHITE)))).isEqualTo("the scene");
+    }
+
+    @Test
+    void materials_showBothValues() {
+        Scene textured = scene.withMaterial(scene.material("mirror").orElseThrow()
+                .withTexture(Optional.of(new TextureMap("wood.png", 2, 1, new Texture(1, 1, new float[3])))));
+        assertThat(diffTo(textured)).isEqualTo("mirror: texture none → wood.png 2 × 1");
+        assertThat(SceneDiff.describe(textured, scene.withMaterial(scene.material("mirror").orElseThrow().withReflective(Rgb.gray(0.25)))))
+                .isEqualTo("mirror: texture wood.png 2 × 1 → none, reflective 0.4 0.4 0.4 → 0.25 0.25 0.25");
+    }
+
+    @Test
+    void draggedShape_showsFewDigits() {
+        SceneNode node = scene.nodes().getFirst();
+        Placement p = node.placement();
+        SceneNode dragged = node.withPlacement(new Placement(new Vec3(1.6106858861516402, 0, -1e-9 / 3), p.rotation(), p.scale()));
+
+        assertThat(diffTo(scene.withNode(node.name(), dragged))).endsWith(" → 1.611 0 -3.333e-10");
+    }
+
+    @Test
+    void lights_addedDeletedRenamed_areDescribed() {
+        List<Light> more = new ArrayList<>(scene.lights());
+        more.add(Light.of("rim", LightType.POINT));
+        assertThat(diffTo(scene.withLights(more))).isEqualTo("add rim, point");
+        assertThat(diffTo(scene.withLights(scene.lights().stream().filter(l -> l != sun).toList()))).isEqualTo("delete sun");
+        assertThat(diffTo(scene.withLights(scene.lights().stream().map(l -> l == sun ? l.withName("moon") : l).toList())))
+                .isEqualTo("sun: name sun → moon");
+        assertThat(diffTo(scene.withLights(scene.lights().reversed()))).isEqualTo("order of lights");
+    }
+
+    @Test
+    void shapes_showBothValues() {
+        SceneNode node = scene.nodes().getFirst();
+        Placement p = node.placement();
+        SceneNode moved = node.withPlacement(new Placement(new Vec3(1, 2, 3), p.rotation(), p.scale())).withVisible(false);
+        assertThat(diffTo(scene.withNode(node.name(), moved))).startsWith(node.name() + ": at ").endsWith(" → 1 2 3, visible yes → no");
+        assertThat(diffTo(scene.withNodes(List.of()))).isEqualTo("delete ground, delete ball");
+        assertThat(diffTo(scene.withNodes(scene.nodes().reversed()))).isEqualTo("the scene");
+    }
+
+    @Test
+    void addedAndDeletedShapes_areNamed() {
+        Shape ball = (Shape) scene.stage().node("ball").orElseThrow();
+        assertThat(diffTo(scene.replaceNode("ball", List.of()))).isEqualTo("delete ball");
+        assertThat(diffTo(scene.replaceNode("ball", List.of(ball, ball.withName("ball2"))))).isEqualTo("add ball2");
+        assertThat(diffTo(scene.replaceNode("ball", List.of(ball.withName("globe"))))).isEqualTo("ball: name ball → globe");
+        assertThat(diffTo(scene.replaceNode("ball", List.of(ball.withSolid(new Solid.Cone(true)))))).isEqualTo("the scene");
+    }
+
+    @Test
+    void changeBelowDisplayPrecision_isALittle() {
+        assertThat(diffTo(scene.withLight(sun.withIntensity(sun.intensity() + 1e-9)))).isEqualTo("sun: a little");
+    }
+}

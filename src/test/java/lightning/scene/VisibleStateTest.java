@@ -1,0 +1,88 @@
+package lightning.scene;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import lightning.base.math.Vec3;
+import lightning.base.work.Progress;
+import lightning.base.work.WorkerPool;
+import lightning.editor.document.DeskScene;
+import lightning.editor.document.EditOutcome;
+import lightning.editor.document.LightEdits;
+import lightning.editor.document.NumericParameter;
+import lightning.render.fulltrace.TraditionalTracer;
+import lightning.render.image.Film;
+import lightning.sample.EditSession;
+import lightning.sample.Slow;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+
+@Slow
+class VisibleStateTest {
+    private final Scene scene = DeskScene.scene();
+
+    @Provide
+    Arbitrary<EditSession> sessions() {
+        return EditSession.sessions();
+    }
+
+    private boolean isInvisible(EditOutcome change) {
+        return VisibleState.isSame(scene, DeskScene.sceneOf(change));
+    }
+
+    @Test
+    void inactiveAttributes_areInvisible() {
+        assertThat(isInvisible(LightEdits.edit(scene, "sun", l -> l.withPosition(new Vec3(9, 9, 9))))).isTrue();
+        assertThat(isInvisible(DeskScene.parameter("attenuation linear").set(scene, "sun", 3))).isTrue();
+        assertThat(isInvisible(LightEdits.edit(scene, "fill", l -> l.withDirection(new Vec3(9, 9, 9))))).isTrue();
+        assertThat(isInvisible(DeskScene.parameter("angle").set(scene, "fill", 3))).isTrue();
+        assertThat(isInvisible(LightEdits.rename(scene, "key", "rim"))).isTrue();
+    }
+
+    @Test
+    void activeAttributes_areVisible() {
+        for (NumericParameter dial : NumericParameter.ALL) {
+            assertThat(LightType.values()).as(dial.title()).anySatisfy(type -> {
+                Scene typed = DeskScene.sceneOf(LightEdits.setType(scene, "key", type));
+                assertThat(VisibleState.isSame(typed, DeskScene.sceneOf(dial.set(typed, "key", Math.min(7, dial.range().max())))))
+                        .isFalse();
+            });
+        }
+        assertThat(isInvisible(LightEdits.edit(scene, "key", l -> l.withPosition(Vec3.ZERO)))).isFalse();
+        assertThat(isInvisible(LightEdits.edit(scene, "sun", l -> l.withDirection(Vec3.Y)))).isFalse();
+        assertThat(isInvisible(LightEdits.setType(scene, "key", LightType.POINT))).isFalse();
+        assertThat(isInvisible(LightEdits.setOn(scene, "key", false))).isFalse();
+        assertThat(isInvisible(LightEdits.setSolo(scene, "key", true))).isFalse();
+    }
+
+    @Test
+    void darkLightEdits_areInvisible() {
+        Scene off = DeskScene.sceneOf(LightEdits.setOn(scene, "key", false));
+        assertThat(VisibleState.isSame(off, DeskScene.sceneOf(LightEdits.edit(off, "key", l -> l.withPosition(Vec3.ZERO))))).isTrue();
+    }
+
+    @Test
+    void darkSoloLight_turnsOffEnvironment() {
+        EnvironmentMap sky = new EnvironmentMap(1, 1, new float[] {1, 1, 1});
+        Scene solo = DeskScene
+                .sceneOf(LightEdits.setSolo(DeskScene.sceneOf(DeskScene.parameter("intensity").set(scene, "key", 0)), "key", true));
+        Scene around = solo.withWorld(solo.world().withEnvironment(Optional.of(new Environment("x.hdr", sky))));
+        assertThat(VisibleState.of(around).lights()).anyMatch(Light::solo);
+        assertThat(VisibleState.of(solo).lights()).noneMatch(Light::solo);
+    }
+
+    /** Everything hidden is taken away, and every bit of the picture stays. */
+    @Property(tries = 60)
+    void visibleState_rendersSamePicture(@ForAll("sessions") EditSession session) {
+        Scene any = session.scenes().getLast();
+        Scene plain = new Scene(any.picture(), any.camera(), any.world(), any.materials(), any.nodes(),
+                VisibleState.of(any).lights().stream().map(l -> l.withName("unlike_" + l.name())).toList());
+        try (var workers = new WorkerPool(1)) {
+            Film film = new TraditionalTracer(any).trace(workers, Progress.NONE).film();
+            assertThat(new TraditionalTracer(plain).trace(workers, Progress.NONE).film().hasSameBits(film)).isTrue();
+        }
+    }
+}

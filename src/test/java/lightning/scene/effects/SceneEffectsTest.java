@@ -1,0 +1,153 @@
+package lightning.scene.effects;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import lightning.format.jen.JenReader;
+import lightning.sample.SampleMeshes;
+import lightning.scene.Material;
+import lightning.scene.Placement;
+import lightning.scene.Scene;
+import lightning.scene.SceneNode;
+import lightning.scene.Shape;
+import lightning.scene.Solid;
+import org.junit.jupiter.api.Test;
+
+class SceneEffectsTest {
+    private static final String PLAIN = "material grey { diffuse 0.5 0.5 0.5 }\nsphere ball { material grey }\n";
+
+    private static SceneEffects of(String... text) throws Exception {
+        Scene scene = JenReader.read("jen 1\n" + String.join("\n", text), "test", Path.of("")).scene();
+        return SceneEffects.of(scene);
+    }
+
+    @Test
+    void emptyScene_usesNoEffects() throws Exception {
+        assertThat(of("light a point {}").unused()).isEqualTo(Set.copyOf(RenderEffect.ALL));
+    }
+
+    @Test
+    void plainLight_usesShadowsAndItsType() throws Exception {
+        SceneEffects effects = of(PLAIN, "light a point {}");
+        assertThat(effects.users().keySet()).containsExactly(RenderEffect.SHADOWS, RenderEffect.of("point-lights"),
+                RenderEffect.of("spheres"));
+        assertThat(effects.users(RenderEffect.SHADOWS)).containsExactly("a");
+        assertThat(effects.maxBounces()).isZero();
+    }
+
+    @Test
+    void inactiveAttributes_useNoEffects() throws Exception {
+        SceneEffects effects = of(PLAIN, "light a directional { attenuation 1 1 1  angle 20  dropoff 5 }",
+                "light b point { angle 20  dropoff 5  doors 1 2 3 4 }",
+                "light c spot { angle 180  feather 5 }");
+        assertThat(effects.unused()).contains(RenderEffect.ATTENUATION, RenderEffect.SPOT_CONE, RenderEffect.DROPOFF,
+                RenderEffect.BARN_DOORS);
+    }
+
+    @Test
+    void activeAttributes_areListedByName() throws Exception {
+        SceneEffects effects = of(PLAIN, "light a spot { attenuation 1 1 1  angle 20  dropoff 5 }", "light b spot { angle 180 }");
+        assertThat(effects.users(RenderEffect.ATTENUATION)).containsExactly("a");
+        assertThat(effects.users(RenderEffect.SPOT_CONE)).containsExactly("a");
+        assertThat(effects.users(RenderEffect.DROPOFF)).containsExactly("a");
+        assertThat(effects.users(RenderEffect.of("spot-lights"))).containsExactly("a", "b");
+    }
+
+    @Test
+    void darkLights_useNoEffects() throws Exception {
+        SceneEffects effects = of(PLAIN, "light a point { on no }", "light b point { intensity 0 }", "light c spot { color 0 0 0 }");
+        assertThat(effects.users().keySet()).containsExactly(RenderEffect.of("spheres"));
+    }
+
+    @Test
+    void effectiveGroups_areListedByName() throws Exception {
+        String lights = "light a point { bank left }\nlight b point { bank right }";
+        assertThat(of(PLAIN, "bank left {}", "bank right {}", lights).has(RenderEffect.LIGHT_GROUPS)).isFalse();
+        assertThat(of(PLAIN, "bank left { intensity 0.5 }", "bank right {}", lights).users(RenderEffect.LIGHT_GROUPS))
+                .containsExactly("left");
+    }
+
+    @Test
+    void darkGroup_disablesItsLights() throws Exception {
+        assertThat(of(PLAIN, "bank left { on no }", "light a point { bank left }").users().keySet())
+                .containsExactly(RenderEffect.LIGHT_GROUPS, RenderEffect.of("spheres"));
+    }
+
+    @Test
+    void soloLight_disablesOthers() throws Exception {
+        SceneEffects effects = of(PLAIN, "light a point { solo yes }", "light b spot { dropoff 3 }");
+        assertThat(effects.users(RenderEffect.SHADOWS)).containsExactly("a");
+        assertThat(effects.has(RenderEffect.DROPOFF)).isFalse();
+    }
+
+    @Test
+    void materialsOnShapes_useSpecularAndReflection() throws Exception {
+        SceneEffects effects = of("material used { specular 0.5 0.5 0.5  reflective 0 0.1 0 }",
+                "material unused { specular 1 1 1  reflective 1 1 1 }", "cone c { material used }", "light a point {}",
+                "picture { depth 4 }");
+        assertThat(effects.users(RenderEffect.SPECULAR)).containsExactly("used");
+        assertThat(effects.users(RenderEffect.REFLECTION)).containsExactly("used");
+        assertThat(effects.maxBounces()).isEqualTo(4);
+        assertThat(effects.users(RenderEffect.of("cones"))).containsExactly("c");
+    }
+
+    @Test
+    void mirrorsAtDepth0_useNoReflection() throws Exception {
+        SceneEffects effects = of("material m { reflective 1 1 1 }", "plane p { material m }", "picture { depth 0 }");
+        assertThat(effects.has(RenderEffect.REFLECTION)).isFalse();
+    }
+
+    @Test
+    void transparentMaterials_spawnRaysWithoutMirrors() throws Exception {
+        String glass = "material glass { clear 1 1 1 }\n";
+        SceneEffects effects = of(glass, "plane p { material glass }", "picture { depth 4 }");
+        assertThat(effects.has(RenderEffect.REFLECTION)).isFalse();
+        assertThat(effects.maxBounces()).isEqualTo(4);
+        assertThat(of(glass, "plane p { material glass }", "picture { depth 0 }").maxBounces()).isZero();
+        assertThat(of(glass, "plane p {}", "picture { depth 4 }").maxBounces()).as("no shape is of it").isZero();
+        assertThat(of("material air { shadows none }", "plane p { material air }", "picture { depth 4 }").maxBounces()).isZero();
+    }
+
+    @Test
+    void highlightsWithoutLight_areUnused() throws Exception {
+        assertThat(of("material m { specular 1 1 1 }", "cylinder c { material m }").users().keySet())
+                .containsExactly(RenderEffect.of("cylinders"));
+    }
+
+    @Test
+    void supersampling_isUsedByThePicture() throws Exception {
+        assertThat(of(PLAIN, "picture { antialias edges }").users(RenderEffect.ANTIALIASING)).containsExactly("picture");
+        assertThat(of(PLAIN, "picture { antialias off  samples 8 }").has(RenderEffect.ANTIALIASING)).isFalse();
+    }
+
+    @Test
+    void vertexColors_areUsedByShapesShowingThem() throws Exception {
+        Scene lit = JenReader.read("jen 1\nlight a point {}\n", "test", Path.of("")).scene();
+        Solid.TriangleMesh tinted = SampleMeshes.solid(SampleMeshes.withVertexColors(SampleMeshes.cube()));
+        Scene scene = lit.withNodes(
+                List.of(shape("shown", tinted), shape("hidden", tinted.withShowsColors(false)),
+                        shape("plain", SampleMeshes.solid(SampleMeshes.cube()))));
+        assertThat(SceneEffects.of(scene).users(RenderEffect.VERTEX_COLORS)).containsExactly("shown");
+        assertThat(SceneEffects.of(ViewEffects.ALL.withHidden(Set.of(RenderEffect.VERTEX_COLORS)).apply(scene))
+                .has(RenderEffect.VERTEX_COLORS)).isFalse();
+    }
+
+    private static SceneNode shape(String name, Solid solid) {
+        return new Shape(solid, name, Material.DEFAULT.name(), Placement.IDENTITY);
+    }
+
+    @Test
+    void bird_usesOnlyItsEffects() throws Exception {
+        assertThat(SceneEffects.of(JenReader.read(Path.of("scenes/bird.jen")).scene()).unused()).containsExactly(RenderEffect.METALLIC,
+                RenderEffect.CUTOUTS, RenderEffect.BUMPS, RenderEffect.VERTEX_COLORS, RenderEffect.TRANSMISSION,
+                RenderEffect.TINTED_SHADOWS, RenderEffect.BARN_DOORS, RenderEffect.GOBOS,
+                RenderEffect.PROFILES, RenderEffect.LIGHT_LINKS,
+                RenderEffect.SHADOW_LINKS,
+                RenderEffect.LIGHT_GROUPS, RenderEffect.SOFT_SHADOWS, RenderEffect.ANTIALIASING, RenderEffect.ENVIRONMENT,
+                RenderEffect.of("rect-lights"),
+                RenderEffect.of("disc-lights"),
+                RenderEffect.of("frustums"), RenderEffect.of("meshes"));
+    }
+}

@@ -1,0 +1,26 @@
+package lightning.shot;
+
+import java.util.Optional;
+import lightning.render.image.Film;
+
+/** A keeper that has no films and keeps no bytes: what is done with frames is all that it is asked. */
+public abstract class FilmlessHost implements FrameHost {
+    @Override
+    public Optional<Film> film(int frame) {
+        return Optional.empty();
+    }
+
+    @Override
+    public void focus(int frame) {}
+
+    @Override
+    public void drop(int frame) {}
+
+    @Override
+    public CacheUsage usage() {
+        return CacheUsage.NONE;
+    }
+
+    @Override
+    public void close() {}
+}

@@ -1,0 +1,89 @@
+package lightning.shot.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import lightning.base.work.Await;
+import lightning.sample.Slow;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The command, as a process, with nodes that are processes. */
+@Slow
+final class ClusterRelightTest {
+    private static final int TIMEOUT_SECONDS = 240;
+
+    @TempDir
+    private Path folder;
+
+    /** The program in a process of its own. */
+    private final class CommandProcess implements AutoCloseable {
+        private final Path output = Files.createTempFile(folder, "output", "");
+        private final Process process;
+
+        CommandProcess(String... words) throws IOException {
+            List<String> line = new ArrayList<>(List.of(System.getProperty("java.home") + "/bin/java", "--add-modules",
+                    "jdk.incubator.vector", "-XX:+UseSerialGC", "-Xmx600m", "-cp", System.getProperty("java.class.path"),
+                    "lightning.Main"));
+            line.addAll(List.of(words));
+            process = new ProcessBuilder(line).redirectErrorStream(true).redirectOutput(output.toFile()).start();
+        }
+
+        /** Waits until it ends with an exit code; returns what it printed. */
+        String end(int exit) throws Exception {
+            assertThat(process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS)).as(Files.readString(output)).isTrue();
+            assertThat(process.exitValue()).as(Files.readString(output)).isEqualTo(exit);
+            return Files.readString(output);
+        }
+
+        @Override
+        public void close() {
+            process.destroyForcibly();
+        }
+    }
+
+    private String run(int exit, String... words) throws Exception {
+        try (CommandProcess run = new CommandProcess(words)) {
+            return run.end(exit);
+        }
+    }
+
+    @Test
+    void clusterPictures_matchLocalOnes_andForeignCertificatesAreRejected() throws Exception {
+        String certificate = folder.resolve("shared.p12").toString();
+        assertThat(run(0, "node", "--make-certificate", certificate)).contains("a new key with its certificate");
+        int port = FreePort.next();
+        String[] words = {"shot", "relight", "scenes/dusk.jen", "--frames", "1-4", "--size", "60x40", "--set", "sky.on=no", "--then",
+            "--set", "world.ambience=0.3"};
+        try (var _ = new NodeProcess(port, List.of(port), folder)) {
+            // A command waits for a node that is there for half a minute, in which no Java need start.
+            Await.until("the node takes part", () -> Files.readString(folder.resolve("node-" + port + ".log")).contains("a node at"));
+            String other = folder.resolve("other.p12").toString();
+            SelfSignedCertificate.write(Path.of(other));
+            // It asks in vain for half a minute, in which the others work.
+            try (CommandProcess stranger = new CommandProcess(
+                    with(words, "-o", folder.resolve("none").toString(), "--cluster", "127.0.0.1:" + port, "--certificate", other))) {
+                String output = run(0, with(words, "-o", folder.resolve("elsewhere").toString(), "--cluster", "127.0.0.1:" + port,
+                        "--certificate", certificate));
+                assertThat(output).contains("4 frames traced by 1 node", "2. 4 frames relit by 1 node", "0 of them traced again");
+                run(0, with(words, "-o", folder.resolve("here").toString()));
+                for (String file : List.of("1/dusk-0001.png", "1/dusk-0004.png", "2/dusk-0003.png")) {
+                    assertThat(folder.resolve("elsewhere").resolve(file)).hasSameBinaryContentAs(folder.resolve("here").resolve(file));
+                }
+                assertThat(stranger.end(2)).contains("no node answers at 127.0.0.1:" + port + ":").contains("another certificate")
+                        .doesNotContain("Exception");
+            }
+        }
+    }
+
+    private static String[] with(String[] words, String... more) {
+        List<String> arguments = new ArrayList<>(List.of(words));
+        arguments.addAll(List.of(more));
+        return arguments.toArray(String[]::new);
+    }
+}

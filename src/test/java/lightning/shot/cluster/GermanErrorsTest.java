@@ -1,0 +1,36 @@
+package lightning.shot.cluster;
+
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import lightning.base.text.Language;
+import lightning.base.text.Messages;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** What an editor in German says of other machines. */
+class GermanErrorsTest {
+    @BeforeEach
+    void setGerman() {
+        Messages.setLanguage(Language.GERMAN);
+    }
+
+    @AfterEach
+    void resetLanguage() {
+        Messages.setLanguage(Language.ENGLISH);
+    }
+
+    @Test
+    void invalidHost_isRejectedInGerman() {
+        assertThatThrownBy(() -> HostPort.parse("a:99999")).isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("ein Rechner");
+    }
+
+    @Test
+    void missingCertificate_isReportedInGerman() {
+        Path none = Path.of("none.p12");
+        assertThatThrownBy(() -> ClusterCertificate.sslContext(none)).isInstanceOf(JoinException.class)
+                .hasMessageContaining("diese Datei gibt es nicht");
+    }
+}
