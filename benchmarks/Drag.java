@@ -61,7 +61,7 @@ final class Drag {
         });
     }
 
-    /** Intensity, colour and place of the first light, in a picture of a size. */
+    /** Intensity, color and place of the first light, in a picture of a size. */
     static void all(Editor editor, int width, int height) throws Exception {
         EditorModel model = editor.model();
         Engines.use(Engines.FASTEST);
@@ -76,7 +76,7 @@ final class Drag {
             return null;
         });
         await(() -> Window.rests(model));
-        for (String what : List.of("intensity", "colour", "position")) {
+        for (String what : List.of("intensity", "color", "position")) {
             Drag drag = onWindow(() -> new Drag(model, scene, what));
             drag.measure(onWindow(drag::hand));
         }
@@ -86,7 +86,7 @@ final class Drag {
     private IntConsumer hand() {
         Node handle = scene.lookup(switch (what) {
             case "intensity" -> "#intensity .arrow-pad";
-            case "colour" -> "#color .color-slider .thumb";
+            case "color" -> "#color .color-slider .thumb";
             case "position" -> "#position .axis-x";
             default -> throw new IllegalArgumentException(what);
         });

@@ -124,7 +124,7 @@ public final class Pauses {
             String light = model.editor().scene().lights().getFirst().name();
             step("a light selected", () -> model.editor().selection().selectLight(light));
             drag("its intensity dragged", i -> edit(light, l -> l.withIntensity(0.5 + 0.01 * i)));
-            drag("its colour dragged", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
+            drag("its color dragged", i -> edit(light, l -> l.withColor(new Rgb(1, 0.5 + 0.01 * i, 0.7))));
             drag("its place dragged", i -> edit(light, l -> l.withPosition(l.position().plus(new Vec3(0.01, 0, 0.01)))));
             menus();
             for (Command panel : List.of(Command.MIXER, Command.CONTRIBUTIONS, Command.CUES, Command.SCOPES, Command.EFFECTS_PANEL,

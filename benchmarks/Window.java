@@ -134,7 +134,7 @@ public final class Window {
         }
     }
 
-    /** A light's intensity, colour and place dragged, in a warm editor. */
+    /** A light's intensity, color and place dragged, in a warm editor. */
     public static final class Slider extends LightningApp {
         @Override
         void editorOpened(Editor editor) {

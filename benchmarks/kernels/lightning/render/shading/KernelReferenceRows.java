@@ -70,7 +70,7 @@ final class KernelReferenceRows {
         for (int r = 0; r < rows.runCount; r++) {
             for (int i = rows.runStart(r); i < rows.runEnd[r]; i++) {
                 for (int c = 0; c < 3; c++) {
-                    KernelAgreement.requireEqual(composed[c][rows.parent[i]], color(kernels, rows.runMaterial[r], i, c), "colour of row",
+                    KernelAgreement.requireEqual(composed[c][rows.parent[i]], color(kernels, rows.runMaterial[r], i, c), "color of row",
                             i);
                 }
             }

@@ -134,7 +134,7 @@ public class RowKernels {
         return PowerFunction.pow(bases[i], EXPONENT);
     }
 
-    /** All lights into linear colours. */
+    /** All lights into linear colors. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {

@@ -16,7 +16,7 @@ import java.util.List;
  * @param quick            whether it measured only a small selection
  * @param predictedSeconds how long it was going to take, told before it began
  * @param actualSeconds    how long it has taken
- * @param complete         whether it came to its end; else these are the results until it was cancelled
+ * @param complete         whether it came to its end; else these are the results until it was canceled
  * @param triadGBs         memory bandwidth, 10⁹ bytes read and written in a second: the best triad
  * @param triadSamples     the same of every triad
  */

@@ -52,7 +52,7 @@ final class ColdStartBench {
             render.run();
             for (int i = 0; i < settings.processes(); i++) {
                 if (progress.isCanceled()) {
-                    throw new CancellationException("cancelled after " + i + " of " + settings.processes() + " processes");
+                    throw new CancellationException("canceled after " + i + " of " + settings.processes() + " processes");
                 }
                 ours.measure(render);
                 if (povRay.isPresent()) {

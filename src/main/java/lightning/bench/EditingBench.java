@@ -113,7 +113,7 @@ final class EditingBench {
         List<Double> ms = new ArrayList<>();
         for (int i = 0; i < times; i++) {
             if (progress.isCanceled()) {
-                throw new CancellationException("cancelled after " + i + " of " + times + " samples");
+                throw new CancellationException("canceled after " + i + " of " + times + " samples");
             }
             ms.add(sample.apply(i));
         }

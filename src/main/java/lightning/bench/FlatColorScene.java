@@ -12,11 +12,11 @@ import lightning.scene.Shape;
 import lightning.scene.World;
 
 /**
- * Shows each shape of a scene in a flat colour of its own, without lights, mirrors or textures: two programs that agree on
- * the geometry show the same picture, but for pixels through whose centre an edge runs.
+ * Shows each shape of a scene in a flat color of its own, without lights, mirrors or textures: two programs that agree on
+ * the geometry show the same picture, but for pixels through whose center an edge runs.
  */
 final class FlatColorScene {
-    /** Display codes between two colours of a channel: far more than programs round differently. */
+    /** Display codes between two colors of a channel: far more than programs round differently. */
     static final int STEP = 17;
     /** 15 codes in each of three channels, black left to the background. */
     private static final int LEVELS = 255 / STEP;
@@ -38,7 +38,7 @@ final class FlatColorScene {
         };
     }
 
-    /** The name of a new material; colours begin again after 15³ shapes. */
+    /** The name of a new material; colors begin again after 15³ shapes. */
     private String nextMaterial() {
         int i = materials.size();
         Rgb color = new Rgb(channel(i), channel(i / LEVELS), channel(i / LEVELS / LEVELS));

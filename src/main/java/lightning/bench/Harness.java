@@ -24,7 +24,7 @@ import lightning.render.relight.tile.RenderOptions;
  * A run: measures scenes, part by part.
  *
  * <p>What cannot be measured becomes a {@link MeasurementFailure} and costs that part alone. After each part the results until then
- * are handed on, so that a run that is cancelled leaves what it has.
+ * are handed on, so that a run that is canceled leaves what it has.
  */
 public final class Harness {
     private static final int DRIFT_EDITS = 10_000;

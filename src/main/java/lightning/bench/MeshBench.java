@@ -120,7 +120,7 @@ final class MeshBench {
 
     private static void checkCanceled(Progress progress) {
         if (progress.isCanceled()) {
-            throw new CancellationException("cancelled while meshes were measured");
+            throw new CancellationException("canceled while meshes were measured");
         }
     }
 }

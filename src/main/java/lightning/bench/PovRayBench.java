@@ -17,9 +17,9 @@ import lightning.scene.Scene;
 /** Measures POV-Ray beside our full trace, and compares what the two see. */
 final class PovRayBench {
     static final String PROGRAM = "POV-Ray 3.7";
-    private static final String MEASURE = "pixels that show the same shape (or background), each shape in a flat colour of its own";
+    private static final String MEASURE = "pixels that show the same shape (or background), each shape in a flat color of its own";
     private static final int REPETITIONS = 3;
-    /** Warming up, starting the program, and the picture of flat colours, as traces. */
+    /** Warming up, starting the program, and the picture of flat colors, as traces. */
     private static final int EXTRA_TRACES = 6;
     /** It is about so many times as slow as our full trace of the same scene. */
     private static final double SLOWDOWN = 10;
@@ -72,7 +72,7 @@ final class PovRayBench {
         }
     }
 
-    /** The share of pixels, 0…1, whose display codes are nearer than two colours can be. */
+    /** The share of pixels, 0…1, whose display codes are nearer than two colors can be. */
     static double agreement(Film ours, Film rival) {
         int[] a = ViewTransform.DEFAULT.toPixels(ours);
         int[] b = ViewTransform.DEFAULT.toPixels(rival);

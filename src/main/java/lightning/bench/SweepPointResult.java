@@ -14,7 +14,7 @@ import lightning.bench.accuracy.PictureError;
  * @param error      how far its picture is from the full trace
  * @param work       what it did; null for the full trace
  * @param picture    the file of its picture, relative to the results; null where none was written
- * @param difference the file of the false-colour picture of its difference to the full trace; null where none was
+ * @param difference the file of the false-color picture of its difference to the full trace; null where none was
  *                   written or there is none
  */
 public record SweepPointResult(@JsonProperty("level") AccuracySetting grade, TimeSamples time, double saving, PictureError error,

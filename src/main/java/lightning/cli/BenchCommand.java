@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
             "memory, and POV-Ray where it is installed, and whole processes that begin cold. Works are measured in turns; no picture is timed before it was compared.",
             "",
             "Writes report.html (a page with charts and pictures, which needs no network), results.json (everything, with every",
-            "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is cancelled keeps what it",
+            "sample), results.csv (a row for each measurement) and pictures into the folder. A run that is canceled keeps what it",
             "has. The exit code is 1 if a picture was not what its grade promises, or something became worse than the baseline; 2 if",
             "a scene could not be read (the others are measured)."},
         footer = {

@@ -17,7 +17,7 @@ import lightning.render.trace.HitRows;
  * @param layerRowCount rows of all layers: a row counts once for each light
  * @param hitColumns      the columns of hit rows, by what they come and go with
  * @param layerColumns    the columns of the lights' layers by their titles, in their order: what is kept in several counts once
- * @param mirrorBytes  colours of mirror images, and the shapes that mirrored rays hit
+ * @param mirrorBytes  colors of mirror images, and the shapes that mirrored rays hit
  * @param total       everything, as the cache itself counts
  */
 record ColumnBytes(long rowCount, long layerRowCount, Map<HitRows.ColumnGroup, Long> hitColumns, Map<String, Long> layerColumns,

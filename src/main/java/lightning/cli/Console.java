@@ -18,7 +18,7 @@ import lightning.base.text.Quote;
  */
 record Console(PrintStream out, PrintStream err, boolean terminal) {
 
-    /** Recognises the terminal: only there is {@code out} the process's own output and that a terminal's. */
+    /** Recognizes the terminal: only there is {@code out} the process's own output and that a terminal's. */
     static Console of(PrintStream out, PrintStream err) {
         var console = System.console();
         return new Console(out, err, out == System.out && console != null && console.isTerminal());

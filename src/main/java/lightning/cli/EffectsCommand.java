@@ -118,7 +118,7 @@ final class EffectsCommand implements Callable<Integer> {
     private static String title(HitRows.ColumnGroup part) {
         return switch (part) {
             case HIT -> "point, normal, view, place";
-            case TEXEL -> "texture colours";
+            case TEXEL -> "texture colors";
             case CODE -> "what edges are told by";
             case OWNER -> "whose rows they are";
             case TRANSPARENT -> "what is behind clear surfaces";

@@ -72,7 +72,7 @@ final class ErrorReporter {
     }
 
     private static int reportCanceled(Console console) {
-        console.error("lightning: cancelled");
+        console.error("lightning: canceled");
         return ExitCode.CANCELED;
     }
 

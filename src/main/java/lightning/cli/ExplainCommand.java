@@ -24,21 +24,21 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** Tells why one pixel has its colour. */
-@Command(name = "explain", header = "Tell why a pixel has its colour.", abbreviateSynopsis = true,
+/** Tells why one pixel has its color. */
+@Command(name = "explain", header = "Tell why a pixel has its color.", abbreviateSynopsis = true,
         description = {
             "Traces one pixel: what the eye sees there, where and how it lies, and for each light whether it reaches the point",
             "(facing away, outside the cone, shadowed by a shape, lit), its cosine, specular term and falloff, and what it adds",
-            "to the point's colour, with its share in percent. Where bump and normal maps or a mesh's vertices make another normal than",
+            "to the point's color, with its share in percent. Where bump and normal maps or a mesh's vertices make another normal than",
             "the surface's own, each step to it is told, and which lights it faces though they are below the surface. Mirrored and refracted rays follow, indented; of those that clear",
-            "surfaces send on, those that bring more than 0.2 %% of the pixel. Colours are linear red, green, blue; the last line",
+            "surfaces send on, those that bring more than 0.2 %% of the pixel. Colors are linear red, green, blue; the last line",
             "is the pixel as the film and as the display have it, equal to render's in every bit."},
         footer = {
             "Examples:",
             "  lightning explain scenes/bird.jen 150,230",
             "  lightning explain scenes/bird.jen 960,540 --size 1920x1080"})
 final class ExplainCommand implements Callable<Integer> {
-    /** Of a pixel's colour; what brings less through clear surfaces is not told. */
+    /** Of a pixel's color; what brings less through clear surfaces is not told. */
     private static final double MIN_SHARE = 0.002;
 
     private final Console console;
@@ -72,7 +72,7 @@ final class ExplainCommand implements Callable<Integer> {
         return ExitCode.OK;
     }
 
-    /** The pixel: with finer samples it is the mean of several rays where it is on an edge, of which the centre's was told. */
+    /** The pixel: with finer samples it is the mean of several rays where it is on an edge, of which the center's was told. */
     private void printPixel(Scene scene, Geometry geometry, float[] center) {
         float[] c = center;
         if (scene.picture().sampling().isSupersampled()) {
@@ -101,7 +101,7 @@ final class ExplainCommand implements Callable<Integer> {
         }
     }
 
-    /** @param share which part of the pixel's colour the point brings, about */
+    /** @param share which part of the pixel's color the point brings, about */
     private void print(PixelExplainer explainer, PointReport report, String indent, double share) {
         if (!report.passedCutouts().isEmpty()) {
             console.print("%sthrough holes of %s", indent, report.passedCutouts().stream().map(s -> explainer.geometry().shape(s).name())

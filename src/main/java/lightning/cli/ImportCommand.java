@@ -38,7 +38,7 @@ final class ImportCommand implements Callable<Integer> {
     private Path output;
     @Option(names = "--light-units", paramLabel = "UNITS",
             description = "What the numbers of a glTF file's lights are: candela (and lux, as the format says), unitless (watts per steradian "
-                    + "and per square metre) or watts, as its exporter was told. Default: candela.")
+                    + "and per square meter) or watts, as its exporter was told. Default: candela.")
     private LightUnits units;
     @Option(names = "--light-pictures",
             description = "Also write a small picture of each choice beside the scene: scene.candela.png, scene.unitless.png, "

@@ -49,7 +49,7 @@ public final class Lightning {
      * @param out  gets the results
      * @param err  gets complaints and remarks
      * @param args as {@code lightning --help} tells
-     * @return the exit code: 0 done, 1 the check failed, 2 bad usage or bad input, 130 cancelled
+     * @return the exit code: 0 done, 1 the check failed, 2 bad usage or bad input, 130 canceled
      */
     public static int run(PrintStream out, PrintStream err, String... args) {
         Console console = Console.of(out, err);

@@ -50,7 +50,7 @@ abstract sealed class PictureOutput permits SinglePictureOutput, FrameSequenceOu
 
     @Option(names = "--view", paramLabel = "VIEW", converter = ViewConverter.class,
             description = {"How .png and .xpm show light: srgb (the default), 1998 for the linear values as they are, filmic or aces for",
-                "highlights that roll off, false for a colour for each stop; a .cube table, or one behind one of these: filmic+look.cube."})
+                "highlights that roll off, false for a color for each stop; a .cube table, or one behind one of these: filmic+look.cube."})
     private void setView(ViewTransform newView) {
         view = newView.withExposure(view.exposure());
     }

@@ -6,7 +6,7 @@ import lightning.render.shading.SurfaceWeights;
 import lightning.render.trace.SurfacePoint;
 import lightning.scene.Material;
 
-/** What each part of the equation adds to the colour of a point, for people: sums of them are rounded once more. */
+/** What each part of the equation adds to the color of a point, for people: sums of them are rounded once more. */
 record PointContributions(SurfacePoint at, float[] reflectivity, SurfaceWeights surfaceShare) {
 
     static PointContributions of(Material material, SurfacePoint point) {

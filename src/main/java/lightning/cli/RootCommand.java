@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
             "and times."},
         commandListHeading = "%nCommands (each has a --help with examples):%n",
         footer = {
-            "Exit codes: 0 done, 1 the check failed (relight --verify, compare), 2 bad usage or bad input, 130 cancelled.",
+            "Exit codes: 0 done, 1 the check failed (relight --verify, compare), 2 bad usage or bad input, 130 canceled.",
             "",
             "To begin with:",
             "  lightning check scenes/bird.jen",

@@ -32,7 +32,7 @@ final class ShotProgress implements ShotListener {
      *
      * @param title  for the bar
      * @param consumer of each frame, on the shot's threads; null for nobody
-     * @throws InterruptedException if the command is cancelled
+     * @throws InterruptedException if the command is canceled
      * @throws Exception            what a frame failed with
      */
     double run(ShotRelighter shot, ShotRevision revision, Console console, String title, Consumer<FrameUpdate> consumer) throws Exception {

@@ -48,7 +48,7 @@ import picocli.CommandLine.Option;
             "--no-savings leaves that out. With --cluster, nodes on other machines hold the frames; --memory, --disk and",
             "--no-savings are then not used.",
             "",
-            "A picture appears whole or not at all; those that are finished stay when the command is cancelled."},
+            "A picture appears whole or not at all; those that are finished stay when the command is canceled."},
         footer = {
             "Examples:",
             "  lightning shot relight scenes/dusk.jen --frames 1-24 --set world.ambience=0.5 -o dim",

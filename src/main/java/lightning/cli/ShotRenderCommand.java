@@ -32,7 +32,7 @@ import picocli.CommandLine.Option;
         description = {
             "Each picture is that of its frame's scene in every bit, whichever frame was rendered before it: where only lights changed",
             "since then, only they are computed anew. -o frames makes frames/SCENE-0001.png and so on, -o out/bird.exr makes",
-            "out/bird-0001.exr. A picture appears whole or not at all; those that are finished stay when the command is cancelled, and",
+            "out/bird-0001.exr. A picture appears whole or not at all; those that are finished stay when the command is canceled, and",
             "--resume goes on behind them. -o bird.mp4 (.mov, .mkv, .webm) makes a film of the shot's frames per second, where the program",
             "ffmpeg is installed."},
         footer = {

@@ -51,7 +51,7 @@ public final class EnvironmentMap {
     }
 
     /**
-     * The radiance from a direction, bilinear between the pixels' centres, around the picture's sides, and at its top and bottom as there.
+     * The radiance from a direction, bilinear between the pixels' centers, around the picture's sides, and at its top and bottom as there.
      *
      * @param rotation degrees that the picture is turned by about y, as {@code rotate} turns a shape
      * @param result   gets linear RGB, {@code double[3]}

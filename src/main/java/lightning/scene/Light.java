@@ -59,7 +59,7 @@ public record Light(String name, LightType type, Rgb color, double intensity, Ve
                 LightAttribute.SHADOWED_BY.initial());
     }
 
-    /** Colour times intensity, with which all that the light adds is multiplied while it shines. */
+    /** Color times intensity, with which all that the light adds is multiplied while it shines. */
     public Rgb weight() {
         return color.times(intensity);
     }

@@ -9,7 +9,7 @@ import lightning.base.math.Rgb;
  * ({@link Light#lightGroup}), and each light's own settings stay what they are. {@link LightRig#effectiveLights} tells what the lights become.
  *
  * @param name      unique among all shapes, groups, lights and banks
- * @param color     a gel before all of its lights: linear factors of their colours, 0 … 1
+ * @param color     a gel before all of its lights: linear factors of their colors, 0 … 1
  * @param intensity the master: a factor of their intensities, 0 … 1000
  * @param on        whether any of them shines
  * @param solo      whether they are all solo
@@ -17,7 +17,7 @@ import lightning.base.math.Rgb;
 @RecordBuilder
 public record LightGroup(String name, Rgb color, double intensity, boolean on, boolean solo) implements LightGroupBuilder.With {
     public static final SceneAttribute<LightGroup, Rgb> COLOR = new SceneAttribute<>("color", "color", NumericKind.color(1), Rgb.WHITE,
-            "linear factors of the lights' colours", LightGroup::color, LightGroup::withColor);
+            "linear factors of the lights' colors", LightGroup::color, LightGroup::withColor);
     public static final SceneAttribute<LightGroup, Double> INTENSITY = new SceneAttribute<>("intensity", "intensity",
             NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "factor of the lights' intensities", LightGroup::intensity,
             LightGroup::withIntensity);
@@ -42,7 +42,7 @@ public record LightGroup(String name, Rgb color, double intensity, boolean on, b
     }
 
     /**
-     * A light as it shines in this bank, and in none: the factors are multiplied into its colour and its intensity, which stays at
+     * A light as it shines in this bank, and in none: the factors are multiplied into its color and its intensity, which stays at
      * most {@link SceneLimits#MAX_INTENSITY}.
      */
     Light applyTo(Light light) {

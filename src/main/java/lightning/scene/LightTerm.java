@@ -2,7 +2,7 @@ package lightning.scene;
 
 /** What of the lighting equation a light's attribute changes, from the cheapest change to the dearest. */
 public enum LightTerm {
-    /** Colour times intensity, with which all that a light adds is multiplied. */
+    /** Color times intensity, with which all that a light adds is multiplied. */
     WEIGHT,
     /** How it fades with distance and with the direction in which it shines. */
     FALLOFF,

@@ -2,9 +2,9 @@ package lightning.scene;
 
 /** The kinds of light, the paper's three (§2.2) and two that are surfaces; the kind decides which attributes act. */
 public enum LightType {
-    /** Infinitely far away: intensity, colour, direction. */
+    /** Infinitely far away: intensity, color, direction. */
     DIRECTIONAL,
-    /** Shines everywhere from one place: intensity, colour, position, attenuation. */
+    /** Shines everywhere from one place: intensity, color, position, attenuation. */
     POINT,
     /** A cone from one place: all attributes. */
     SPOT,

@@ -5,7 +5,7 @@ import java.util.Optional;
 import lightning.base.math.Rgb;
 
 /**
- * How a surface answers light. All colours are linear; {@link MaterialAttribute} tells the ranges, and which attributes act by
+ * How a surface answers light. All colors are linear; {@link MaterialAttribute} tells the ranges, and which attributes act by
  * which model: those of the other model have their initial values, whatever was said.
  *
  * @param name       unique among the materials
@@ -35,7 +35,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
      */
     public static final double MIN_ROUGHNESS = 0.045;
 
-    /** What a shape without a material gets: plain grey. */
+    /** What a shape without a material gets: plain gray. */
     public static final Material DEFAULT = of("default");
 
     public Material {
@@ -80,7 +80,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         return isMetallic() ? Math.max(1, (1 + 0x1p-20) / (2 * alpha * alpha * alpha)) : 1;
     }
 
-    /** The colour that it has at first sight: what its texture multiplies. */
+    /** The color that it has at first sight: what its texture multiplies. */
     public Rgb albedo() {
         return switch (model) {
             case PHONG -> diffuse;
@@ -88,7 +88,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         };
     }
 
-    /** The same with another such colour. */
+    /** The same with another such color. */
     public Material withAlbedo(Rgb v) {
         return switch (model) {
             case PHONG -> withDiffuse(v);
@@ -96,7 +96,7 @@ public record Material(String name, Rgb ambient, ShadingModel model, Rgb diffuse
         };
     }
 
-    /** The same by another model: its colour is kept, all else of the model is as if nothing was said. */
+    /** The same by another model: its color is kept, all else of the model is as if nothing was said. */
     @Override
     public Material withModel(ShadingModel v) {
         return v == model ? this : with(m -> m.model(v).diffuse(base).base(diffuse));

@@ -32,7 +32,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             Material::withAmbient, null, Section.AMBIENT, "What the surface shows without a light: times the scene's ambience, 0 or more");
     public static final MaterialAttribute<ShadingModel> MODEL = new MaterialAttribute<>("model", ChoiceKind.of(ShadingModel.class),
             ShadingModel.PHONG, "", Material::model, Material::withModel, MaterialTerm.MODEL, null, Section.MODEL,
-            "By which equation the surface answers light: the paper's, or that of base colour, metalness and roughness");
+            "By which equation the surface answers light: the paper's, or that of base color, metalness and roughness");
     public static final MaterialAttribute<Rgb> DIFFUSE = colorAttribute("diffuse", 1, Rgb.gray(0.8), Material::diffuse,
             Material::withDiffuse, ShadingModel.PHONG, Section.DIFFUSE,
             "The light that the surface scatters; times the texture where there is one");
@@ -65,7 +65,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
             BumpMapping::strength,
             BumpMapping::withStrength, "How far the normals of the picture of normals lean");
     public static final MaterialAttribute<Rgb> SPECULAR = colorAttribute("specular", 1, Rgb.BLACK, Material::specular,
-            Material::withSpecular, ShadingModel.PHONG, Section.SPECULAR, "The colour of highlights; black for none");
+            Material::withSpecular, ShadingModel.PHONG, Section.SPECULAR, "The color of highlights; black for none");
     public static final MaterialAttribute<Double> SHININESS = numberAttribute("shininess", SceneLimits.MAX_SHININESS, 1, 16, "exponent",
             Material::shininess, Material::withShininess, MaterialTerm.HIGHLIGHT, ShadingModel.PHONG, Section.SPECULAR,
             "How small highlights are");
@@ -83,7 +83,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
     public static final MaterialAttribute<Rgb> TRANSMISSION_COLOR = colorAttribute("clear", 1, Rgb.BLACK, m -> m.transmission().color(),
             (m, v) -> m.withTransmission(m.transmission().withColor(v)), null, Section.CLEAR,
-            "The colour of what is seen through the surface; black where nothing is");
+            "The color of what is seen through the surface; black where nothing is");
     public static final MaterialAttribute<Double> IOR =
             transmissionAttribute("ior", "ior", NumericKind.number(1, SceneLimits.MAX_IOR, 0.01), 1.5,
                     "index of refraction", Transmission::ior, Transmission::withIor, MaterialTerm.REFRACTION,
@@ -102,7 +102,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
     public static final MaterialAttribute<ShadowCasting> SHADOWS =
             transmissionAttribute("shadows", "shadows", ChoiceKind.of(ShadowCasting.class),
                     ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
-                    "Which shadows shapes of the material throw: full ones, those of the colour of the light that passes, or none");
+                    "Which shadows shapes of the material throw: full ones, those of the color of the light that passes, or none");
 
     /** All of them, as they are declared above; that which decides about others before these. */
     public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);
@@ -183,7 +183,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, null, Section.CLEAR, help);
     }
 
-    /** Colours are alike where they are as floats, which rows are coloured with. */
+    /** Colors are alike where they are as floats, which rows are colored with. */
     @Override
     public boolean isEquivalent(Material a, Material b) {
         return super.isEquivalent(a, b) || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);

@@ -8,7 +8,7 @@ public enum MaterialTerm {
     COLOR,
     /** Each light's specular term, where highlights are. */
     HIGHLIGHT,
-    /** The texel of each row, and the colour with it. */
+    /** The texel of each row, and the color with it. */
     TEXEL,
     /** Which rows there are: where the surface is at all. */
     COVERAGE,

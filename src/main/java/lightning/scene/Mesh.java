@@ -13,9 +13,9 @@ import lightning.base.text.DecimalNumber;
 public final class Mesh {
     /** Positions, either sign, as those of a scene. */
     public static final double MAX_COORDINATE = 1e12;
-    /** Texture coordinates, either sign: beyond it a float no longer tells neighbouring pixels apart. */
+    /** Texture coordinates, either sign: beyond it a float no longer tells neighboring pixels apart. */
     public static final double MAX_TEXTURE_COORDINATE = 1e6;
-    /** Linear colours: factors on a material's. */
+    /** Linear colors: factors on a material's. */
     public static final double MAX_COLOR = 1;
     /** How far the square of a normal's length may be from 1; rounding to float takes less than 1e-6. */
     private static final double UNIT_TOLERANCE = 1e-5;

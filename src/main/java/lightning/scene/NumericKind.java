@@ -35,7 +35,7 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
 
     /** What the numbers of a value are together. */
     public enum Form {
-        /** A linear colour. */
+        /** A linear color. */
         COLOR,
         /** A place. */
         POSITION,
@@ -177,7 +177,7 @@ public record NumericKind<V>(Form form, List<String> labels, double min, double 
         return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
     }
 
-    /** Four digits of each, enough to recognise a value. */
+    /** Four digits of each, enough to recognize a value. */
     @Override
     public String format(V value) {
         return components.apply(value).stream().map(NumericKind::formatShort).collect(Collectors.joining(" "));

@@ -14,7 +14,7 @@ import lightning.base.text.Quote;
  *
  * @param light    the brightest of them
  * @param material the one whose highlights are the sharpest
- * @param limit     what the greatest channels of the lights' colours times intensities may add up to
+ * @param limit     what the greatest channels of the lights' colors times intensities may add up to
  * @param sum      what they add up to
  */
 public record OverflowCheck(Light light, Material material, double limit, double sum) {
@@ -47,7 +47,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
 
     /** What may be, and what was found: a clause. */
     public String message() {
-        return "light " + Quote.of(light.name()) + ": colour times intensity of all lights must add up to at most "
+        return "light " + Quote.of(light.name()) + ": color times intensity of all lights must add up to at most "
                 + SceneLimits.format(rounded(limit, RoundingMode.DOWN))
                 + " before metallic material " + Quote.of(material.name()) + ", which has highlights so sharp, was "
                 + SceneLimits.format(rounded(sum, RoundingMode.HALF_EVEN));

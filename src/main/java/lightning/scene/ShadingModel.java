@@ -4,6 +4,6 @@ package lightning.scene;
 public enum ShadingModel {
     /** Lambert and Phong, as the paper has them (§2.2). */
     PHONG,
-    /** Lambert and GGX, as glTF 2.0 has materials: a base colour, how metallic, how rough. */
+    /** Lambert and GGX, as glTF 2.0 has materials: a base color, how metallic, how rough. */
     METALLIC
 }

@@ -4,7 +4,7 @@ package lightning.scene;
 public enum ShadowCasting {
     /** As if the material let no light through. */
     FULL,
-    /** Of the colour of the light that passes; full ones where none does. */
+    /** Of the color of the light that passes; full ones where none does. */
     TINTED,
     /** None: lights shine through. */
     NONE

@@ -154,16 +154,16 @@ public sealed interface Solid {
      *
      * @param file   the name as written in the scene file
      * @param part   the name of the part of the file; empty for all that it holds
-     * @param showsColors whether the colours of its vertices are shown, where it has any
+     * @param showsColors whether the colors of its vertices are shown, where it has any
      * @param mesh   what was read: shared by all shapes that show it
      */
     record TriangleMesh(String file, String part, boolean showsColors, Mesh mesh) implements Solid {
-        /** With the colours of its vertices. */
+        /** With the colors of its vertices. */
         public TriangleMesh(String file, String part, Mesh mesh) {
             this(file, part, true, mesh);
         }
 
-        /** Whether colours of vertices are a factor on its material's diffuse colour. */
+        /** Whether colors of vertices are a factor on its material's diffuse color. */
         public boolean hasVertexColors() {
             return showsColors && mesh.colors() != null;
         }

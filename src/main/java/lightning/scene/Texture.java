@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * A decoded picture: linear RGB in 0…1, rows from the top, never changed after construction. It multiplies a material's diffuse
- * colour, holds back a light, or tells heights or normals.
+ * color, holds back a light, or tells heights or normals.
  */
 public final class Texture {
     private final int width;

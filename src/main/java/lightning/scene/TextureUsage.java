@@ -2,7 +2,7 @@ package lightning.scene;
 
 /** What the samples of a picture's file stand for. */
 public enum TextureUsage {
-    /** Colours, which are made linear. */
+    /** Colors, which are made linear. */
     COLOR,
     /** Numbers, which no curve bends. */
     DATA,

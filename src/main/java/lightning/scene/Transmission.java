@@ -6,7 +6,7 @@ import lightning.base.math.Rgb;
 /**
  * What passes through a surface, and what a body made of the material does to light inside.
  *
- * @param color        the colour that what is seen through the surface is multiplied by; black where nothing is
+ * @param color        the color that what is seen through the surface is multiplied by; black where nothing is
  * @param ior          the index of refraction, that of what is around being 1
  * @param thin         whether the surface is a pane: it bends no ray, and has no inside
  * @param tint         what is left of white after {@code tintDistance} inside
@@ -48,7 +48,7 @@ public record Transmission(Rgb color, double ior, boolean thin, Rgb tint, double
         };
     }
 
-    /** Whether light on its way to a point passes shapes of the material, and takes their colour. */
+    /** Whether light on its way to a point passes shapes of the material, and takes their color. */
     public boolean tintsShadows() {
         return shadows == ShadowCasting.TINTED && isTransparent();
     }

@@ -13,8 +13,8 @@ import lightning.base.text.Messages;
 /**
  * What surrounds the shapes.
  *
- * @param ambience    the factor on every material's ambient colour, ≥ 0
- * @param background  the linear colour where a ray hits nothing, ≥ 0; an environment takes its place
+ * @param ambience    the factor on every material's ambient color, ≥ 0
+ * @param background  the linear color where a ray hits nothing, ≥ 0; an environment takes its place
  * @param environment what is far around, seen where a ray hits nothing, and a light
  * @param rotation    how far the environment is turned about y, degrees
  * @param intensity   a factor of all that comes from the environment

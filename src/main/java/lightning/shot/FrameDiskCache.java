@@ -16,7 +16,7 @@ import lightning.render.column.ColumnReader;
 import lightning.render.column.ColumnWriter;
 
 /**
- * The rows and colours of frames as files, mapped for reading. A file is never written twice; what is damaged, or could not be written,
+ * The rows and colors of frames as files, mapped for reading. A file is never written twice; what is damaged, or could not be written,
  * is as if it were not there. Any thread may call.
  */
 final class FrameDiskCache implements AutoCloseable {
@@ -55,7 +55,7 @@ final class FrameDiskCache implements AutoCloseable {
         return write("rows-", cache, CacheSerializer::writeRows);
     }
 
-    /** Writes the colours likewise. */
+    /** Writes the colors likewise. */
     CacheFile writeColors(PixelCache cache) {
         return write("colors-", cache, CacheSerializer::writeColors);
     }

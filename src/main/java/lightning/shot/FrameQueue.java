@@ -7,7 +7,7 @@ import java.util.List;
 import lightning.base.work.Progress;
 
 /**
- * Which frame is worked on next, and what work is of no use any more: the frame that is looked at first, then its neighbours outwards,
+ * Which frame is worked on next, and what work is of no use any more: the frame that is looked at first, then its neighbors outwards,
  * each brought to the newest take at once. Knows no renderer; any thread may call.
  *
  * <p>A keeper has two lanes. Its front lane does nothing but the frame in focus; the other lane's work rests from tile to tile while the

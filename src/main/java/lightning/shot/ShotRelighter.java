@@ -7,7 +7,7 @@ import lightning.base.work.DedicatedThread;
 import lightning.render.image.Film;
 
 /**
- * The frames of a shot, each brought to the newest edit: the one in focus first, then its neighbours outwards. An edit replaces the one
+ * The frames of a shot, each brought to the newest edit: the one in focus first, then its neighbors outwards. An edit replaces the one
  * before; a frame that missed some is brought to the newest at once. All is done on threads of its own, and any thread may call.
  */
 public final class ShotRelighter implements AutoCloseable {
@@ -99,7 +99,7 @@ public final class ShotRelighter implements AutoCloseable {
         queue.setRevision(revision);
     }
 
-    /** Wants a frame before all others, and its neighbours next; outside the shot it is the nearest that there is. */
+    /** Wants a frame before all others, and its neighbors next; outside the shot it is the nearest that there is. */
     public void focus(int frame) {
         queue.focus(frame);
         hosts().forEach(keeper -> keeper.focus(queue.focus()));

@@ -59,7 +59,7 @@ class HtmlReportTest {
                         List.of(), List.of(), List.of(),
                         List.of(), List.of());
 
-        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was cancelled",
+        assertThat(write(part, folder).getDocumentElement().getTextContent()).contains("had not ended after 5.00 s: it was canceled",
                 "bird, 300 × 200");
     }
 
@@ -183,7 +183,7 @@ class HtmlReportTest {
         assertThat(texts(byClass(page, "wipe").getFirst(), "option")).containsExactly("before", "exact", "full trace",
                 "before", "exact", "full trace", "exact");
         assertThat(texts(byClass(page, "side").getFirst(), "figcaption")).containsExactly("before", "exact", "full trace",
-                "difference, false colours");
+                "difference, false colors");
     }
 
     @Test

@@ -48,7 +48,7 @@ record StoredRuns(Map<String, BenchResults> parts) {
                 faults.add(name + ": measured at " + run.commit() + ", expected a full commit without changes");
             }
             if (!run.complete()) {
-                faults.add(name + ": the run was cancelled");
+                faults.add(name + ": the run was canceled");
             }
             if (run.repetitions() < MIN_REPETITIONS) {
                 faults.add(name + ": " + run.repetitions() + " samples of each work, expected at least " + MIN_REPETITIONS);

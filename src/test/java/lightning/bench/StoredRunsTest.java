@@ -72,7 +72,7 @@ class StoredRunsTest {
 
     @Test
     void canceledRunFewSamplesOrDifferingPictures_areFaults() {
-        assertThat(faultsOf(validResults(), runAt(BUILD, false, 5, List.of()))).containsExactly("cold: the run was cancelled");
+        assertThat(faultsOf(validResults(), runAt(BUILD, false, 5, List.of()))).containsExactly("cold: the run was canceled");
         assertThat(faultsOf(validResults(), runAt(BUILD, true, 2, List.of()))).singleElement().asString().contains("2 samples");
         assertThat(faultsOf(validResults(), runAt(BUILD, true, 5, List.of(scene(1))))).singleElement().asString()
                 .contains("bird, color, sun: color: not equal to the full trace");

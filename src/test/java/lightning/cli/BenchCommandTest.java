@@ -194,6 +194,6 @@ class BenchCommandTest {
         CliResult run = bench(scene);
         assertThat(Thread.interrupted()).isTrue();
         assertThat(run.exit()).isEqualTo(130);
-        assertThat(run.err()).endsWith("lightning: cancelled\n");
+        assertThat(run.err()).endsWith("lightning: canceled\n");
     }
 }

@@ -46,7 +46,7 @@ class InterruptTest {
             assertThat(out.lines().anyMatch(text -> text.startsWith("first pass"))).isTrue();
             // Process.destroy would close the streams too.
             process.toHandle().destroy();
-            assertThat(out.lines().toList()).contains("lightning: cancelled");
+            assertThat(out.lines().toList()).contains("lightning: canceled");
         }
         assertThat(process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isTrue();
         assertThat(process.exitValue()).isEqualTo(143);

@@ -139,7 +139,7 @@ class OtherCommandsTest {
                 ", from below the surface\n");
     }
 
-    /** Pixels on edges are means of several rays; the one that is explained is the centre's. */
+    /** Pixels on edges are means of several rays; the one that is explained is the center's. */
     @Test
     void explainedEdge_showsCenterAndRenderedColor() throws Exception {
         Path picture = folder.resolve("a.pfm");

@@ -55,7 +55,7 @@ final class MaterialArbitraries {
                                 .withTexture(texture).withBumpMapping(relief));
     }
 
-    /** Colours, shininess and textures that come, go and change. */
+    /** Colors, shininess and textures that come, go and change. */
     static Arbitrary<MaterialChange> changes() {
         return Arbitraries.oneOf(List.of(
                 ambient().map(MaterialChange.Ambient::new),

@@ -54,7 +54,7 @@ public sealed interface NodeChange {
         }
     }
 
-    /** The colours of a mesh's vertices shown where they were not, not shown where they were. */
+    /** The colors of a mesh's vertices shown where they were not, not shown where they were. */
     record ToggleVertexColors() implements NodeChange {
         @Override
         public SceneNode on(SceneNode node) {

@@ -8,7 +8,7 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.RandomDistribution;
 import net.jqwik.api.Tuple;
 
-/** Numbers, vectors and colours: short ones, which meet each other exactly, and ones with many digits. */
+/** Numbers, vectors and colors: short ones, which meet each other exactly, and ones with many digits. */
 final class NumberArbitraries {
     /** The power of ten below the least float: nothing is left of such numbers, and little of the squares of some larger ones. */
     static final double MIN_EXPONENT = -46;
@@ -42,7 +42,7 @@ final class NumberArbitraries {
         return vectors(range(min, max), range(min, max), range(min, max));
     }
 
-    /** Colours of channels 0…1: black, white, pure and mixed ones. */
+    /** Colors of channels 0…1: black, white, pure and mixed ones. */
     static Arbitrary<Rgb> colors() {
         Arbitrary<Double> channel = rangeOrSpecial(0, 1, 0.0, 1.0);
         return Arbitraries.frequencyOf(

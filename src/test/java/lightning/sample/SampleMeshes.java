@@ -26,7 +26,7 @@ public final class SampleMeshes {
         return new Solid.TriangleMesh("m" + mesh.triangleCount() + "-" + mesh.vertexCount() + ".ply", "", mesh);
     }
 
-    /** With colours at its vertices, black and white among them. */
+    /** With colors at its vertices, black and white among them. */
     public static Mesh withVertexColors(Mesh m) {
         Random random = new Random(m.vertexCount());
         float[] colors = new float[3 * m.vertexCount()];

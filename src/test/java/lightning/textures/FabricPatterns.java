@@ -29,7 +29,7 @@ final class FabricPatterns {
         double fx = fraction(x) - 0.5;
         double fy = fraction(y) - 0.5;
         int up = (column + row) % 2 == 0 ? 1 : -1;
-        // Each thread is a bent tube: it rises over one neighbour and dives under the next.
+        // Each thread is a bent tube: it rises over one neighbor and dives under the next.
         double warp = tube(fx, 0.40 + 0.07 * TileableNoise.hash(column, 0, 802)) + 0.55 * up * StrictMath.cos(Math.PI * fy);
         double weft = tube(fy, 0.40 + 0.07 * TileableNoise.hash(0, row, 803)) - 0.55 * up * StrictMath.cos(Math.PI * fx);
         boolean warpOnTop = warp > weft;
@@ -108,7 +108,7 @@ final class FabricPatterns {
         return new TexturePattern.Sample(colour, height);
     }
 
-    /** A page of a printed book, seen from where the words are grey but their letters almost legible. */
+    /** A page of a printed book, seen from where the words are gray but their letters almost legible. */
     static TexturePattern.Sample paper(double u, double v) {
         int lines = 22;
         double fibre = TileableNoise.fbm(u, v, 24, 24, 4, 1100);

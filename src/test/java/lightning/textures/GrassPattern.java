@@ -35,7 +35,7 @@ final class GrassPattern implements TexturePattern {
             int cell = i / LAYERS;
             double u = (cell % CELLS + TileableNoise.hash(i, 1, 500)) / CELLS;
             double v = (cell / CELLS + TileableNoise.hash(i, 2, 500)) / CELLS;
-            // Neighbours lean alike, as the wind and the mower left them.
+            // Neighbors lean alike, as the wind and the mower left them.
             double angle = 3.2 * TileableNoise.fbm(u, v, 5, 5, 2, 510) + 1.9 * (TileableNoise.hash(i, 3, 500) - 0.5) - 1.2;
             double length = MAX_LENGTH * (0.55 + 0.45 * TileableNoise.hash(i, 4, 500));
             double bend = length * 0.55 * (TileableNoise.hash(i, 5, 500) - 0.5);

@@ -93,7 +93,7 @@ final class MasonryPatterns {
         Rgb body = gradient(tone, hex(0x77736D), hex(0x928C82), hex(0xA59D90), hex(0xB9B0A0));
         body = mix(body, hex(0xA98C6C), 0.45 * smoothstep(0.55, 1, warm));
         body = mix(body, hex(0x7C8790), 0.40 * smoothstep(0.55, 1, 1 - warm));
-        // The offset by stone makes the grain of neighbours unlike.
+        // The offset by stone makes the grain of neighbors unlike.
         double rough = TileableNoise.fbm(u, v, 10, 10, 5, 120 + cell.id() * 7);
         double pit = smoothstep(0.38, 0.62, TileableNoise.fbm(u, v, 48, 48, 2, 130));
         body = body.times(1 + 0.30 * rough);

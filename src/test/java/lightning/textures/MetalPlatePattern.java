@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.math.Rgb;
 
-/** The hull of a spaceship: plates of many sizes with seams, rivets, vents, marks of colour, streaks and scratches. */
+/** The hull of a spaceship: plates of many sizes with seams, rivets, vents, marks of color, streaks and scratches. */
 final class MetalPlatePattern implements TexturePattern {
 
     private static final double MIN_PLATE_SIZE = 0.11;

@@ -13,7 +13,7 @@ final class NaturePatterns {
 
     private NaturePatterns() {}
 
-    /** White marble with blue-grey veins and a trace of ochre. */
+    /** White marble with blue-gray veins and a trace of ochre. */
     static TexturePattern.Sample marble(double u, double v) {
         // Sheared by a whole number, so that the beds run diagonally and still meet themselves.
         double across = v + u;
@@ -28,7 +28,7 @@ final class NaturePatterns {
         return new TexturePattern.Sample(colour, 0);
     }
 
-    /** The skin of an orange: dimples of several sizes over slow changes of colour. */
+    /** The skin of an orange: dimples of several sizes over slow changes of color. */
     static TexturePattern.Sample orangePeel(double u, double v) {
         double warpU = u + 0.004 * TileableNoise.fbm(u, v, 20, 20, 2, 300);
         double warpV = v + 0.004 * TileableNoise.fbm(u, v, 20, 20, 2, 303);

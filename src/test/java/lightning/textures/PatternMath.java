@@ -2,7 +2,7 @@ package lightning.textures;
 
 import lightning.base.math.Rgb;
 
-/** Mixing display colours and shaping numbers. */
+/** Mixing display colors and shaping numbers. */
 final class PatternMath {
 
     private PatternMath() {}
@@ -20,7 +20,7 @@ final class PatternMath {
         return new Rgb(a.r() + b.r(), a.g() + b.g(), a.b() + b.b());
     }
 
-    /** The colour at a share 0…1 of a row of colours at equal distances. */
+    /** The color at a share 0…1 of a row of colors at equal distances. */
     static Rgb gradient(double share, Rgb... colours) {
         double at = Math.clamp(share, 0, 1) * (colours.length - 1);
         int i = Math.min((int) at, colours.length - 2);

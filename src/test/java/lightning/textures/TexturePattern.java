@@ -12,7 +12,7 @@ interface TexturePattern {
     /**
      * One point of a surface.
      *
-     * @param color display colour, 0…1 a channel; values outside are clamped at the end
+     * @param color display color, 0…1 a channel; values outside are clamped at the end
      * @param height above the ground, in widths of the texture; its slopes are lit from the upper left
      */
     record Sample(Rgb color, double height) {}

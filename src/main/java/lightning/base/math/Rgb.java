@@ -1,11 +1,11 @@
 package lightning.base.math;
 
-/** A linear colour or a triple of colour factors; the range depends on what it stands for. */
+/** A linear color or a triple of color factors; the range depends on what it stands for. */
 public record Rgb(double r, double g, double b) {
     public static final Rgb BLACK = new Rgb(0, 0, 0);
     public static final Rgb WHITE = new Rgb(1, 1, 1);
 
-    /** The neutral colour with all three channels at {@code v}. */
+    /** The neutral color with all three channels at {@code v}. */
     public static Rgb gray(double v) {
         return new Rgb(v, v, v);
     }

@@ -1,7 +1,7 @@
 package lightning.base.text;
 
 /**
- * Which characters a line of text shows as they are. The others end a line, move what stands beside them, change colours of a
+ * Which characters a line of text shows as they are. The others end a line, move what stands beside them, change colors of a
  * terminal, or cannot be seen at all; where a message must show one, it is escaped as Git escapes it.
  */
 public final class PrintableText {

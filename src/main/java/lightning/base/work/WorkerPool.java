@@ -86,7 +86,7 @@ public final class WorkerPool implements AutoCloseable {
         switch (failure.get()) {
             case null -> {
                 if (done.get() < tiles) {
-                    throw new CancellationException("cancelled after " + done + " of " + tiles + " tiles");
+                    throw new CancellationException("canceled after " + done + " of " + tiles + " tiles");
                 }
             }
             case RuntimeException e -> throw e;

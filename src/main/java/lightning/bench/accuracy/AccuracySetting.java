@@ -44,7 +44,7 @@ public enum AccuracySetting {
         this.description = note;
     }
 
-    /** Whether it is another than its neighbours for edits of a scene. */
+    /** Whether it is another than its neighbors for edits of a scene. */
     boolean appliesTo(Scene scene) {
         return switch (this) {
             case FEW_SAMPLES -> scene.lights().stream().anyMatch(Light::isArea);

@@ -106,7 +106,7 @@ record InterleavedTimer(int repetitions, double maxWarmUpMs, double steadyMs) {
 
     private static <X extends Exception> double runTask(TimedTask<X> task, Progress progress) throws X {
         if (progress.isCanceled()) {
-            throw new CancellationException("cancelled while measuring");
+            throw new CancellationException("canceled while measuring");
         }
         return task.runMs();
     }

@@ -20,7 +20,7 @@ import lightning.scene.SceneLimits;
  *
  * <p>Each case edits the first light of the type it needs that shines; a case that finds no such
  * light, or would change nothing, is left out. Where no point light shines, another that has a place is moved. On {@code scenes/bird.jen} the values are those that
- * the paper prints (colours, attenuation, ambience); where the paper shows only pictures, and on other
+ * the paper prints (colors, attenuation, ambience); where the paper shows only pictures, and on other
  * scenes, they follow from the scene's own values and from what its camera sees.
  */
 public final class PaperCases {

@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
 
 /**
- * A chart as SVG inside the page: colours become variables of the style sheet, and every text is given the width for which
+ * A chart as SVG inside the page: colors become variables of the style sheet, and every text is given the width for which
  * the chart was laid out, whatever font the reader has.
  */
 final class ChartSvg {

@@ -69,7 +69,7 @@ final class CurveSections {
 
     private static void growth(HtmlWriter page, GrowthCurve growth) {
         SceneSection.figure(page, "With " + growth.along(), "Time (ms) against " + growth.along() + "; " + growth.scene() + "."
-                + (hasFewEdits(growth) ? "" : " Grey: the other edits."), growth(growth));
+                + (hasFewEdits(growth) ? "" : " Gray: the other edits."), growth(growth));
     }
 
     private static boolean hasFewEdits(GrowthCurve growth) {

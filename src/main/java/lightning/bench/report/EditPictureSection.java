@@ -125,7 +125,7 @@ final class EditPictureSection {
         }
         int difference = index(differences, pictures.get(after).setting, -1);
         if (difference >= 0) {
-            picture(page, "difference, false colours", differences.get(difference).style, aspectRatio);
+            picture(page, "difference, false colors", differences.get(difference).style, aspectRatio);
         }
         page.close();
     }

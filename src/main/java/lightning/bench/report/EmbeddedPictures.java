@@ -25,7 +25,7 @@ import lightning.render.image.ViewTransform;
  */
 final class EmbeddedPictures {
     private static final float JPEG_QUALITY = 0.92f;
-    /** The bits of a channel that a false-colour picture keeps, so that it has few colours. */
+    /** The bits of a channel that a false-color picture keeps, so that it has few colors. */
     private static final int COARSE = 0xF8F8F8;
 
     private final Path folder;
@@ -42,7 +42,7 @@ final class EmbeddedPictures {
         return add(file, false);
     }
 
-    /** The class of a false-colour picture; null if there is none or it cannot be read. */
+    /** The class of a false-color picture; null if there is none or it cannot be read. */
     String difference(String file) {
         return add(file, true);
     }

@@ -10,9 +10,9 @@ import lightning.bench.accuracy.AccuracySetting;
 import lightning.render.relight.plan.Accuracy;
 
 /**
- * The colours of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
+ * The colors of charts. In the page each is a variable of the style sheet, {@code --paper} and so on, so that they change
  * with the theme; {@link #color} is only what a chart is drawn with. Hues are those of Okabe and Ito, "Color Universal
- * Design", 2008, which stay apart without colour vision.
+ * Design", 2008, which stay apart without color vision.
  */
 enum PlotColor {
     TEXT(0x1A1D21),
@@ -47,7 +47,7 @@ enum PlotColor {
         return "var(--" + name().toLowerCase(Locale.ROOT) + ")";
     }
 
-    /** What the page calls a colour of a chart; the colour itself if it is none of these. */
+    /** What the page calls a color of a chart; the color itself if it is none of these. */
     static String variable(int red, int green, int blue) {
         PlotColor plotColor = BY_COLOR.get(red << 16 | green << 8 | blue);
         return plotColor == null ? String.format(Locale.ROOT, "rgb(%d,%d,%d)", red, green, blue) : plotColor.variable();
@@ -61,7 +61,7 @@ enum PlotColor {
         return accuracy.isExact() ? OURS : PURPLE;
     }
 
-    /** Colours of lines that have no meaning of their own. */
+    /** Colors of lines that have no meaning of their own. */
     static PlotColor of(int line) {
         PlotColor[] colors = {OURS, RED, GREEN, PURPLE, ORANGE, SKY, TEXT, MUTED};
         return colors[line % colors.length];

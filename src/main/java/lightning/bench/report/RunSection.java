@@ -39,7 +39,7 @@ final class RunSection {
         }
         if (!run.complete()) {
             page.element("p", "The run had not ended after " + NumberText.threeDigits(run.actualSeconds())
-                    + " s: it was cancelled then, or is still at work. Below is what had been measured.", "class", "note");
+                    + " s: it was canceled then, or is still at work. Below is what had been measured.", "class", "note");
         }
     }
 

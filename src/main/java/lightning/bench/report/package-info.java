@@ -6,7 +6,7 @@
  * }</pre>
  *
  * <p>{@link lightning.bench.report.HtmlWriter} is the only way to the page: it closes what it opens and escapes every text, so that
- * the page is well-formed XML whatever names a scene holds. Charts are drawn by JFreeChart in the colours of
+ * the page is well-formed XML whatever names a scene holds. Charts are drawn by JFreeChart in the colors of
  * {@link lightning.bench.report.PlotColor}, which the style sheet gives anew for dark screens.
  */
 package lightning.bench.report;

@@ -4,7 +4,7 @@ import lightning.base.math.Rgb;
 import lightning.scene.SceneLimits;
 
 /**
- * The colours of glowing bodies: the cubic fit of the Planckian locus by Kim et al. (US patent 7024034), in linear sRGB
+ * The colors of glowing bodies: the cubic fit of the Planckian locus by Kim et al. (US patent 7024034), in linear sRGB
  * (IEC 61966-2-1, white D65).
  */
 public final class ColorTemperature {
@@ -16,7 +16,7 @@ public final class ColorTemperature {
     private ColorTemperature() {}
 
     /**
-     * The colour with the brightest channel at 1. A channel that the display cannot mix becomes 0.
+     * The color with the brightest channel at 1. A channel that the display cannot mix becomes 0.
      *
      * @param kelvin 1667…25000
      * @throws IllegalArgumentException if it is outside
@@ -36,7 +36,7 @@ public final class ColorTemperature {
     }
 
     /**
-     * The temperature whose colour has this colour's ratio of blue to red, which rises all along the locus; the nearest
+     * The temperature whose color has this color's ratio of blue to red, which rises all along the locus; the nearest
      * end where no temperature has it.
      *
      * @param color linear, channels ≥ 0

@@ -162,7 +162,7 @@ public enum Command {
             "mdi2m-movie-cog-outline", "", DisabledReasons.unlessAnimating(DisabledReasons::noPositionKeys)),
 
     MIXER(Messages.key("Light Mixer…"),
-            Messages.key("A strip for each light and bank: what it gives to the picture, fader, colour, solo, mute"),
+            Messages.key("A strip for each light and bank: what it gives to the picture, fader, color, solo, mute"),
             "mdi2t-tune-vertical", "F4", DisabledReasons.NONE),
 
     CONTRIBUTIONS(Messages.key("Which Lights Matter…"),
@@ -264,7 +264,7 @@ public enum Command {
             DisabledReasons.NONE),
     CURVE(Messages.key("Display Curve"), Messages.key("How light becomes brightness on the screen"), "mdi2c-chart-bell-curve", "",
             DisabledReasons.NONE),
-    COLOR_TABLE(Messages.key("Colour Table…"),
+    COLOR_TABLE(Messages.key("Color Table…"),
             Messages.key("Let what the display's curve gives pass a table of a .cube file; again takes it away"),
             "mdi2c-cube-outline", "", DisabledReasons.NONE),
     MARK_CLIPPING(Messages.key("Mark What Is Cut Off"), Messages.key("Mark pixels that are brighter than white or black"),

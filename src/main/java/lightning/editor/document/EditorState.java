@@ -96,7 +96,7 @@ public record EditorState(Scene scene, Optional<Frame> frame, Optional<Scene> sc
                 : lacksSamples() ? Optional.of(Messages.tr("the picture lacks the finer samples of its edges")) : Optional.empty();
     }
 
-    /** Whether the traced picture is one of pixels' centres, that finer samples are still to follow. */
+    /** Whether the traced picture is one of pixels' centers, that finer samples are still to follow. */
     public boolean lacksSamples() {
         return frame.isPresent() && !frame.get().isFinished();
     }

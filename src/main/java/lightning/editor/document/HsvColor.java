@@ -4,10 +4,10 @@ import lightning.base.math.Rgb;
 import lightning.scene.SceneLimits;
 
 /**
- * A colour as hue, saturation and value (Smith, 1978) of its linear channels.
+ * A color as hue, saturation and value (Smith, 1978) of its linear channels.
  *
- * @param hue        degrees, 0…360: red, yellow, green, cyan, blue, magenta every 60; 0 for greys
- * @param saturation 0…1; 0 for greys
+ * @param hue        degrees, 0…360: red, yellow, green, cyan, blue, magenta every 60; 0 for grays
+ * @param saturation 0…1; 0 for grays
  * @param value      the largest channel, ≥ 0
  */
 public record HsvColor(double hue, double saturation, double value) {

@@ -35,13 +35,13 @@ public final class LightEdits {
         return EditOutcome.of(() -> scene.withLight(edit.apply(light(scene, name))));
     }
 
-    /** The colour as hue, saturation and value, of linear channels. */
+    /** The color as hue, saturation and value, of linear channels. */
     public static EditOutcome setHsv(Scene scene, String name, HsvColor color) {
         return EditOutcome.of(() -> scene.withLight(light(scene, name).withColor(color.rgb())));
     }
 
     /**
-     * The colour of a glowing body, at the brightest channel that the light has now.
+     * The color of a glowing body, at the brightest channel that the light has now.
      *
      * @param kelvin 1667…25000
      */
@@ -118,7 +118,7 @@ public final class LightEdits {
     }
 
     /**
-     * Gives a light the settings of another: type, colour and all that shapes its light. It keeps its name, its place, its
+     * Gives a light the settings of another: type, color and all that shapes its light. It keeps its name, its place, its
      * direction and its switches.
      */
     public static EditOutcome pasteSettings(Scene scene, String name, Light settings) {

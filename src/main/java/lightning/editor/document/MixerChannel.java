@@ -90,7 +90,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** A light's colour or a bank's gel; the environment has none. */
+    /** A light's color or a bank's gel; the environment has none. */
     default Optional<Rgb> color(Scene scene) {
         return switch (this) {
             case OfLight(String name) -> Optional.of(LightEdits.light(scene, name).color());
@@ -99,7 +99,7 @@ public sealed interface MixerChannel {
         };
     }
 
-    /** The scene with another colour; the same where it has none. Throws as {@link #withIntensity}. */
+    /** The scene with another color; the same where it has none. Throws as {@link #withIntensity}. */
     default Scene withColor(Scene scene, Rgb v) {
         return switch (this) {
             case OfLight(String name) -> scene.withLight(LightEdits.light(scene, name).withColor(v));

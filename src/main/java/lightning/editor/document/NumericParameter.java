@@ -82,7 +82,7 @@ public final class NumericParameter {
 
     private static <V> NumericParameter of(LightAttribute<V> attribute, NumericKind<V> quantity, int index) {
         String label = quantity.labels().get(index);
-        // What a channel or an axis is of, people see by the colour or the place that it stands beside.
+        // What a channel or an axis is of, people see by the color or the place that it stands beside.
         String title = label.isEmpty() ? attribute.title()
                 : quantity.form() == NumericKind.Form.COLOR ? label : attribute.title() + " " + label;
         return new NumericParameter(title, label.isEmpty() ? title : label, quantity, false,

@@ -246,7 +246,7 @@ public final class OpenDocument {
         selection = Selection.light(history, light);
     }
 
-    /** The selected light as it is now, or its neighbour where it is gone; empty if none is selected or there are no lights. */
+    /** The selected light as it is now, or its neighbor where it is gone; empty if none is selected or there are no lights. */
     public Optional<Light> selectedLight() {
         return selection.light(history).flatMap(light -> scene().light(light.name()));
     }

@@ -6,7 +6,7 @@ import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 
 /**
- * What the artist works on. It follows a light through renames. Where the light is gone, its neighbour stands in for it
+ * What the artist works on. It follows a light through renames. Where the light is gone, its neighbor stands in for it
  * until undo brings it back.
  */
 public sealed interface Selection {
@@ -35,7 +35,7 @@ public sealed interface Selection {
         return id < 0 ? NONE : new OfLight(id);
     }
 
-    /** The selected light as it is now, or its neighbour where it is gone; empty if none is selected or there are no lights. */
+    /** The selected light as it is now, or its neighbor where it is gone; empty if none is selected or there are no lights. */
     default Optional<Light> light(EditHistory history) {
         return switch (this) {
             case None _ -> Optional.empty();

@@ -19,7 +19,7 @@ import lightning.scene.effects.ViewEffects;
  * @param mirroredScene what its mirrors and clear surfaces show: an older scene where reflections are stale (paper §4.8)
  * @param update   how it came about
  * @param geometry what its rays met, with the tree that it was traced with
- * @param isFinished whether it has all samples that its scene asks for; else it shows the pixels' centres, without anti-aliasing
+ * @param isFinished whether it has all samples that its scene asks for; else it shows the pixels' centers, without anti-aliasing
  */
 public record Frame(Film film, Film displayed, DisplayMode displayMode, Scene scene, Scene mirroredScene, UpdateResult update,
         Geometry geometry,

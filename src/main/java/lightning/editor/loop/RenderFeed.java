@@ -59,7 +59,7 @@ public final class RenderFeed implements RenderListener {
         }
     }
 
-    /** What waited was cancelled, also where the loop has not left the document before. */
+    /** What waited was canceled, also where the loop has not left the document before. */
     public synchronized void waitingRenderCanceled() {
         state = state.withStop(null);
     }

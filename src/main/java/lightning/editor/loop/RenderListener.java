@@ -42,7 +42,7 @@ public interface RenderListener {
     /** A full trace was compared with the last picture. */
     default void verified(Verification verification) {}
 
-    /** A work ended before its time, because it was cancelled or newer work made it useless. */
+    /** A work ended before its time, because it was canceled or newer work made it useless. */
     default void canceled() {}
 
     /** A work failed; the last picture stays. Memory may have run out, anything else is an error of the program. */

@@ -42,7 +42,7 @@ public final class RenderLoop implements AutoCloseable {
 
     /**
      * Brings the picture to a scene. Replaces a scene that still waits. A trace of another picture (size, camera, shapes) is
-     * cancelled; an update that runs is finished first, so that a picture comes even while edits never pause.
+     * canceled; an update that runs is finished first, so that a picture comes even while edits never pause.
      */
     public void render(Scene scene) {
         queue.render(scene);
@@ -82,7 +82,7 @@ public final class RenderLoop implements AutoCloseable {
     /**
      * Stops what runs, a verification too, and forgets what waits. The last picture stays.
      *
-     * @return whether a scene waited: the listener does not hear that it is cancelled, since it was not begun
+     * @return whether a scene waited: the listener does not hear that it is canceled, since it was not begun
      */
     public boolean cancel() {
         boolean wasWaiting = queue.cancel();

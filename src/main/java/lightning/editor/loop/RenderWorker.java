@@ -122,7 +122,7 @@ final class RenderWorker implements RenderJobRunner.RenderJobHandler {
     }
 
     /**
-     * Lets go of the picture before where the new one does not fit beside it; then a pass that is cancelled has none to go back to.
+     * Lets go of the picture before where the new one does not fit beside it; then a pass that is canceled has none to go back to.
      *
      * @throws PictureTooLargeException if it does not fit even so; nothing is let go of then
      */

@@ -162,7 +162,7 @@ final class EditorLayout extends BorderPane {
                 create.run();
             }
             if (on && workArea.getItems().size() == 1) {
-                // A pane that comes while its neighbours' room is about to change gets the least that it can do with.
+                // A pane that comes while its neighbors' room is about to change gets the least that it can do with.
                 applyCss();
                 layout();
                 workArea.getItems().add(timeline);

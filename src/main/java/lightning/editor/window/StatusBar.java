@@ -65,7 +65,7 @@ final class StatusBar extends HBox {
             return Messages.tr("Tracing {0} …", editor.document().name());
         }
         if (state.canceled()) {
-            return Messages.tr("Cancelled");
+            return Messages.tr("Canceled");
         }
         if (state.verification() != null) {
             return StatusText.of(state.verification(), state.frame());

@@ -123,7 +123,7 @@ final class GltfImport {
     }
 
     private SceneNode createShape(String nodeName, GltfPart part, Placement placement, Transform outer) {
-        assembler.notes.add("shapes without a material, grey here", part.material() < 0 ? 1 : 0);
+        assembler.notes.add("shapes without a material, gray here", part.material() < 0 ? 1 : 0);
         String material = part.material() < 0 ? Material.DEFAULT.name() : materials.get(part.material());
         return assembler.createShape(nodeName.isEmpty() ? part.name() : nodeName, meshFile, part.name(), part.triangles(), material,
                 placement, outer);
@@ -164,7 +164,7 @@ final class GltfImport {
             double quadratic = type.hasPosition() ? assembler.quadraticAttenuation() : 1;
             Light result =
                     Light.of(assembler.names.unique(name, "light"), type)
-                            .withColor(assembler.clampColor(light.color(), 1000, "colours of lights"))
+                            .withColor(assembler.clampColor(light.color(), 1000, "colors of lights"))
                             .withIntensity(Math.min(light.intensity() * quadratic, SceneLimits.MAX_INTENSITY));
             if (type.hasPosition()) {
                 result = result.withPosition(world.transformPoint(Vec3.ZERO)).withAttenuation(new Attenuation(0, 0, quadratic));

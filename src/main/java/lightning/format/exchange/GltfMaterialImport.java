@@ -37,7 +37,7 @@ final class GltfMaterialImport {
     }
 
     Material convert(GltfMaterial m) throws IOException, MeshException {
-        Rgb base = assembler.clampColor(m.base(), 1, "base colours of materials");
+        Rgb base = assembler.clampColor(m.base(), 1, "base colors of materials");
         if (m.isUnlit()) {
             assembler.notes.add("textures of unlit materials", m.baseImage() < 0 ? 0 : 1);
             return Material.of("material").withAmbient(base).withDiffuse(Rgb.BLACK);
@@ -51,12 +51,12 @@ final class GltfMaterialImport {
         return withCutout(withNormalMap(withTransmission(withReflection(withHighlights(material, m)), m), m), m);
     }
 
-    /** With what a surface mirrors of lights where it is no metal: a grey share here, and all of it where it is grazed. */
+    /** With what a surface mirrors of lights where it is no metal: a gray share here, and all of it where it is grazed. */
     private Material withHighlights(Material material, GltfMaterial m) {
         Rgb f0 = assembler.clampColor(m.f0(), 1, "highlights of materials");
         boolean isGray = f0.min() == f0.max();
         if (material.metalness() < 1) {
-            assembler.notes.add("colored highlights of materials that are no metals, grey here", isGray ? 0 : 1);
+            assembler.notes.add("colored highlights of materials that are no metals, gray here", isGray ? 0 : 1);
             assembler.notes.add("highlights of materials weakened where they are grazed, not weakened here", m.f90() == 1 ? 0 : 1);
         }
         return material.withF0(isGray ? f0.r() : Math.min(f0.luminance(), 1));
@@ -74,7 +74,7 @@ final class GltfMaterialImport {
         return isMirror ? material.withReflective(material.base()) : material;
     }
 
-    /** With what is seen through it, which the base colour tints once at each surface. */
+    /** With what is seen through it, which the base color tints once at each surface. */
     private Material withTransmission(Material material, GltfMaterial m) {
         var transmission = new TransmissionImport(assembler);
         GltfMaterial.Transmission glass = m.transmission();
@@ -88,7 +88,7 @@ final class GltfMaterialImport {
         double distance = glass.tintDistance();
         return glass.isThin() || !(distance <= SceneLimits.MAX_TINT_DISTANCE) ? transmissive
                 : transmissive
-                        .withTransmission(transmissive.transmission().withTint(assembler.clampColor(glass.tint(), 1, "colours of bodies"))
+                        .withTransmission(transmissive.transmission().withTint(assembler.clampColor(glass.tint(), 1, "colors of bodies"))
                                 .withTintDistance(Math.max(distance, SceneLimits.MIN_TINT_DISTANCE)));
     }
 

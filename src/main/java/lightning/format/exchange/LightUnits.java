@@ -8,15 +8,15 @@ import lightning.scene.LightType;
  * What the numbers of a file's lights mean. The format says candela and lux; exporters differ, and may ask which to write.
  *
  * <p>A light of intensity 1 here makes a white surface that faces it at distance 1 as bright as 1. A lamp of E watts per square
- * metre makes it E / π. A watt of light is 683 lumen where the eye is best, which is what exporters reckon with whatever the colour.
+ * meter makes it E / π. A watt of light is 683 lumen where the eye is best, which is what exporters reckon with whatever the color.
  */
 public enum LightUnits {
     /** As glTF says: candela of points and spots, lux of directional lights. */
     CANDELA("candela and lux"),
-    /** Watts per steradian of points and spots, watts per square metre of directional lights; exporters say unitless. */
-    UNITLESS("watts per steradian and per square metre"),
-    /** Watts in all directions together of points and spots, watts per square metre of directional lights. */
-    WATTS("watts, and watts per square metre");
+    /** Watts per steradian of points and spots, watts per square meter of directional lights; exporters say unitless. */
+    UNITLESS("watts per steradian and per square meter"),
+    /** Watts in all directions together of points and spots, watts per square meter of directional lights. */
+    WATTS("watts, and watts per square meter");
 
     private static final double LUMENS_PER_WATT = 683;
 

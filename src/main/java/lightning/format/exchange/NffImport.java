@@ -87,7 +87,7 @@ final class NffImport {
         double diffuse = diffuseShare > 0 ? Math.min(fill.diffuse() / diffuseShare, Math.max(fill.diffuse(), 1)) : 0;
         assembler.notes.add("fills with Ks beyond 0 to 1", specular == fill.specular() ? 0 : 1);
         Material opaque =
-                Material.of("material").withDiffuse(assembler.clampColor(fill.color().times(diffuse), 1, "diffuse colours of fills"))
+                Material.of("material").withDiffuse(assembler.clampColor(fill.color().times(diffuse), 1, "diffuse colors of fills"))
                         .withSpecular(Rgb.gray(specular)).withReflective(Rgb.gray(specular))
                         .withShininess(SceneAssembler.clamp(fill.shininess(), SceneLimits.MAX_SHININESS));
         return new TransmissionImport(assembler).withTransmission(opaque, transmittance, Rgb.WHITE, fill.ior(), false, 0);
@@ -135,7 +135,7 @@ final class NffImport {
     }
 
     /**
-     * The format says neither how lights fall off nor how strong one is that has no colour: as its own generators write them, n
+     * The format says neither how lights fall off nor how strong one is that has no color: as its own generators write them, n
      * lights are white at 1 / √n each.
      */
     private void importLight(NffFile.Light light) {
@@ -143,7 +143,7 @@ final class NffImport {
         double intensity = light.color().isPresent() ? 1 : 1 / Math.sqrt(file.lights().size());
         try {
             assembler.lights.add(Light.of(assembler.names.unique("light", "light"), LightType.POINT)
-                    .withColor(assembler.clampColor(color, SceneLimits.MAX_LIGHT_COLOR, "colours of lights")).withIntensity(intensity)
+                    .withColor(assembler.clampColor(color, SceneLimits.MAX_LIGHT_COLOR, "colors of lights")).withIntensity(intensity)
                     .withPosition(light.position()));
         } catch (IllegalArgumentException e) {
             assembler.notes.add("lights that cannot be placed");

@@ -108,7 +108,7 @@ final class ObjImport {
     }
 
     private Material convert(MtlMaterial m) throws IOException {
-        Rgb diffuse = assembler.clampColor(m.diffuse(), 1, "diffuse colours of materials");
+        Rgb diffuse = assembler.clampColor(m.diffuse(), 1, "diffuse colors of materials");
         Rgb emission = assembler.clampColor(m.emission(), SceneLimits.MAX_EMISSION, "emission of materials");
         Material opaque = switch (m.illumination()) {
             case CONSTANT -> constant(m, diffuse.plus(emission));
@@ -129,7 +129,7 @@ final class ObjImport {
 
     /** With the highlights and the mirrored rays of its model alone. */
     private Material highlightMaterial(MtlMaterial m) {
-        Rgb specular = assembler.clampColor(m.specular(), 1, "specular colours of materials");
+        Rgb specular = assembler.clampColor(m.specular(), 1, "specular colors of materials");
         Material result = Material.of("material").withReflective(m.illumination().isReflective() ? specular : Rgb.BLACK);
         if (!m.hasHighlights()) {
             assembler.notes.add("highlights of exponents (Ns) below 1", m.illumination().hasHighlights() && !specular.isBlack() ? 1 : 0);
@@ -148,7 +148,7 @@ final class ObjImport {
         return Optional.empty();
     }
 
-    /** What bends no light by its model is a veil of its filter's colour. */
+    /** What bends no light by its model is a veil of its filter's color. */
     private Material withTransmission(MtlMaterial m, Material opaque) {
         return new TransmissionImport(assembler).withTransmission(opaque, 1 - SceneAssembler.clamp(m.opacity(), 1),
                 assembler.clampColor(m.filter(), 1, "filters of materials"),

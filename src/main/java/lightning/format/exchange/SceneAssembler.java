@@ -144,7 +144,7 @@ final class SceneAssembler {
         return new Shape(new Solid.TriangleMesh(file, part, mesh), names.unique(requested, "mesh"), material, placement);
     }
 
-    /** A colour within 0 and {@code max}; told where it was not. */
+    /** A color within 0 and {@code max}; told where it was not. */
     Rgb clampColor(Rgb c, double max, String label) {
         if (!(c.min() >= 0 && c.max() <= max)) {
             notes.add(label + " beyond 0 to " + DecimalNumber.format(max));

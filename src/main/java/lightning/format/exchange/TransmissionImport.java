@@ -19,8 +19,8 @@ final class TransmissionImport {
     }
 
     /**
-     * The material with a share of itself gone, through which {@code color} of what is behind is seen. What is left of its own colour is that
-     * share, which {@link Transmission} by itself gives only a colourless one.
+     * The material with a share of itself gone, through which {@code color} of what is behind is seen. What is left of its own color is that
+     * share, which {@link Transmission} by itself gives only a colorless one.
      *
      * @param transmission    0 … 1, how much passes
      * @param color    0 … 1, what that is multiplied by

@@ -56,7 +56,7 @@ final class AccessorReader {
         JsonValue accessor = index.resolve(file.array("accessors"));
         int count = accessor.get("count").integer(1, MeshLimits.VERTICES);
         int available = componentCount(accessor);
-        // Colours may have a fourth number.
+        // Colors may have a fourth number.
         if (available != components && !(components == 3 && available == 4)) {
             throw accessor.get("type").problem("must have " + components + " numbers each, has " + available);
         }

@@ -62,7 +62,7 @@ public final class GltfMeshReader {
             String name = meshes.element(i).get("name").text().orElse("");
             for (int j = 0; j < primitives.size(); j++) {
                 if (file.progress().isCanceled()) {
-                    throw new CancellationException("cancelled after " + parts.size() + " parts");
+                    throw new CancellationException("canceled after " + parts.size() + " parts");
                 }
                 readPrimitive(i, name, primitives.element(j), primitives.size() > 1);
             }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import lightning.format.mesh.MeshException;
 
 /**
- * Which texture coordinates the base colour of a material has, or its normals where that has no picture, and how they are moved (KHR_texture_transform).
+ * Which texture coordinates the base color of a material has, or its normals where that has no picture, and how they are moved (KHR_texture_transform).
  *
  * @param set which of a primitive's coordinates
  * @param matrix u′ = map₀·u + map₁·v + map₂, v′ = map₃·u + map₄·v + map₅

@@ -43,12 +43,12 @@ final class Pfm {
         }
     }
 
-    /** @throws IOException if the file is no colour PFM, is cut short or is too large; without its name */
+    /** @throws IOException if the file is no color PFM, is cut short or is too large; without its name */
     static Film read(Path file) throws IOException {
         try (var in = new DataInputStream(new BufferedInputStream(RegularFile.open(file, "a PFM picture"), 1 << 16))) {
             String magic = readToken(in);
             if (!magic.equals("PF")) {
-                throw new IOException("is no colour PFM picture: expected PF at the start, found " + Quote.of(magic));
+                throw new IOException("is no color PFM picture: expected PF at the start, found " + Quote.of(magic));
             }
             int width = parseSide(readToken(in));
             int height = parseSide(readToken(in));

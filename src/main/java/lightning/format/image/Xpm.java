@@ -12,7 +12,7 @@ import java.util.Locale;
  */
 final class Xpm {
 
-    /** 64 characters that need no escape in C; four of them name all 2²⁴ colours. */
+    /** 64 characters that need no escape in C; four of them name all 2²⁴ colors. */
     private static final byte[] DIGITS =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-".getBytes(StandardCharsets.US_ASCII);
 

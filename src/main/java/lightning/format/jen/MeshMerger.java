@@ -12,7 +12,7 @@ final class MeshMerger {
 
     /**
      * The triangles of all meshes, in their order. Where only some have normals, the others' triangles get vertices of their own
-     * and are flat all the same; missing texture coordinates are 0, missing colours white, missing tangents none.
+     * and are flat all the same; missing texture coordinates are 0, missing colors white, missing tangents none.
      */
     static Mesh merge(List<Mesh> meshes) {
         boolean hasNormals = meshes.stream().anyMatch(m -> m.normals() != null);

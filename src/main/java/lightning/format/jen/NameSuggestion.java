@@ -39,7 +39,7 @@ final class NameSuggestion {
         return closest(word, candidates).map(n -> ", did you mean " + Quote.of(n) + "?").orElse("");
     }
 
-    /** Insertions, deletions, replacements and swaps of neighbours (optimal string alignment distance). */
+    /** Insertions, deletions, replacements and swaps of neighbors (optimal string alignment distance). */
     private static int editDistance(String a, String b) {
         int[] secondLast = new int[b.length() + 1];
         int[] last = new int[b.length() + 1];

@@ -308,7 +308,7 @@ public final class PropertyEdit {
                     throw new IllegalArgumentException("material " + Quote.of(name) + ": " + reason);
                 });
         Material edited = editProperty(files, BlockTypes.MATERIAL, name, material, property, value);
-        // Another model keeps the colour.
+        // Another model keeps the color.
         return scene.withMaterial(edited.model() == material.model() ? edited : material.withModel(edited.model()));
     }
 

@@ -24,8 +24,8 @@ import lightning.scene.TextureUsage;
 /**
  * Decodes PNG and JPEG files to linear light.
  *
- * <p>The samples s are taken as sRGB in 0…1, whatever colour profile the file carries, and decoded
- * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored but where it is asked for; a grey sample counts for all channels.
+ * <p>The samples s are taken as sRGB in 0…1, whatever color profile the file carries, and decoded
+ * by {@link SrgbCurve}, in double, rounded once to float; samples that are numbers stay as they are. Transparency is ignored but where it is asked for; a gray sample counts for all channels.
  */
 public final class TextureDecoder {
     private static final Set<String> FORMATS = Set.of("png", "jpeg");
@@ -174,7 +174,7 @@ public final class TextureDecoder {
         if (image.getColorModel() instanceof IndexColorModel) {
             return new Texture(width, height, paletteCodes(image), linearTable(CODE_BITS, isColor));
         }
-        // Not getRGB: it would take grey samples as linear light and apply colour profiles.
+        // Not getRGB: it would take gray samples as linear light and apply color profiles.
         Raster raster = image.getRaster();
         int bits = Arrays.stream(raster.getSampleModel().getSampleSize()).max().orElseThrow();
         boolean oneSize = Arrays.stream(raster.getSampleModel().getSampleSize()).allMatch(size -> size == bits);
@@ -209,7 +209,7 @@ public final class TextureDecoder {
         void accept(int i, int band, int sample);
     }
 
-    /** Goes through all samples, channel by channel; a grey picture has one band for all three. */
+    /** Goes through all samples, channel by channel; a gray picture has one band for all three. */
     private static void forEachSample(Raster raster, SampleConsumer consumer) {
         int width = raster.getWidth();
         int bands = raster.getNumBands() < 3 ? 1 : 3;

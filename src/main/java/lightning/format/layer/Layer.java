@@ -7,7 +7,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** One of the colours that add up to a picture. */
+/** One of the colors that add up to a picture. */
 sealed interface Layer {
     /** What is seen where rays of the eye hit nothing. */
     record Background() implements Layer {}

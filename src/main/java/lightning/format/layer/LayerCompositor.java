@@ -37,7 +37,7 @@ final class LayerCompositor {
         composer = new TileComposer(cache.geometry().materials(), engine.sums(), ViewEffects.ALL);
     }
 
-    /** The colours of a layer: red, green, blue, {@code float[1024]} each; of a block of samples those of the samples. */
+    /** The colors of a layer: red, green, blue, {@code float[1024]} each; of a block of samples those of the samples. */
     float[][] colors(Layer layer, CachedTile tile, SamplePositions samplePositions) {
         float[][] result = new float[3][Film.TILE_PIXELS];
         HitRows rows = tile.rows();

@@ -13,7 +13,7 @@ import lightning.render.shading.LightComponent;
  * another has already.
  */
 final class LayerNames {
-    /** So that a whole name with its part and colour is not longer than a channel's may be. */
+    /** So that a whole name with its part and color is not longer than a channel's may be. */
     private static final int MAX_LENGTH = 200;
 
     private LayerNames() {}

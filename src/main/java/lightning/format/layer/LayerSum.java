@@ -1,7 +1,7 @@
 package lightning.format.layer;
 
 /**
- * How layers are added: as floats, each to the sum of those before, red, green and blue for themselves. As every surface's colour is
+ * How layers are added: as floats, each to the sum of those before, red, green and blue for themselves. As every surface's color is
  * rounded once for all lights, and a pixel's samples are rounded too, no order of a sum of layers gives the picture in every bit; what is
  * missing is a layer of its own, the last.
  *

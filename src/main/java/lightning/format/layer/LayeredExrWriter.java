@@ -28,7 +28,7 @@ import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Writes a picture with its layers as one file of OpenEXR, a row of tiles at a time. The picture itself is the channels R, G and B. All
- * other colours add up to it, as {@link LayerSum} tells; the header tells in which order, and what the numbers of shapes and materials are.
+ * other colors add up to it, as {@link LayerSum} tells; the header tells in which order, and what the numbers of shapes and materials are.
  */
 public final class LayeredExrWriter {
     private static final List<String> COLORS = List.of("R", "G", "B");
@@ -49,7 +49,7 @@ public final class LayeredExrWriter {
 
     /**
      * @param cache what is known of a finished picture
-     * @param type  of colours and normals, HALF or FLOAT; all else is FLOAT. In a file of halves there is no layer of what floats round
+     * @param type  of colors and normals, HALF or FLOAT; all else is FLOAT. In a file of halves there is no layer of what floats round
      */
     public LayeredExrWriter(PixelCache cache, EngineChoice engines, ExrType type) {
         this.cache = cache;
@@ -104,7 +104,7 @@ public final class LayeredExrWriter {
         return names;
     }
 
-    /** How many layers of colours there are, the picture itself left out. */
+    /** How many layers of colors there are, the picture itself left out. */
     public int layerCount() {
         return colorChannels.length - 1;
     }

@@ -8,7 +8,7 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.PixelRays;
 import lightning.render.trace.SurfacePoint;
 
-/** What the rays through the pixels' centres meet: no mean of samples, as a mean of two places, directions or numbers is neither. */
+/** What the rays through the pixels' centers meet: no mean of samples, as a mean of two places, directions or numbers is neither. */
 final class SurfaceChannels {
     /** Normal, point, depth, number of the shape and of the material. */
     static final List<String> CHANNELS = List.of("N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z", "shape.id", "material.id");

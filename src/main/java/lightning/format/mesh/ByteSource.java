@@ -149,7 +149,7 @@ public final class ByteSource implements AutoCloseable {
             return true;
         }
         if (progress.isCanceled()) {
-            throw new CancellationException("cancelled after " + offset() + " of " + size + " bytes");
+            throw new CancellationException("canceled after " + offset() + " of " + size + " bytes");
         }
         System.arraycopy(block, position, block, 0, limit - position);
         blockOffset += position;

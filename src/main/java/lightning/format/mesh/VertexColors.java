@@ -30,7 +30,7 @@ public final class VertexColors {
                 clamped++;
             }
         }
-        notes.add("colours of vertices beyond 0 to 1", clamped);
+        notes.add("colors of vertices beyond 0 to 1", clamped);
         notes.add("colors of vertices that are no numbers, white here", invalid);
     }
 }

@@ -25,13 +25,13 @@ public record NffFile(Optional<View> view, Rgb background, List<Light> lights, L
      */
     public record View(Vec3 from, Vec3 at, Vec3 up, double angle, int width, int height) {}
 
-    /** A light in all directions, which does not fall off; it need not say its colour. */
+    /** A light in all directions, which does not fall off; it need not say its color. */
     public record Light(Vec3 position, Optional<Rgb> color) {}
 
     /**
      * What a surface looks like.
      *
-     * @param diffuse       Kd, a factor on the colour
+     * @param diffuse       Kd, a factor on the color
      * @param specular      Ks, of highlights and of what is mirrored
      * @param shininess         the exponent of Phong's highlight
      * @param transmittance T, how much light goes through

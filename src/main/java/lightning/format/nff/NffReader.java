@@ -118,7 +118,7 @@ public final class NffReader {
         skipLine("words behind lights, of another dialect");
     }
 
-    /** The colour must be there; what else is missing on the line is taken as a dull surface has it. */
+    /** The color must be there; what else is missing on the line is taken as a dull surface has it. */
     private void readFill() throws IOException, MeshException {
         Rgb color = readColor();
         double[] rest = {1, 0, 1, 0, 1};

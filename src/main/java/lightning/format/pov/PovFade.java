@@ -3,9 +3,9 @@ package lightning.format.pov;
 import lightning.scene.Attenuation;
 
 /**
- * Attenuation in POV-Ray's terms: it multiplies a light's colour by 2 / (1 + (d / distance)^power).
+ * Attenuation in POV-Ray's terms: it multiplies a light's color by 2 / (1 + (d / distance)^power).
  *
- * @param gain     what the light's colour must be multiplied by, so that the product is ours
+ * @param gain     what the light's color must be multiplied by, so that the product is ours
  * @param distance scene units; 0 for a light that does not fade
  * @param power    POV-Ray's fade_power
  * @param isExact    whether the two agree at every distance

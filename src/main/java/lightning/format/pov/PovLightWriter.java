@@ -113,7 +113,7 @@ final class PovLightWriter {
         // A side of more than half the samples leaves no grid.
         int gridSize = Math.max(2, (int) Math.round(Math.sqrt(light.area().samples())));
         warnings.add("light " + light.name() + ": POV-Ray's area light has a grid of " + gridSize + " × " + gridSize
-                + " samples, and fades and highlights as its centre does");
+                + " samples, and fades and highlights as its center does");
         String shape = switch (light.type()) {
             case RECT -> "";
             case DISC, DIRECTIONAL -> " circular";

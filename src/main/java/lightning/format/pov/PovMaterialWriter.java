@@ -13,7 +13,7 @@ import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 
 /**
- * Writes materials. POV-Ray's colour of a point is pigment·(ambient·ambient_light + Σ diffuse) + phong + reflection, so
+ * Writes materials. POV-Ray's color of a point is pigment·(ambient·ambient_light + Σ diffuse) + phong + reflection, so
  * kd·(1 − kr) is the pigment, and what is emitted is divided by it.
  */
 final class PovMaterialWriter {
@@ -108,7 +108,7 @@ final class PovMaterialWriter {
     }
 
     /**
-     * POV-Ray's colour of what is seen through a surface is pigment·filter, and of its body pigment·(1 − filter). Inside, from a fade_power of 1000
+     * POV-Ray's color of what is seen through a surface is pigment·filter, and of its body pigment·(1 − filter). Inside, from a fade_power of 1000
      * on, a way d leaves exp(−(1 − fade_color)·d/fade_distance).
      */
     private String transparent(Material m) {
@@ -125,7 +125,7 @@ final class PovMaterialWriter {
             warn("material " + m.name() + ": a thin pane mirrors nothing by its angle");
         }
         if (filter < 1 && m.transmission().color().min() < filter) {
-            warn("material " + m.name() + ": its body has the colour of what is seen through it");
+            warn("material " + m.name() + ": its body has the color of what is seen through it");
         }
         if (filter < 1) {
             warn("material " + m.name() + ": its body loses nothing where its angle mirrors more");
@@ -238,7 +238,7 @@ final class PovMaterialWriter {
 
     private double gray(String material, String label, Rgb c) {
         if (c.min() != c.max()) {
-            warn("material " + material + ": " + label + " is grey in POV-Ray, the mean of the three channels");
+            warn("material " + material + ": " + label + " is gray in POV-Ray, the mean of the three channels");
         }
         return (c.r() + c.g() + c.b()) / 3;
     }

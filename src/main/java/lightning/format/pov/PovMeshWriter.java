@@ -30,7 +30,7 @@ final class PovMeshWriter {
                 } else {
                     names.put(key(t), "mesh_" + names.size());
                     if (t.hasVertexColors()) {
-                        warnings.add("mesh " + shape.shape().name() + ": without the colours of its vertices");
+                        warnings.add("mesh " + shape.shape().name() + ": without the colors of its vertices");
                     }
                     writeMesh(names.get(key(t)), t.mesh());
                 }

@@ -136,7 +136,7 @@ public final class PovScene {
             ImageFile.write(file.resolveSibling(image.getKey()), film(image.getValue()), ViewTransform.DEFAULT);
         }
         for (var image : bumpMaps.entrySet()) {
-            // Slopes are differences of neighbours: 8 bits would make steps of them.
+            // Slopes are differences of neighbors: 8 bits would make steps of them.
             ImageFile.write(file.resolveSibling(image.getKey()), gray(image.getValue()), new ViewTransform(0, DisplayCurve.LINEAR), 16);
         }
         AtomicFile.write(file, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));

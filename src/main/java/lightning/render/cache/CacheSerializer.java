@@ -11,7 +11,7 @@ import lightning.render.shading.LightRows;
 import lightning.render.trace.HitRows;
 
 /**
- * All columns of a picture, one behind the other, in two parts: rows, layers and codes, which edits of weights leave alone; and colours,
+ * All columns of a picture, one behind the other, in two parts: rows, layers and codes, which edits of weights leave alone; and colors,
  * which nearly every edit changes. For pictures of accuracy exact.
  */
 public final class CacheSerializer {
@@ -143,7 +143,7 @@ public final class CacheSerializer {
                 tile.codes);
     }
 
-    /** Whether two pictures have the very same rows, layers and codes, and differ in colours at most. */
+    /** Whether two pictures have the very same rows, layers and codes, and differ in colors at most. */
     public static boolean hasSameRows(PixelCache a, PixelCache b) {
         if (a.tileCount() != b.tileCount() || a.fineCount() != b.fineCount()) {
             return false;

@@ -6,7 +6,7 @@ import lightning.render.shading.EdgeCodes;
 import lightning.render.trace.HitRows;
 
 /**
- * All that is known of the centres of one tile's pixels, or of up to 1024 finer samples of some of them. Arrays are
+ * All that is known of the centers of one tile's pixels, or of up to 1024 finer samples of some of them. Arrays are
  * never written after construction.
  */
 public final class CachedTile {
@@ -23,11 +23,11 @@ public final class CachedTile {
     /** What the rays bring that go on from level 0's rows; null where none does. */
     public final BounceImages images;
     /**
-     * The colours of the pixels' centres or of the samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy
+     * The colors of the pixels' centers or of the samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy
      * exact: of those the pixels that they make are kept.
      */
     public final float[][] film;
-    /** What anti-aliasing sees of the pixels' centres; null where it does not look for edges. */
+    /** What anti-aliasing sees of the pixels' centers; null where it does not look for edges. */
     public final EdgeCodes codes;
 
     public CachedTile(TileLevel[] levels, int[][] hitShapes, BounceImages images, float[][] film, EdgeCodes codes) {
@@ -38,7 +38,7 @@ public final class CachedTile {
         this.codes = codes;
     }
 
-    /** The largest value of the colours that are kept, linear. */
+    /** The largest value of the colors that are kept, linear. */
     float maxValue() {
         float max = 0;
         for (float[] channel : film == null ? new float[0][] : film) {
@@ -59,7 +59,7 @@ public final class CachedTile {
         return levels[0].rows();
     }
 
-    /** The bytes of rows, layers, stored hits, Cr and codes; the colours are left out. */
+    /** The bytes of rows, layers, stored hits, Cr and codes; the colors are left out. */
     public long bytes() {
         long bytes = 0;
         for (TileLevel level : levels) {
@@ -71,12 +71,12 @@ public final class CachedTile {
         return bytes + (images == null ? 0 : images.bytes()) + (codes == null ? 0 : codes.bytes());
     }
 
-    /** The bytes of the colours that are kept. */
+    /** The bytes of the colors that are kept. */
     public long colorBytes() {
         return film == null ? 0 : 3L * Float.BYTES * Film.TILE_PIXELS;
     }
 
-    /** The same without its colours. */
+    /** The same without its colors. */
     CachedTile withoutColors() {
         return new CachedTile(levels, hitShapes, images, null, codes);
     }

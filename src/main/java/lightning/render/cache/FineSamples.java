@@ -15,7 +15,7 @@ import lightning.render.trace.SamplePositions;
 public record FineSamples(short[] pixels, CachedTile[] blocks) {
     // Arrays in a record: written once by their maker, never after.
 
-    /** Makes the pixels of their samples, whose colours {@code colors} tells for each block. */
+    /** Makes the pixels of their samples, whose colors {@code colors} tells for each block. */
     void write(Function<CachedTile, float[][]> colors, int perPixel, float[][] film) {
         int blockPixels = SampleMean.pixelsPerBatch(perPixel);
         for (int b = 0; b < blocks.length; b++) {

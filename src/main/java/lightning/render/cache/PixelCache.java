@@ -23,7 +23,7 @@ public final class PixelCache {
     private final List<CachedLight> mirroredLights;
 
     /**
-     * @param tiles          the pixels' centres; none where all pixels have several samples
+     * @param tiles          the pixels' centers; none where all pixels have several samples
      * @param fineTiles           finer samples of each tile; none without anti-aliasing
      * @param scenes          what the film and the first level show, and what the mirror levels and Cr show
      * @param lights         all lights of the scene, in its order
@@ -49,17 +49,17 @@ public final class PixelCache {
         return geometry.withMaterialsOf(scenes.mirrored());
     }
 
-    /** How many tiles of pixels' centres there are: none where all pixels have several samples. */
+    /** How many tiles of pixels' centers there are: none where all pixels have several samples. */
     public int tileCount() {
         return tiles.length;
     }
 
-    /** The centres of a tile's pixels. */
+    /** The centers of a tile's pixels. */
     public CachedTile tile(int index) {
         return tiles[index];
     }
 
-    /** The centres of all tiles' pixels; none where all pixels have several samples. */
+    /** The centers of all tiles' pixels; none where all pixels have several samples. */
     public CachedTile[] tiles() {
         return tiles.clone();
     }
@@ -74,7 +74,7 @@ public final class PixelCache {
         return fineTiles[index];
     }
 
-    /** All rows there are: the pixels' centres and all finer samples. */
+    /** All rows there are: the pixels' centers and all finer samples. */
     public List<CachedTile> allTiles() {
         List<CachedTile> result = new ArrayList<>(List.of(tiles));
         for (FineTile tile : fineTiles) {
@@ -124,7 +124,7 @@ public final class PixelCache {
         return new Film(scene().picture().width(), scene().picture().height(), red, green, blue);
     }
 
-    /** The largest value of all centres and samples whose colours are kept, linear. */
+    /** The largest value of all centers and samples whose colors are kept, linear. */
     public float maxValue() {
         float max = 0;
         for (CachedTile tile : allTiles()) {
@@ -133,12 +133,12 @@ public final class PixelCache {
         return max;
     }
 
-    /** The bytes of the colours of all centres and samples, as far as they are kept; those of the film are left out. */
+    /** The bytes of the colors of all centers and samples, as far as they are kept; those of the film are left out. */
     public long colorBytes() {
         return allTiles().stream().mapToLong(CachedTile::colorBytes).sum();
     }
 
-    /** The bytes of all rows; colours are left out. */
+    /** The bytes of all rows; colors are left out. */
     public long bytes() {
         return allTiles().stream().mapToLong(CachedTile::bytes).sum();
     }

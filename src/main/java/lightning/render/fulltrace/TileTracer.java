@@ -81,12 +81,12 @@ final class TileTracer {
                 eyeLevel.kernel.shadowRays() + (mirrorLevels == eyeLevel ? 0 : mirrorLevels.kernel.shadowRays()));
     }
 
-    /** Traces the centres of a tile's pixels. */
+    /** Traces the centers of a tile's pixels. */
     void traceCenters(Film film, int tile, Progress progress) {
         traceCenters(film, tile, false, progress);
     }
 
-    /** Traces the centres of a tile's pixels; returns what anti-aliasing sees of them. */
+    /** Traces the centers of a tile's pixels; returns what anti-aliasing sees of them. */
     EdgeCodes traceCentersWithCodes(Film film, int tile, Progress progress) {
         coder.begin();
         traceCenters(film, tile, true, progress);
@@ -118,7 +118,7 @@ final class TileTracer {
         }
     }
 
-    /** From the first level's rows to colours. */
+    /** From the first level's rows to colors. */
     private void composeTile(SamplePositions places, boolean detectEdges, float[][] colors, Progress progress) {
         if (detectEdges) {
             coder.addShapes(0, 0, levels[0], eyeLevel.materials);

@@ -112,7 +112,7 @@ public final class TraditionalTracer {
         return new Result(film, rays);
     }
 
-    /** First all centres, the neighbours' too, for the edges between them; then the pixels on an edge again, finer. */
+    /** First all centers, the neighbors' too, for the edges between them; then the pixels on an edge again, finer. */
     private void traceEdges(Film film, WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles, Progress progress) {
         int[] codedTiles = EdgeDetector.addNeighborTiles(film, tiles);
         boolean[] target = new boolean[film.tileCount()];

@@ -3,12 +3,12 @@ package lightning.render.image;
 import java.nio.file.Path;
 
 /**
- * A table of colours for other colours, as files of the Cube LUT Specification 1.0 (Adobe, 2013) hold it: one for each channel, or a lattice
+ * A table of colors for other colors, as files of the Cube LUT Specification 1.0 (Adobe, 2013) hold it: one for each channel, or a lattice
  * of all three.
  *
  * <p>Between the entries of a channel's table it is linear; between the points of a lattice tetrahedral: each cell is cut into the six
- * tetrahedra about its grey diagonal (Kasson, Nin, Plouffe and Hafner, Performing color space conversions with three-dimensional linear
- * interpolation, Journal of Electronic Imaging 4(3), 1995), so that greys depend on greys alone. What lies outside the domain is moved to
+ * tetrahedra about its gray diagonal (Kasson, Nin, Plouffe and Hafner, Performing color space conversions with three-dimensional linear
+ * interpolation, Journal of Electronic Imaging 4(3), 1995), so that grays depend on grays alone. What lies outside the domain is moved to
  * its border, channel by channel.
  */
 public final class CubeLut {
@@ -51,7 +51,7 @@ public final class CubeLut {
     }
 
     /**
-     * Looks a colour up.
+     * Looks a color up.
      *
      * @param color {@code double[3]}: red, green and blue, which become those of the table; what is no number counts as the domain's least
      */

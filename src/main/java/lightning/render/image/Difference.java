@@ -61,7 +61,7 @@ public record Difference(
         return values == 0;
     }
 
-    /** The number of floats from {@code a} to {@code b}, ≥ 0: 1 for neighbours, 0 for 0 and −0. */
+    /** The number of floats from {@code a} to {@code b}, ≥ 0: 1 for neighbors, 0 for 0 and −0. */
     static long ulps(float a, float b) {
         return Math.abs(orderIndex(a) - orderIndex(b));
     }

@@ -1,22 +1,22 @@
 package lightning.render.image;
 
 /**
- * A picture in false colours of where two films differ, and how much.
+ * A picture in false colors of where two films differ, and how much.
  *
  * <p>Black pixels agree in every bit. Every other pixel shows the largest absolute linear difference of its channels on
  * a logarithmic scale: dark violet up to 2⁻²⁴ (the last bit of a value just below 1), orange at about 2⁻⁸ (one step of an
  * 8-bit display), pale yellow from 1 upwards and for anything that is not finite. So a single differing bit is visible.
- * Lightness grows all the way, so that the order reads without a legend and without colour vision.
+ * Lightness grows all the way, so that the order reads without a legend and without color vision.
  */
 public final class DifferenceImage {
 
-    /** The share of the scale, 0…1, where differences begin: the darkest colour that stands out from black. */
+    /** The share of the scale, 0…1, where differences begin: the darkest color that stands out from black. */
     private static final double MIN_SHARE = 0.25;
 
     /** log2 of the difference that is as good as none. */
     private static final double MIN_LOG2 = -24;
 
-    /** Equidistant display colours from black through violet, red and orange to pale yellow. */
+    /** Equidistant display colors from black through violet, red and orange to pale yellow. */
     private static final int[] SCALE = {
         0x000000, 0x1F0C48, 0x550F6D, 0x88226A, 0xBA3655, 0xE35933, 0xF98C0A, 0xF9C932, 0xFCFFA4
     };
@@ -41,7 +41,7 @@ public final class DifferenceImage {
         return picture;
     }
 
-    /** The display colour 0xRRGGBB at a share 0…1 of the scale. */
+    /** The display color 0xRRGGBB at a share 0…1 of the scale. */
     static int color(double share) {
         double at = share * (SCALE.length - 1);
         int i = Math.min((int) at, SCALE.length - 2);

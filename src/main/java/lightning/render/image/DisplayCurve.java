@@ -17,8 +17,8 @@ public enum DisplayCurve {
     FILMIC("filmic", "Filmic (Hable)", v -> Srgb.encoded(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
     ACES("aces", "ACES (Narkowicz's Fit)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
-    /** {@link FalseColor}: stops instead of colours. Single values are shown as by sRGB. */
-    FALSE("false", "False Colour by Stops", Srgb::encoded, 1);
+    /** {@link FalseColor}: stops instead of colors. Single values are shown as by sRGB. */
+    FALSE("false", "False Color by Stops", Srgb::encoded, 1);
 
     private static final double WHITE_16 = 0xFFFF;
 

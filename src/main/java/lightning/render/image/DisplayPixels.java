@@ -33,7 +33,7 @@ public final class DisplayPixels {
 
     private static Film toFilm16(Raster raster) {
         Film film = Film.black(raster.getWidth(), raster.getHeight());
-        // Grey is all three colours; what follows the colours is transparency.
+        // Gray is all three colors; what follows the colors is transparency.
         int step = raster.getNumBands() < 3 ? 0 : 1;
         int[] row = new int[raster.getWidth() * raster.getNumBands()];
         for (int y = 0; y < film.height(); y++) {
@@ -50,7 +50,7 @@ public final class DisplayPixels {
         return film;
     }
 
-    /** Gives pixel (x, y) of a film the linear values of a display colour 0x--RRGGBB. */
+    /** Gives pixel (x, y) of a film the linear values of a display color 0x--RRGGBB. */
     static void set(Film film, int x, int y, int rgb) {
         int tile = film.tileOf(x, y);
         int pixel = Film.pixelInTile(x, y);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A colour for each stop of luminance (Rec. 709), counted from middle grey 0.18: grey is half a stop around it, colder colours are
+ * A color for each stop of luminance (Rec. 709), counted from middle gray 0.18: gray is half a stop around it, colder colors are
  * darker, warmer ones brighter. White is 2.5 stops above, so that orange and red are what a display cuts off.
  */
 public final class FalseColor {
@@ -20,7 +20,7 @@ public final class FalseColor {
     /**
      * One stop of the scale.
      *
-     * @param stop from middle grey; the first stands for all below too, the last for all above
+     * @param stop from middle gray; the first stands for all below too, the last for all above
      * @param rgb  0xRRGGBB
      */
     public record Band(int stop, int rgb) {}
@@ -32,7 +32,7 @@ public final class FalseColor {
         return IntStream.range(0, COLORS.length).mapToObj(i -> new Band(MIN_STOP + i, COLORS[i])).toList();
     }
 
-    /** The colour, 0xRRGGBB, of a linear pixel. */
+    /** The color, 0xRRGGBB, of a linear pixel. */
     static int rgb(float red, float green, float blue) {
         float luminance = 0.2126f * red + 0.7152f * green + 0.0722f * blue;
         // The exponent of v·√2 is the nearest stop of v; that of 0 and what is no number lies beyond the ends.

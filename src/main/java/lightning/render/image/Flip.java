@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
  * Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating Images", HPG 2020; every constant is from there.
  *
  * <p>Both pictures are displayed ({@link ViewTransform#DEFAULT}), blurred as the eye blurs, and compared in two ways at each
- * pixel: by colour (HyAB distance of Hunt-adjusted L*a*b*, compressed to 0…1), and by edges and points that only one
- * has. The error is {@code colour^(1 − features)}.
+ * pixel: by color (HyAB distance of Hunt-adjusted L*a*b*, compressed to 0…1), and by edges and points that only one
+ * has. The error is {@code color^(1 − features)}.
  *
  * <pre>{@code
  * double error = Flip.mean(updated, traced);
@@ -28,7 +28,7 @@ public final class Flip {
     private static final int BAND_ROWS = 64;
 
     private static final double COLOR_EXPONENT = 0.7;
-    /** Colour differences up to this share of the largest one… */
+    /** Color differences up to this share of the largest one… */
     private static final double COMMON_SHARE = 0.4;
     /** … take this share of the scale. */
     private static final double COMMON_SCALE = 0.95;
@@ -106,7 +106,7 @@ public final class Flip {
         return Math.abs(a[0][i] - b[0][j]) + Math.sqrt(greenRed * greenRed + blueYellow * blueYellow);
     }
 
-    /** A colour difference ≥ 0 on a scale of 0…1, on which the common ones take most of the room. */
+    /** A color difference ≥ 0 on a scale of 0…1, on which the common ones take most of the room. */
     private static double compress(double difference) {
         double common = COMMON_SHARE * MAX_DISTANCE;
         return difference < common
@@ -114,7 +114,7 @@ public final class Flip {
                 : COMMON_SCALE + (difference - common) / (MAX_DISTANCE - common) * (1 - COMMON_SCALE);
     }
 
-    /** The largest distance of two displayable colours. */
+    /** The largest distance of two displayable colors. */
     private static double maxColorDistance() {
         double[][] lab = new double[3][2];
         OpponentColor.writeHuntLab(0, 1, 0, lab, 0);

@@ -3,7 +3,7 @@ package lightning.render.image;
 import java.util.Arrays;
 
 /**
- * Some rows of a displayed picture as {@link Flip} sees them: what colour the eye sees where, and where it sees edges and
+ * Some rows of a displayed picture as {@link Flip} sees them: what color the eye sees where, and where it sees edges and
  * points. Beyond the picture its border goes on.
  *
  * <p>In doubles: the root of a detector's answer turns the rounding errors of floats in a flat picture into errors of 1e-4.

@@ -1,11 +1,11 @@
 package lightning.render.image;
 
 /**
- * The colour spaces of {@link Flip}: from linear sRGB by way of CIE XYZ (D65) to the linear opponent space YCxCz, in which
- * the eye's blur is applied, and to CIE L*a*b*, whose chroma is scaled by lightness (Hunt: dark colours look less colourful).
+ * The color spaces of {@link Flip}: from linear sRGB by way of CIE XYZ (D65) to the linear opponent space YCxCz, in which
+ * the eye's blur is applied, and to CIE L*a*b*, whose chroma is scaled by lightness (Hunt: dark colors look less colourful).
  *
  * <p>The matrix is that of the sRGB primaries in exact fractions, as the published definition of FLIP has it; its inverse
- * and the white point are computed from it, so that grey is exactly without chroma.
+ * and the white point are computed from it, so that gray is exactly without chroma.
  */
 final class OpponentColor {
     private static final double[][] TO_XYZ = {
@@ -33,7 +33,7 @@ final class OpponentColor {
         to[2][at] = 200 * (y - z);
     }
 
-    /** Replaces Y, Cx, Cz at {@code planes[0…2][at]} by Hunt-adjusted L*, a*, b* of that colour clamped to linear RGB 0…1. */
+    /** Replaces Y, Cx, Cz at {@code planes[0…2][at]} by Hunt-adjusted L*, a*, b* of that color clamped to linear RGB 0…1. */
     static void toHuntLab(double[][] planes, int at) {
         double y = (planes[0][at] + 16) / 116;
         double x = y + planes[1][at] / 500;

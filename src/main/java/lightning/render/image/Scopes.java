@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * How the codes of a displayed picture are spread: how many pixels have each (a histogram), and how many of each column have it (a
- * waveform). By the curve and exposure of a view; false colours are no codes, and count as sRGB.
+ * waveform). By the curve and exposure of a view; false colors are no codes, and count as sRGB.
  *
  * @param histogram {@code int[3][256]}: pixels of each code, red, green and blue
  * @param waveform  {@code int[3][columns * 256]}: the same of each column, one column after the other
@@ -39,7 +39,7 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     }
 
     /**
-     * The histogram as a picture of 256 columns, black at the left, opaque 0xFFRRGGBB; where channels overlap their colours add. Black,
+     * The histogram as a picture of 256 columns, black at the left, opaque 0xFFRRGGBB; where channels overlap their colors add. Black,
      * white and one in sixteen of the other codes that occur, the most frequent ones, may be cut off at the top: one even background would
      * press all else into the ground line.
      *

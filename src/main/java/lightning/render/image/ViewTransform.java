@@ -13,8 +13,8 @@ import lightning.base.text.Quote;
  *
  * @param exposure stops, −64 to 64; one more doubles the brightness
  * @param lut     what the curve gives passes this table last, if there is one; what {@link DisplayCurve#LINEAR} gives is not cut off
- *                 before. Stops in colours do without it
- * @param marksClipping   whether pixels that are cut off are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; stops in colours are not
+ *                 before. Stops in colors do without it
+ * @param marksClipping   whether pixels that are cut off are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; stops in colors are not
  */
 @RecordBuilder
 public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLut> lut, boolean marksClipping)

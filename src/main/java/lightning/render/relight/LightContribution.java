@@ -19,7 +19,7 @@ public record LightContribution(String light, boolean shines, double imageShare,
      *
      * @param changedValues  how many linear values differ in any bit
      * @param maxDifference by how much at most
-     * @param changedPixels   how many pixels are displayed in another colour
+     * @param changedPixels   how many pixels are displayed in another color
      */
     public record FilmChange(long changedValues, double maxDifference, long changedPixels) {
         /** Nothing at all. */

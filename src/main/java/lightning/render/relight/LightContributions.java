@@ -22,7 +22,7 @@ import lightning.scene.Scene;
  *
  * @param lights      one for each light of the scene, in its order
  * @param environment of the environment with what is seen of it, where the scene has one; its shares are what the picture loses without it
- * @param idleLights   lights that shine, and of which no pixel is displayed in another colour while all of them are off
+ * @param idleLights   lights that shine, and of which no pixel is displayed in another color while all of them are off
  * @param changeWhenIdleOff what is another in the picture without all of these
  */
 public record LightContributions(List<LightContribution> lights, Optional<LightContribution> environment, List<String> idleLights,

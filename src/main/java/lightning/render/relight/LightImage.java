@@ -67,7 +67,7 @@ public final class LightImage {
         if (!tile.storesRows()) {
             throw new IllegalStateException("mirror levels are kept as hit shapes");
         }
-        // The share has no environment, whose colours alone would ask where the rays go.
+        // The share has no environment, whose colors alone would ask where the rays go.
         return painter.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
                 painter.composeImages(tile.levels, mirrors, scene.world()));
     }

@@ -18,7 +18,7 @@ import lightning.scene.Scene;
  * What each light gives to some of a picture's pixels, those of the picture at a small size, from what is known: no ray is
  * cast, and only the rows of these pixels are looked at, so that all lights together take less than one picture's composing.
  *
- * <p>A pixel is shown by its centre, or by its first sample where all pixels have several. There each value has the bits of
+ * <p>A pixel is shown by its center, or by its first sample where all pixels have several. There each value has the bits of
  * {@link Renderer#lightImage} of a picture without anti-aliasing. What is kept of a picture is never written over, so that this may
  * run on any thread beside the renderer.
  */
@@ -235,7 +235,7 @@ public final class LightThumbnails {
             return numbers;
         }
 
-        /** A light's share of the colour of each row: red, green, blue. */
+        /** A light's share of the color of each row: red, green, blue. */
         float[] colors(RowContribution equation, WeightedLight light, int layer, LevelWalk levels) {
             float[] mirrored = bounceColors(BounceKind.MIRRORED, layer, levels);
             float[] refracted = bounceColors(BounceKind.REFRACTED, layer, levels);

@@ -20,7 +20,7 @@ import lightning.scene.SceneLimits;
  * light falls on everything; and where that is too much, by a {@link MemoryForecast}, which knows what is hit.
  */
 public final class MemoryEstimate {
-    /** Bytes of a colour in a film or a row. */
+    /** Bytes of a color in a film or a row. */
     static final long BYTES_PER_COLOR = 3L * Float.BYTES;
     /** What a suggested size is shrunk by until it fits: samples at edges shrink more slowly than pixels do. */
     private static final double SHRINK_STEP = 0.9;
@@ -54,14 +54,14 @@ public final class MemoryEstimate {
             case EDGES -> 1L + sampling.samplesPerPixel();
             case EVERY -> sampling.samplesPerPixel();
         };
-        // Samples keep their colours where errors are bounded.
+        // Samples keep their colors where errors are bounded.
         long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
         return pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeCodeBytes(sampling)
                         + (sampling.isSupersampled() ? BYTES_PER_COLOR : 0));
     }
 
-    /** The bytes that a kept picture takes: columns, colours and film. */
+    /** The bytes that a kept picture takes: columns, colors and film. */
     public static long usedBytes(PixelCache cache) {
         PictureSettings picture = cache.scene().picture();
         return cache.bytes() + cache.colorBytes() + (picture.sampling().isSupersampled() ? BYTES_PER_COLOR * pixels(picture) : 0);

@@ -13,12 +13,12 @@ import lightning.scene.SceneLimits;
 
 /**
  * What first passes of a scene will take, from small ones: once those are made, any size and any number of samples is
- * arithmetic. Rows of centres grow with the pixels, and samples of every pixel are as many centres. What is kept of a pixel falls
+ * arithmetic. Rows of centers grow with the pixels, and samples of every pixel are as many centers. What is kept of a pixel falls
  * with the picture's side: tiles in which something ends, a shape, a texture or a light, have columns that others need not have,
  * and of all tiles their share falls with the side once tiles are smaller than what lies between; before that it falls more slowly,
  * so that two small pictures tell rather too much. Samples at edges grow as a
  * power of the picture's side between 1, for edges of shapes are lines, and 2, for those of fine textures fill areas; and with
- * the samples of a pixel, for which pixels lie on an edge is told by the centres alone.
+ * the samples of a pixel, for which pixels lie on an edge is told by the centers alone.
  */
 final class MemoryForecast {
     /** The longer side of the smaller of two pictures, pixels; that of the other is twice as long. */
@@ -27,7 +27,7 @@ final class MemoryForecast {
 
     private final Scene scene;
     private final RenderOptions options;
-    /** Bytes for each pixel's centre in a picture of any size, and what that is more where the longer side is one pixel. */
+    /** Bytes for each pixel's center in a picture of any size, and what that is more where the longer side is one pixel. */
     private final double bytesPerCenter;
     private final double borderBytes;
     /** Bytes of the samples at the small picture's edges, as few for each pixel as there can be. */
@@ -76,7 +76,7 @@ final class MemoryForecast {
         return Math.min((long) bytes, MemoryEstimate.upperBound(scene.withPicture(picture), options));
     }
 
-    /** A small picture: its pixels, and the bytes of centres and of finer samples, with those of their colours. */
+    /** A small picture: its pixels, and the bytes of centers and of finer samples, with those of their colors. */
     private record SmallRender(long pixels, long centers, long fine) {
         static SmallRender of(Scene scene, RenderOptions options, int side, boolean edges) {
             PictureSettings picture = scene.picture();

@@ -12,7 +12,7 @@ import lightning.render.relight.tile.WorkCounts;
 import lightning.scene.Scene;
 
 /**
- * What a picture of pixels' centres still lacks: its finer samples. They are not made of the samples of the centres' own updates,
+ * What a picture of pixels' centers still lacks: its finer samples. They are not made of the samples of the centers' own updates,
  * which may have been several, but at once of those of the last picture that had its samples.
  *
  * @param finishedCache       that picture; null where there is none that serves, and samples are traced from nothing
@@ -46,12 +46,12 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
     record Start(PixelCache from, UpdatePlan plan) {}
 
     /**
-     * How an update gets to a scene: from the centres known, or, where the samples could then not follow, from the whole picture.
+     * How an update gets to a scene: from the centers known, or, where the samples could then not follow, from the whole picture.
      * They follow where both ways lead to layers that were computed for the same lights: a light that changed and then ceased to
      * shine leaves older layers behind. Both ways lead to the same mirrors: where a change of depth makes them anew they show the
      * wanted scene, though the whole picture may have the wanted depth already, and no reason of its own to touch them.
      *
-     * @param centers the newest picture, of centres alone
+     * @param centers the newest picture, of centers alone
      * @param mirrors whether mirror images shall show the wanted scene too
      */
     Start chooseStart(PixelCache centers, Scene target, boolean mirrors) {
@@ -66,13 +66,13 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
                 : new Start(finishedCache, fromWhole);
     }
 
-    /** What mirrors show after an update of the centres. */
+    /** What mirrors show after an update of the centers. */
     private static Scene mirroredScene(PixelCache centers, UpdatePlan.Relight next, Scene target) {
         return next.mirrors() == null ? centers.mirroredScene() : target;
     }
 
     /**
-     * Whether one update leads from the whole picture to mirrors that show what they do after an update of the centres. It does not
+     * Whether one update leads from the whole picture to mirrors that show what they do after an update of the centers. It does not
      * where a change of depth made them anew between two edits that leave mirrors alone.
      */
     boolean canReuseMirrors(PixelCache centers, UpdatePlan.Relight next, Scene target) {
@@ -81,7 +81,7 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
                 || mirrored.equals(finishedCache.mirroredScene()) && finishedCache.scene().picture().depth() == target.picture().depth();
     }
 
-    /** What leads from that picture to these centres; of the newest update where there is none. */
+    /** What leads from that picture to these centers; of the newest update where there is none. */
     UpdatePlan plan(PixelCache centers) {
         return finishedCache == null ? plan
                 : Dispatcher.plan(finishedCache, centers.scene(), centers.geometry(), centers.mirroredScene().equals(centers.scene()),

@@ -29,7 +29,7 @@ public final class Renderer implements AutoCloseable {
     private WorkerPool workers;
     private final RepeatedEditDetector.LevelDetectors repeatedEdits = new RepeatedEditDetector.LevelDetectors();
     private PixelCache cache;
-    /** What the cache lacks, where it holds pixels' centres alone; else null. */
+    /** What the cache lacks, where it holds pixels' centers alone; else null. */
     private PendingSamples pendingSamples;
     private final GeometrySource geometrySource = new GeometrySource();
     /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
@@ -62,7 +62,7 @@ public final class Renderer implements AutoCloseable {
      */
     public void setOptions(RenderOptions to) {
         if (pendingSamples != null && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
-            // Samples could not follow centres that are known in another way.
+            // Samples could not follow centers that are known in another way.
             restore(pendingSamples.finishedCache());
         }
         if (to.threads() != options.threads()) {
@@ -104,7 +104,7 @@ public final class Renderer implements AutoCloseable {
      * call.
      *
      * @throws PictureTooLargeException if it needs a first pass that does not fit into memory beside what is known of the picture, which a
-     *                         cancelled pass goes back to
+     *                         canceled pass goes back to
      * @throws CancellationException if {@code progress} asked to stop
      */
     public UpdateResult render(Scene target, Progress progress) {
@@ -142,7 +142,7 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Does what was planned, and leaves it to {@link #finish} to make the finer samples where only edges have them: the film then
-     * shows the pixels' centres, as if there were no anti-aliasing. Updates go on from there, whether it was finished or not.
+     * shows the pixels' centers, as if there were no anti-aliasing. Updates go on from there, whether it was finished or not.
      *
      * @param planned by {@link #plan}
      * @throws PictureTooLargeException       as {@link #render(Scene, Progress)}
@@ -327,7 +327,7 @@ public final class Renderer implements AutoCloseable {
                 bound, refreshed);
     }
 
-    /** Contributions that are scaled are off by what all their scalings lose, and centres and samples must be by the same. */
+    /** Contributions that are scaled are off by what all their scalings lose, and centers and samples must be by the same. */
     private boolean canDeferSamples(Scene target) {
         return options.accuracy().isExact() && RenderJob.needsEdges(target);
     }
@@ -383,7 +383,7 @@ public final class Renderer implements AutoCloseable {
         return result.work();
     }
 
-    /** Makes the finer samples of the centres that are known. */
+    /** Makes the finer samples of the centers that are known. */
     private WorkCounts renderSamples(UpdatePlan plan, Progress progress) {
         PixelCache finished = pendingSamples.finishedCache();
         CacheBuilder builder = finished != null && plan instanceof UpdatePlan.Relight relight

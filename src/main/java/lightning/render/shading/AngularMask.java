@@ -17,7 +17,7 @@ import lightning.scene.Texture;
  * in the plane of the axis and that side. A door at angle θ leaves 1 up to θ less the feather, 0 beyond θ, and between them
  * t²(3 − 2t), t being how far inside of θ the point lies over the feather; without feather a point on the edge is lit. The factors of the four
  * doors are multiplied. A gobo is a square that just holds the cone where it is less than 89 degrees wide, and else what a cone of 89 degrees
- * would hold; seen from the light its left is left and its top is up. Between the centres of its pixels it is interpolated bilinearly,
+ * would hold; seen from the light its left is left and its top is up. Between the centers of its pixels it is interpolated bilinearly,
  * beyond the outermost ones it goes on as they are; what passes is its luminance, 0.2126 R + 0.7152 G + 0.0722 B of linear light
  * (ITU-R BT.709). A light that looks straight up or down has z upwards. A rectangle lies as its {@code up} tells, and its doors cut off each of its
  * samples at the same angle, as the slats of a honeycomb do: what they leave fades over the rectangle's width.

@@ -12,7 +12,7 @@ import lightning.scene.LightType;
  *
  * <p>Sample s of n is a place in the unit square: ((s + ½)/n + a, s·0.618… + b), both modulo 1, where 0.618… is the golden section.
  * One of {@link #ROTATIONS} pairs (a, b) is a row's <em>turn</em> (Cranley and Patterson 1976 call it a rotation), told by a hash of its
- * point: neighbours look at different samples, and the same picture always at the same ones. Turn t has (t·0.754…, t·0.569…), the two
+ * point: neighbors look at different samples, and the same picture always at the same ones. Turn t has (t·0.754…, t·0.569…), the two
  * powers of the reciprocal of the plastic number (Roberts 2018). The square is then laid
  *
  * <ul>
@@ -64,7 +64,7 @@ public final class AreaSamples {
     /**
      * That of a light which {@link Light#isArea}.
      *
-     * @param source its centre; for a directional light the unit vector towards it
+     * @param source its center; for a directional light the unit vector towards it
      * @param axis   the unit direction in which it shines
      */
     static AreaSamples of(Light light, Vec3 source, Vec3 axis) {
@@ -126,7 +126,7 @@ public final class AreaSamples {
         return new Vec3(x[i], y[i], z[i]);
     }
 
-    /** How far any of them is from the centre at most. */
+    /** How far any of them is from the center at most. */
     public double extent() {
         return extent;
     }

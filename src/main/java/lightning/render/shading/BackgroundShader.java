@@ -19,7 +19,7 @@ final class BackgroundShader {
     private final double[] direction = new double[3];
     private final double[] color = new double[3];
 
-    /** The colour in a direction of length 1, {@code float[3]}. */
+    /** The color in a direction of length 1, {@code float[3]}. */
     static float[] color(World world, Vec3 direction) {
         float[][] to = new float[3][1];
         new BackgroundShader().shade(world, direction.x(), direction.y(), direction.z(), to, 0);

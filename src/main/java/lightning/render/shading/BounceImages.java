@@ -13,7 +13,7 @@ import lightning.render.trace.HitRows;
 public record BounceImages(float[][] mirrored, float[][] refracted) {
     // Arrays in a record: written once by their maker, never after.
 
-    /** The colours that rays bring which go on in one way. */
+    /** The colors that rays bring which go on in one way. */
     public float[][] forBounce(BounceKind bounce) {
         return switch (bounce) {
             case MIRRORED -> mirrored;

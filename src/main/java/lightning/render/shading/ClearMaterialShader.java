@@ -45,7 +45,7 @@ final class ClearMaterialShader {
         return 1 - (float) clarity.color().max();
     }
 
-    /** A colour's channel as the equation reads it. */
+    /** A color's channel as the equation reads it. */
     static float channel(Rgb color, int channel) {
         return (float) switch (channel) {
             case 0 -> color.r();

@@ -15,10 +15,10 @@ final class ConeCulling {
     /**
      * Whether {@link LightingEquation#insideCone} may hold for a point of the box. False is certain, true is not.
      *
-     * <p>Seen from the light, the ball around the box lies within an angle β of its centre's direction, sin β being its radius
+     * <p>Seen from the light, the ball around the box lies within an angle β of its center's direction, sin β being its radius
      * over its distance. With θ between that direction and the axis, every point of the ball is θ − β or more off the axis, and
      * outside the cone if cos(θ − β) is less than the cosine of the cone's half opening. A ball that holds the light or meets
-     * the axis is taken to be reached. A sample of a larger light at c from its centre sees a point p as the centre sees p − c, so the
+     * the axis is taken to be reached. A sample of a larger light at c from its center sees a point p as the center sees p − c, so the
      * ball is larger by what c may be.
      */
     static boolean canReach(LightSource source, PointBox box) {

@@ -3,7 +3,7 @@ package lightning.render.shading;
 import java.util.Arrays;
 
 /**
- * What anti-aliasing sees of the pixels of a tile by their centres: neighbouring pixels whose codes differ have an edge
+ * What anti-aliasing sees of the pixels of a tile by their centers: neighboring pixels whose codes differ have an edge
  * between them. A pixel that hits nothing has code 0. Arrays, {@code int[1024]} each, are never written after construction.
  *
  * @param shapes         edges of shapes and textures, and of their images in mirrors: no edit of a light changes it

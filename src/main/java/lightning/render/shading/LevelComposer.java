@@ -42,13 +42,13 @@ final class LevelComposer {
     }
 
     /**
-     * Writes the colour of each row to its parent.
+     * Writes the color of each row to its parent.
      *
      * @param lights   the lights in scene order
      * @param layers   the layer of each light; unread where the light is dark
      * @param branches sums that are known already, or null
      * @param images   what the rays bring that go on from the rows; null where none does
-     * @param to       gets the colours, linear: red, green, blue, {@code float[1024]} each
+     * @param to       gets the colors, linear: red, green, blue, {@code float[1024]} each
      */
     void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world, BounceImages images,
             float[][] to) {
@@ -83,7 +83,7 @@ final class LevelComposer {
         }
     }
 
-    /** A texture that shows its own colour, whatever the lights. */
+    /** A texture that shows its own color, whatever the lights. */
     private static void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] to) {
         for (int c = 0; c < 3; c++) {
             float[] texel = rows.texel(c);
@@ -93,7 +93,7 @@ final class LevelComposer {
         }
     }
 
-    /** Writes the colours of a run's rows to their parents, as many at once as have parents side by side. */
+    /** Writes the colors of a run's rows to their parents, as many at once as have parents side by side. */
     private void scatter(short[] parent, int start, int end, float[][] to) {
         for (int i = start; i < end;) {
             int first = parent[i];

@@ -51,9 +51,9 @@ public final class LightRows implements LightLayer {
         SEEN_2(ElementType.SHORT, "samples seen of soft lights"),
         SEEN_3(ElementType.SHORT, "samples seen of soft lights"),
         /** What passes of the light on a free way through clear shapes; 1 where none is in between. */
-        TINT_RED(ElementType.FLOAT, "colours of tinted shadows"),
-        TINT_GREEN(ElementType.FLOAT, "colours of tinted shadows"),
-        TINT_BLUE(ElementType.FLOAT, "colours of tinted shadows");
+        TINT_RED(ElementType.FLOAT, "colors of tinted shadows"),
+        TINT_GREEN(ElementType.FLOAT, "colors of tinted shadows"),
+        TINT_BLUE(ElementType.FLOAT, "colors of tinted shadows");
 
         static final List<Column> SAMPLE_COLUMNS = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
         static final List<Column> TINT_COLUMNS = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);

@@ -8,7 +8,7 @@ import lightning.scene.Attenuation;
  *
  * <pre>
  * I     = [ka·ambience + kd·Σ Idiff]·(1 − kr) + (ks·Σ Ispec + Σ Igraz) + kr·Cr
- * Idiff = weight·(cosine·falloff)      weight  = colour·intensity
+ * Idiff = weight·(cosine·falloff)      weight  = color·intensity
  * Ispec = weight·(specular·falloff)    falloff = atten·spot·doors
  * Igraz = weight·(grazing·falloff)     of metallic materials alone
  * </pre>
@@ -163,7 +163,7 @@ public final class LightingEquation {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
     }
 
-    /** N·L·D·V·(1 − V·H)⁵: what a metallic material of any colour sends besides. */
+    /** N·L·D·V·(1 − V·H)⁵: what a metallic material of any color sends besides. */
     float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
     }
@@ -201,7 +201,7 @@ public final class LightingEquation {
         return weight * (term * falloff);
     }
 
-    /** One channel of what passes a clear surface: what it does not mirror, times its colour. */
+    /** One channel of what passes a clear surface: what it does not mirror, times its color. */
     static float transmitted(float kr, float share, float kt) {
         float mirror = kr + (1 - kr) * share;
         return (1 - mirror) * kt;

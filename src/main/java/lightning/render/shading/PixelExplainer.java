@@ -17,7 +17,7 @@ import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.AlphaCutout;
 import lightning.scene.Scene;
 
-/** Traces single pixels and tells why they have their colour; the colour is the film's in every bit. */
+/** Traces single pixels and tells why they have their color; the color is the film's in every bit. */
 public final class PixelExplainer {
     private static final float[] ZERO = {0, 0, 0};
     private static final float[] ONE = {1, 1, 1};

@@ -10,7 +10,7 @@ import lightning.render.trace.SurfacePoint;
  * @param hit        what the ray met; null where it met nothing and brought the background
  * @param passedCutouts     the primitives through whose holes the ray came, each once; none where nobody looked
  * @param normals   how its normal came about; null where it is the surface's own
- * @param color     the colour that the ray brings, linear, {@code float[3]}
+ * @param color     the color that the ray brings, linear, {@code float[3]}
  * @param ambient   ka·ambience·(1 − kr), linear, {@code float[3]}
  * @param lights    one for each light of the scene, in its order
  * @param refracted what the refracted ray brings; null if nothing is seen through the material, the surface mirrors all, or the depth

@@ -71,7 +71,7 @@ public final class ReferenceTracer {
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** The linear colour at the centre of one pixel, {@code float[3]}. */
+    /** The linear color at the center of one pixel, {@code float[3]}. */
     public float[] pixel(int x, int y) {
         return color(new PixelRays(scene).ray(x, y), scene.picture().depth());
     }
@@ -93,7 +93,7 @@ public final class ReferenceTracer {
         return Float.isFinite(sum) ? sum / samples.length : SampleMean.meanOfLarge(samples, 0, samples.length);
     }
 
-    /** The colour that a ray brings; {@code depth} more mirrors may be followed. */
+    /** The color that a ray brings; {@code depth} more mirrors may be followed. */
     private float[] color(Ray ray, int depth) {
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
@@ -130,7 +130,7 @@ public final class ReferenceTracer {
         return color;
     }
 
-    /** One channel of the colour of a clear surface. */
+    /** One channel of the color of a clear surface. */
     private float clearColor(SurfacePoint hit, int c, float[] diffuse, float[] specular, float[] grazing, float[] mirrored,
             float[] refracted) {
         return new SurfaceWeights(hit).color(c, materials.ambient(hit.material(), c), (float) scene.world().ambience(),

@@ -25,7 +25,7 @@ public final class RowContribution {
     }
 
     /**
-     * The colour that a row sends of one light's share.
+     * The color that a row sends of one light's share.
      *
      * @param material  that of the row
      * @param layer     the light's over the rows; unread where the light is dark

@@ -26,7 +26,7 @@ import lightning.scene.effects.ViewEffects;
 final class ShadowCaster {
     /** Words of rows that are looked at together: two lines of a tile. */
     private static final int WORDS_PER_GROUP = 4;
-    /** With more shapes in question, looking at neighbours takes longer than the rays that it saves. */
+    /** With more shapes in question, looking at neighbors takes longer than the rays that it saves. */
     private static final int MAX_CULLED_BLOCKERS = 6;
 
     private final Geometry geometry;
@@ -293,7 +293,7 @@ final class ShadowCaster {
         return fullyOccluded;
     }
 
-    /** Finds out of which neighbours' ways to an area it is certain that they are free or blocked. */
+    /** Finds out of which neighbors' ways to an area it is certain that they are free or blocked. */
     private void classifyRows(HitRows rows, LightSource source) {
         boolean any = castsShadows && geometry.castsShadows();
         int words = RowBits.words(rows.count);
@@ -333,7 +333,7 @@ final class ShadowCaster {
         return uncertain;
     }
 
-    /** Leaves out chosen rows whose ways are certainly free: neighbours are looked at together. */
+    /** Leaves out chosen rows whose ways are certainly free: neighbors are looked at together. */
     private void selectUncertain(HitRows rows, int[] chosen, int[] uncertain) {
         int words = RowBits.words(rows.count);
         for (int from = 0; from < words; from += WORDS_PER_GROUP) {

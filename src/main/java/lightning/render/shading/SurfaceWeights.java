@@ -47,7 +47,7 @@ public final class SurfaceWeights {
         return kr + (1 - kr) * fresnel;
     }
 
-    /** One channel of the colour of a clear surface, as {@link LightingEquation} has it. */
+    /** One channel of the color of a clear surface, as {@link LightingEquation} has it. */
     float color(int c, float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirroredColor, float refractedColor) {
         return LightingEquation.clearColor(ka, ambience, kd, diffuse, ks, specular, grazing, kr, mirroredColor,

@@ -10,7 +10,7 @@ import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Carries colours from the deepest mirror level of a tile up to its pixels. Holds scratch columns:
+ * Carries colors from the deepest mirror level of a tile up to its pixels. Holds scratch columns:
  * one for each thread.
  */
 public final class TileComposer {
@@ -42,7 +42,7 @@ public final class TileComposer {
     }
 
     /**
-     * Where the colours go that the rays bring which go on from a level's rows, to be composed from the levels below: the background
+     * Where the colors go that the rays bring which go on from a level's rows, to be composed from the levels below: the background
      * where a ray hit nothing.
      *
      * @param depth over how many others the level is seen
@@ -72,7 +72,7 @@ public final class TileComposer {
         return scratch[depth];
     }
 
-    /** Makes a tile of the film ready for the colours of a first level: what is behind all where no row is. */
+    /** Makes a tile of the film ready for the colors of a first level: what is behind all where no row is. */
     public void fillBackground(HitRows rows, Scene scene, SamplePositions places, float[][] film) {
         backgroundShader.shadeEyeRays(rows, scene, places, film);
     }
@@ -84,7 +84,7 @@ public final class TileComposer {
      * @param layers   the layer of each light; unread where the light is dark
      * @param branches sums that are known already, or null
      * @param images   what the rays bring that go on from the rows; null where none does
-     * @param to       gets each row's colour at its parent, linear: red, green, blue, {@code float[1024]} each
+     * @param to       gets each row's color at its parent, linear: red, green, blue, {@code float[1024]} each
      */
     public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world,
             BounceImages images,

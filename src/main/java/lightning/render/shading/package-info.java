@@ -4,7 +4,7 @@
  * <p>{@link lightning.render.shading.LightingEquation} is the equation; {@link lightning.render.shading.ReferenceTracer}
  * the oracle that follows §2.1 of the paper word for word; {@link lightning.render.shading.TermKernel} and
  * {@link lightning.render.shading.SumKernel} are what engines do over all rows of a tile. They agree in every bit, because all of them
- * round to float at the same places: point, normal, view direction, material colours, light weight,
+ * round to float at the same places: point, normal, view direction, material colors, light weight,
  * cosine, specular term and falloff. Between two roundings all arithmetic is in double; after the
  * last, in float, grouped as {@code weight·(cosine·falloff)} and summed over the lights as a balanced
  * pairwise tree in scene order.

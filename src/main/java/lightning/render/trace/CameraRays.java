@@ -33,7 +33,7 @@ public final class CameraRays {
         corner = forward.minus(right.times(picture.width() / 2.0)).minus(down.times(picture.height() / 2.0));
     }
 
-    /** The ray through the centre of pixel {@code column, row}; its direction has length 1. */
+    /** The ray through the center of pixel {@code column, row}; its direction has length 1. */
     public Ray pixelRay(int column, int row) {
         return imageRay(column + 0.5, row + 0.5);
     }
@@ -56,7 +56,7 @@ public final class CameraRays {
     public void boundBeam(RayBeam beam, int column, int row, int columns, int rows) {
         beam.clear();
         beam.addOrigin(eye.x(), eye.y(), eye.z());
-        // Directions to the rectangle in the picture plane; pixel centres are half a pixel inside it.
+        // Directions to the rectangle in the picture plane; pixel centers are half a pixel inside it.
         for (int end = 0; end < 4; end++) {
             double x = column + (end & 1) * columns;
             double y = row + (end >> 1) * rows;

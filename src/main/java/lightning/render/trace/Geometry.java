@@ -41,7 +41,7 @@ public final class Geometry {
     /** Which primitives throw shadows; null where all do. */
     private final boolean[] shadowCasters;
     private final boolean castsShadows;
-    /** The tree of those primitives that light passes and takes the colour of; null where it passes none. */
+    /** The tree of those primitives that light passes and takes the color of; null where it passes none. */
     private final Bvh tintBvh;
     private final boolean[] tintCasters;
     /** Whether any material throws no shadows. */
@@ -170,7 +170,7 @@ public final class Geometry {
         return result;
     }
 
-    /** Of each primitive whether it gives its colour to the light that linked shapes shadow; null where none does. */
+    /** Of each primitive whether it gives its color to the light that linked shapes shadow; null where none does. */
     boolean[] tintCasters(ShapeLinks links) {
         if (!primitives.hasShadowTints()) {
             return null;
@@ -184,12 +184,12 @@ public final class Geometry {
         return hasTints ? result : null;
     }
 
-    /** Of each primitive whether light passes it and takes its colour; null where it passes none; not to be written to. */
+    /** Of each primitive whether light passes it and takes its color; null where it passes none; not to be written to. */
     public boolean[] tintCasters() {
         return tintCasters;
     }
 
-    /** The tree of those primitives that light passes and takes the colour of; null where it passes none. */
+    /** The tree of those primitives that light passes and takes the color of; null where it passes none. */
     public Bvh tintBvh() {
         return tintBvh;
     }

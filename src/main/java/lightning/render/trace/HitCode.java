@@ -2,7 +2,7 @@ package lightning.render.trace;
 
 /**
  * What anti-aliasing sees of a hit, in one number: the shape, the side of it that is seen, and its texture in coarse
- * steps. Neighbouring pixels whose numbers differ have an edge between them. (Different things may get the same number
+ * steps. Neighboring pixels whose numbers differ have an edge between them. (Different things may get the same number
  * by chance; that only leaves out a finer sampling, and everyone leaves out the same.)
  */
 public final class HitCode {
@@ -31,7 +31,7 @@ public final class HitCode {
         return scramble((((shape * 3 + side(nx)) * 3 + side(ny)) * 3 + side(nz)) * FACTOR);
     }
 
-    /** The number of a hit, its own number being {@code code}, whose material has a texture of this linear colour there. */
+    /** The number of a hit, its own number being {@code code}, whose material has a texture of this linear color there. */
     public static int withTexture(int code, float red, float green, float blue) {
         int shade = ((int) (red * SHADE_LEVELS) * 31 + (int) (green * SHADE_LEVELS)) * 31 + (int) (blue * SHADE_LEVELS);
         return scramble(code + shade * FACTOR);

@@ -16,7 +16,7 @@ import lightning.render.trace.tree.PointBox;
  * plain columns that share one index.
  *
  * <p>Rows are sorted by material, reflective materials first; each material's rows are one
- * <em>run</em>, whose colours are read once. Columns are a little longer than {@link #count}, so that
+ * <em>run</em>, whose colors are read once. Columns are a little longer than {@link #count}, so that
  * lanes may run over the end; what stands there is never used.
  */
 public final class HitRows {
@@ -99,11 +99,11 @@ public final class HitRows {
     public final float[] vx;
     public final float[] vy;
     public final float[] vz;
-    /** The texture's colour, 0…1, for rows of textured materials; null where the tile has none. */
+    /** The texture's color, 0…1, for rows of textured materials; null where the tile has none. */
     public final float[] texelRed;
     public final float[] texelGreen;
     public final float[] texelBlue;
-    /** Where the row's colour goes: a pixel of the tile at the first level, a row of the level above at others. */
+    /** Where the row's color goes: a pixel of the tile at the first level, a row of the level above at others. */
     public final short[] parent;
     /** What anti-aliasing sees of each hit, its texture left out ({@link HitCode}); null where nobody asks. */
     public final int[] code;

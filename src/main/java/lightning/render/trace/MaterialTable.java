@@ -18,7 +18,7 @@ import lightning.scene.Transmission;
 
 /**
  * The materials in use as plain columns: the place where the file's doubles become the floats of
- * the lighting equation. Colours are {@code float[3 * count]}: r g b of material 0, then of 1, ….
+ * the lighting equation. Colors are {@code float[3 * count]}: r g b of material 0, then of 1, ….
  *
  * <p>A material keeps its index however it is edited: indices follow the shapes that name the materials. The rows of a
  * tile are sorted by {@link #rank} instead, clear materials first, then others that are reflective, so that the rows that cast refracted rays are
@@ -29,7 +29,7 @@ public final class MaterialTable {
     public static final Predicate<Material> CASTS_REFLECTIONS = Material::spawnsSecondaryRays;
 
     private final List<Material> materials;
-    /** Which of them shapes with colours of their own have. */
+    /** Which of them shapes with colors of their own have. */
     private final boolean[] vertexColored;
     private final int reflectiveCount;
     private final int transparentCount;
@@ -44,7 +44,7 @@ public final class MaterialTable {
 
     /**
      * @param names the materials' names, each once: material {@code m} is that of name {@code m}
-     * @param vertexColorMaterials those that shapes have whose vertices are coloured ({@link #vertexColored})
+     * @param vertexColorMaterials those that shapes have whose vertices are colored ({@link #vertexColored})
      * @param scene says what they are
      * @param previous  tells those that no shape has and the scene lacks; null where there are none
      * @param castsReflections which of them cast mirrored rays: all that mirror, and perhaps others
@@ -109,7 +109,7 @@ public final class MaterialTable {
         return Stream.concat(existing.stream(), shapes.stream().map(Shape::material)).distinct().toList();
     }
 
-    /** The names of the materials of shapes whose vertices have colours, which are shown. */
+    /** The names of the materials of shapes whose vertices have colors, which are shown. */
     static Set<String> vertexColorMaterials(List<Shape> shapes) {
         return shapes.stream().filter(s -> s.solid() instanceof Solid.TriangleMesh t && t.hasVertexColors()).map(Shape::material)
                 .collect(Collectors.toUnmodifiableSet());

@@ -11,7 +11,7 @@ public final class PixelRays {
         rays = new CameraRays(scene.camera(), scene.picture());
     }
 
-    /** The ray, of length 1, through the centre of a pixel: {@code x} from the left, {@code y} from the top. */
+    /** The ray, of length 1, through the center of a pixel: {@code x} from the left, {@code y} from the top. */
     public Ray ray(int x, int y) {
         return rays.pixelRay(x, y);
     }

@@ -3,19 +3,19 @@ package lightning.render.trace;
 import lightning.render.trace.tree.RayBeam;
 
 /**
- * Where in the picture the eye's rays of a tile go: through the centres of its pixels, or through finer samples of some.
+ * Where in the picture the eye's rays of a tile go: through the centers of its pixels, or through finer samples of some.
  *
  * @param x0     the tile's left pixel
  * @param y0     the tile's upper pixel
  * @param pixels indices in a tile of 32×32 pixels, ascending; those from {@code from} to before {@code to} have samples,
- *               first all of the first pixel, line by line. Null for the centres of all pixels: then a ray's number is its
+ *               first all of the first pixel, line by line. Null for the centers of all pixels: then a ray's number is its
  *               pixel's index
  * @param grid   samples along each side of a pixel
  */
 public record SamplePositions(int x0, int y0, short[] pixels, int from, int to, int grid) {
     static final int SIDE = 32;
 
-    /** The centres of the pixels of the tile whose upper left pixel is {@code x0, y0}. */
+    /** The centers of the pixels of the tile whose upper left pixel is {@code x0, y0}. */
     public static SamplePositions centers(int x0, int y0) {
         return new SamplePositions(x0, y0, null, 0, SIDE * SIDE, 1);
     }

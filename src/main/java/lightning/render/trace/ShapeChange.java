@@ -29,7 +29,7 @@ public final class ShapeChange {
 
     private final Geometry before;
     private final Geometry after;
-    /** Of each primitive before the index it has now, perhaps with another material, other normals or without its colours; −1 where it is gone or not the same. */
+    /** Of each primitive before the index it has now, perhaps with another material, other normals or without its colors; −1 where it is gone or not the same. */
     private final int[] newIndex;
     private final boolean hasUnchanged;
     private final boolean hasSameIndices;

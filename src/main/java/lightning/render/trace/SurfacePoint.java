@@ -15,7 +15,7 @@ import lightning.scene.Transmission;
  * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
  * @param specular k<sub>specular</sub>, or F0 with the texture in it, linear RGB, {@code float[3]}
  * @param backSide   where rays go on behind the surface; null where nothing is seen through it
- * @param texel    the texture's colour alone, linear RGB, {@code float[3]}; white where there is none
+ * @param texel    the texture's color alone, linear RGB, {@code float[3]}; white where there is none
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
         float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, BackSide backSide) {

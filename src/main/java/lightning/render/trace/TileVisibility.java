@@ -91,7 +91,7 @@ public final class TileVisibility {
         tracer.directSampleRays(camera, positions, rays);
     }
 
-    /** Directs the eye rays of some places; of the centres of pixels those in the picture. */
+    /** Directs the eye rays of some places; of the centers of pixels those in the picture. */
     private void setEyeRays(SamplePositions positions) {
         if (positions.pixels() == null) {
             int columns = Math.min(SamplePositions.SIDE, width - positions.x0());

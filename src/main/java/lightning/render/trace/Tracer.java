@@ -15,7 +15,7 @@ public interface Tracer {
     /** Rows in an {@code int} of a set. */
     int ROWS_PER_WORD = 16;
 
-    /** Directs rays of the eye through the centres of a rectangle of pixels, line by line. */
+    /** Directs rays of the eye through the centers of a rectangle of pixels, line by line. */
     void directEyeRays(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays);
 
     /** Directs rays of the eye through finer samples, at most 1024. */

@@ -21,7 +21,7 @@ final class EffectRemoval {
         return s.withMaterials(s.materials().stream().map(change).toList());
     }
 
-    /** Nothing mirrors by its colour, and no ray is followed unless something is clear, which mirrors by its angle. */
+    /** Nothing mirrors by its color, and no ray is followed unless something is clear, which mirrors by its angle. */
     static Scene removeReflections(Scene s) {
         Scene nonReflective = mapMaterials(s, m -> m.withReflective(Rgb.BLACK));
         return s.materials().stream().anyMatch(m -> m.transmission().isTransparent()) ? nonReflective

@@ -65,7 +65,7 @@ record EffectUsers(Scene scene, List<PlacedShape> shapes, List<Light> lights) {
         return scene.picture().sampling().isSupersampled() ? Stream.of("picture") : Stream.empty();
     }
 
-    /** The names of shapes whose vertices' colours are lit. */
+    /** The names of shapes whose vertices' colors are lit. */
     Stream<String> vertexColors() {
         return lights.isEmpty() ? Stream.empty() : shapes.stream()
                 .filter(s -> s.shape().solid() instanceof Solid.TriangleMesh t && t.hasVertexColors() && !s.material().albedo().isBlack())

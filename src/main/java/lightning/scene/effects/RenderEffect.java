@@ -50,7 +50,7 @@ public final class RenderEffect {
             register("bumps", "bump and normal maps", uses -> uses.materials(m -> !m.bumpMapping().isFlat()),
                     scene -> EffectRemoval.mapMaterials(scene, m -> m.withBumpMapping(BumpMapping.NONE)), EffectInjection::addFlatBumps);
     public static final RenderEffect VERTEX_COLORS =
-            register("vertex-colors", "colours of vertices", EffectUsers::vertexColors, EffectRemoval::removeVertexColors,
+            register("vertex-colors", "colors of vertices", EffectUsers::vertexColors, EffectRemoval::removeVertexColors,
                     UnaryOperator.identity(), false);
     public static final RenderEffect REFLECTION =
             register("reflection", "reflections", EffectUsers::mirrors, EffectRemoval::removeReflections);

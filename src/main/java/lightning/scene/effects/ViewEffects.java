@@ -12,7 +12,7 @@ import lightning.scene.Scene;
  * @param hidden      effects that are not shown; without shadows every row that faces a light in its cone is lit
  * @param forced      effects for which columns are kept, loops run and rays are cast even where the scene does not call for
  *                    them: the picture is the same, only more is done; to measure what their absence saves
- * @param litTextures whether lights fall on textures; else a texture emits its own colour, as the
+ * @param litTextures whether lights fall on textures; else a texture emits its own color, as the
  *                    paper's preview has it (§3.1)
  */
 public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, boolean litTextures) {
@@ -22,7 +22,7 @@ public record ViewEffects(Set<RenderEffect> hidden, Set<RenderEffect> forced, bo
     public static final ViewEffects PREVIEW =
             new ViewEffects(Set.of(RenderEffect.SHADOWS, RenderEffect.SOFT_SHADOWS, RenderEffect.REFLECTION, RenderEffect.ANTIALIASING),
                     Set.of(), true);
-    /** The same with textures that emit their colours, as the paper has it (§3.1): no light's pool can be seen on them. */
+    /** The same with textures that emit their colors, as the paper has it (§3.1): no light's pool can be seen on them. */
     public static final ViewEffects PREVIEW_1998 = PREVIEW.withLitTextures(false);
 
     public ViewEffects {

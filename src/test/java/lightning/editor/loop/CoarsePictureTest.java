@@ -58,7 +58,7 @@ class CoarsePictureTest {
         return Arbitraries.randomValue(random -> (int) Math.exp(Math.log(MAX_SIDE) * random.nextDouble()));
     }
 
-    /** Where all pixels have samples, tiles of the whole picture are what costs; else its centres come first. */
+    /** Where all pixels have samples, tiles of the whole picture are what costs; else its centers come first. */
     private static double rays(PictureSettings picture) {
         return (double) picture.width() * picture.height()
                 * (picture.sampling().antialias() == AntialiasMode.EVERY ? picture.sampling().samplesPerPixel() : 1);

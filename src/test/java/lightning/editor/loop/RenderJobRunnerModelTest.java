@@ -230,7 +230,7 @@ class RenderJobRunnerModelTest {
             check(stage.shown.getLast() == SECOND_SAMPLED, "the last edit is shown last");
             check(stage.shown.lastIndexOf(SAMPLED) < stage.shown.indexOf(SECOND_SAMPLED), "no older picture is shown after a newer one");
             check(stage.finished, "the window comes to rest with all samples");
-            check(!stage.cancelled, "samples that give way to an edit are not told as cancelled");
+            check(!stage.cancelled, "samples that give way to an edit are not told as canceled");
             stage.close();
         });
     }

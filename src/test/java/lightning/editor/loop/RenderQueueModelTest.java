@@ -43,7 +43,7 @@ class RenderQueueModelTest {
                 }
                 boolean late = canceled;
                 begin();
-                check(!late || stop.isCanceled(), "what was cancelled is not begun");
+                check(!late || stop.isCanceled(), "what was canceled is not begun");
                 if (!stop.isCanceled()) {
                     finish(work);
                 }

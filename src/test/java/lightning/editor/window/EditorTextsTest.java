@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 @Slow
 class EditorTextsTest {
     private static final Pattern VALUE = Pattern.compile("\\{\\d}|%[-+,]?[\\d.]*[a-z%]");
-    /** Names of products, formats and channels, colours, patterns of numbers and times, words of the window toolkit: the same everywhere. */
+    /** Names of products, formats and channels, colors, patterns of numbers and times, words of the window toolkit: the same everywhere. */
     private static final Set<String> UNTRANSLATED = Set.of("Lightning", "Kelvin", "RGB", "HSV", "PSNR", "SSIM", "HH:mm:ss",
             // Told on the console, where no window can be.
             "no window can be opened here (", "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)",
@@ -69,7 +69,7 @@ class EditorTextsTest {
             usedTexts.add("rotate " + axis);
         }
         for (String channel : List.of("red", "green", "blue")) {
-            usedTexts.addAll(List.of("gel " + channel, "colour " + channel, "ambient " + channel));
+            usedTexts.addAll(List.of("gel " + channel, "color " + channel, "ambient " + channel));
         }
         usedTexts.remove("");
         german = GermanMessages.all();

@@ -183,7 +183,7 @@ class FilesTest extends EditorFixture {
         assertThat(telemetry()).startsWith("first pass: no picture yet");
     }
 
-    /** A scene of the size that no other test has, and of so much work that it can be cancelled on any machine. */
+    /** A scene of the size that no other test has, and of so much work that it can be canceled on any machine. */
     private OpenDocument large() throws IOException, JenException {
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 170 170  antialias every  samples 8");
         String lights = IntStream.range(0, 100).mapToObj(i -> "light more_" + i + " point { at 1 3 4 }\n").collect(Collectors.joining());
@@ -225,7 +225,7 @@ class FilesTest extends EditorFixture {
             model().commands().run(Command.CANCEL);
         });
         waitFor("nothing is in work", () -> model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
-        waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Cancelled. Go traces the picture."));
+        waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Canceled. Go traces the picture."));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 

@@ -59,7 +59,7 @@ class LightingStoryTest extends EditorFixture {
 
     @Test
     void keyFillAndRim_withUndoTypeChangeSaveAndReload_matchFullTrace() throws Exception {
-        // The key light is too weak, then its colour too blue.
+        // The key light is too weak, then its color too blue.
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         rename("key");
         type("intensity", "1.6");

@@ -195,7 +195,7 @@ class GltfMaterialImportTest {
         assertThat(material(plastic.replace("COLOR", "8, 8, 8")).f0()).as("a surface mirrors all, half of which is left").isEqualTo(0.5);
         ImportedScene tinted = importJson(plastic.replace("COLOR", "1, 0, 0"));
         assertThat(tinted.scene().materials().getFirst().f0()).isEqualTo(0.2126 * 0.125);
-        assertThat(tinted.notes()).containsEntry("colored highlights of materials that are no metals, grey here", 1)
+        assertThat(tinted.notes()).containsEntry("colored highlights of materials that are no metals, gray here", 1)
                 .containsEntry("highlights of materials weakened where they are grazed, not weakened here", 1);
         assertThat(importJson(plastic.replace("COLOR", "1, 0, 0").replace("'metallicFactor': 0", "'metallicFactor': 1")).notes().keySet())
                 .as("of a metal").noneMatch(note -> note.contains("highlights"));
@@ -304,7 +304,7 @@ class GltfMaterialImportTest {
                 .isEqualTo(Transmission.NONE);
     }
 
-    /** A veil over a background of 1 that nothing lights, so that its own colour is black. */
+    /** A veil over a background of 1 that nothing lights, so that its own color is black. */
     @Test
     void blendedMaterial_showsBackgroundByItsOpacity() throws Exception {
         ImportedScene imported =

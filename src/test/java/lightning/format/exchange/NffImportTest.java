@@ -99,7 +99,7 @@ class NffImportTest {
     void specularFill_isReflective() throws Exception {
         ImportedScene imported = read("a", "f 1 0.5 0 0.4 0.5 20 0 1.5\ns 0 0 0 1\n");
         assertThat(imported.scene().materials().getFirst()).satisfies(m -> {
-            // 0.4 of the colour are seen where half of all diffuse light is mirrored away.
+            // 0.4 of the color are seen where half of all diffuse light is mirrored away.
             assertThat(m.diffuse()).isEqualTo(new Rgb(0.8, 0.4, 0));
             assertThat(m.reflective()).isEqualTo(Rgb.gray(0.5));
             assertThat(m.specular()).isEqualTo(Rgb.gray(0.5));

@@ -115,7 +115,7 @@ class SceneImporterTest {
         BumpMapping relief = imported(Files.write(from.resolve("a.glb"), GltfFixtures.binary(mapped, GltfFixtures.SQUARE))).materials()
                 .getFirst().bumpMapping();
         assertThat(relief.strength()).isEqualTo(0.5);
-        assertThat(relief.normalMap().orElseThrow().image().channel(0, 0, 1)).as("a number, no colour of sRGB").isEqualTo(192 / 255f);
+        assertThat(relief.normalMap().orElseThrow().image().channel(0, 0, 1)).as("a number, no color of sRGB").isEqualTo(192 / 255f);
     }
 
     @Test

@@ -27,7 +27,7 @@ class FileCopyTest {
         elsewhere = Files.createDirectories(root.toRealPath().resolve("elsewhere"));
     }
 
-    /** A picture of one pixel, of a grey that the content tells. */
+    /** A picture of one pixel, of a gray that the content tells. */
     private static byte[] bytes(String content) throws IOException {
         var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
         image.setRGB(0, 0, 0x010101 * content.charAt(0));

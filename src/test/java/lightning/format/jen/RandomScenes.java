@@ -43,7 +43,7 @@ final class RandomScenes {
     private final Set<String> names = new HashSet<>();
 
     /**
-     * @param numbers   the same pictures, whose samples are no colours
+     * @param numbers   the same pictures, whose samples are no colors
      * @param opacities the same, which tell what is there
      */
     RandomScenes(Random random, List<Texture> images, List<Texture> numbers, List<Texture> opacities) {

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class CubeLutTest {
-    /** An edge of two points: each corner of the cube keeps its colour, but black becomes grey. */
+    /** An edge of two points: each corner of the cube keeps its color, but black becomes gray. */
     private static final String LIFTED = """
             # a look
             TITLE "lifted"
@@ -57,7 +57,7 @@ class CubeLutTest {
         assertThat(table.sizeText()).isEqualTo("2 × 2 × 2");
     }
 
-    /** On the grey diagonal only black and white count; half way between them is the mean of both. */
+    /** On the gray diagonal only black and white count; half way between them is the mean of both. */
     @Test
     void gray_dependsOnlyOnGrayDiagonal() throws IOException {
         assertThat(of(table(LIFTED), 0.5, 0.5, 0.5)).containsExactly(0.75, 0.75, 0.75);
@@ -90,7 +90,7 @@ class CubeLutTest {
                 .containsExactly(1, 1, 1);
     }
 
-    /** Affine functions of the colour are what tetrahedra hold exactly. */
+    /** Affine functions of the color are what tetrahedra hold exactly. */
     @Property
     void latticeOfAffineFunction_isExact(@ForAll @IntRange(min = 2, max = 9) int size, @ForAll long seed,
             @ForAll @DoubleRange(min = 0, max = 1) double r, @ForAll @DoubleRange(min = 0, max = 1) double g,

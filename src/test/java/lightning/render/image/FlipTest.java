@@ -17,7 +17,7 @@ class FlipTest {
 
     /**
      * What a mean may differ by from that of the authors, who compute in 32 bits: one unit in the last place of L* (6e-6) is
-     * 2e-4 of an error where colours hardly differ, and one of the features (6e-8) as much in the exponent.
+     * 2e-4 of an error where colors hardly differ, and one of the features (6e-8) as much in the exponent.
      */
     private static final double MEAN_TOLERANCE = 5e-5;
     /** And the error of one pixel. */

@@ -43,7 +43,7 @@ public final class RandomFilms {
         return film;
     }
 
-    /** A film of one grey. */
+    /** A film of one gray. */
     public static Film gray(int width, int height, float value) {
         float[] rgb = new float[3 * width * height];
         Arrays.fill(rgb, value);

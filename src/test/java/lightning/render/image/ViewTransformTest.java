@@ -22,7 +22,7 @@ class ViewTransformTest {
         assertThat(ViewTransform.DEFAULT.encode(1)).isEqualTo(255);
         // 1.055 · 0.5^(1/2.4) − 0.055 = 0.735357 and · 255 = 187.5 and a little: 187.516
         assertThat(ViewTransform.DEFAULT.encode(0.5f)).isEqualTo(188);
-        // The grey card: 1.055 · 0.18^(1/2.4) − 0.055 = 0.461356, · 255 = 117.65
+        // The gray card: 1.055 · 0.18^(1/2.4) − 0.055 = 0.461356, · 255 = 117.65
         assertThat(ViewTransform.DEFAULT.encode(0.18f)).isEqualTo(118);
         // The straight part: 12.92 · 0.002 · 255 = 6.589
         assertThat(ViewTransform.DEFAULT.encode(0.002f)).isEqualTo(7);

@@ -27,7 +27,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.StatisticsReport;
 
-/** An update that is cancelled or fails leaves everything as if it had never begun. */
+/** An update that is canceled or fails leaves everything as if it had never begun. */
 @Slow
 class CancellationTest {
     /** So many stops that even an underflow would show: at accuracy ratio every scaling is followed by a refresh. */
@@ -76,10 +76,10 @@ class CancellationTest {
                 cancelled += actual == null ? 1 : 0;
                 actual = actual == null ? disturbed.render(scene, Progress.NONE) : actual;
                 assertThat(work(actual)).isEqualTo(work(undisturbed.render(scene, Progress.NONE)));
-                SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-cancelled-update", session, step,
+                SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-canceled-update", session, step,
                         actual.plan().description());
             }
-            SceneCoverage.collect("cancelled", cancelled > 0, 35);
+            SceneCoverage.collect("canceled", cancelled > 0, 35);
         }
     }
 
@@ -93,7 +93,7 @@ class CancellationTest {
         } catch (CancellationException | OutOfMemoryError e) {
             assertThat(renderer.scene()).isSameAs(scene);
             assertThat(parts(renderer.plan(target).update())).isEqualTo(parts(plan));
-            SessionAssert.assertSameBits(renderer.film(), film, "cancelled-update", session, step, plan.description());
+            SessionAssert.assertSameBits(renderer.film(), film, "canceled-update", session, step, plan.description());
             return null;
         }
     }

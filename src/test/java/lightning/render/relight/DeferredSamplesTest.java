@@ -35,9 +35,9 @@ import net.jqwik.api.constraints.Size;
 import net.jqwik.api.statistics.StatisticsReport;
 import org.junit.jupiter.api.Test;
 
-/** Pixels' centres first and finer samples when there is time: the finished picture is the same in every bit. */
+/** Pixels' centers first and finer samples when there is time: the finished picture is the same in every bit. */
 class DeferredSamplesTest {
-    /** What happens after the centres of an edit are there. */
+    /** What happens after the centers of an edit are there. */
     enum NextAction {
         FINISH, LEAVE, CANCEL, RENDER, REFLECT
     }
@@ -63,7 +63,7 @@ class DeferredSamplesTest {
                 boolean finished = later.isFinished();
                 followed += finished ? 0 : 1;
                 if (!finished) {
-                    SessionAssert.assertSameBits(later.film(), centers(later.cache().scenes()), "centres-first", session, step,
+                    SessionAssert.assertSameBits(later.film(), centers(later.cache().scenes()), "centers-first", session, step,
                             update.plan().description());
                 }
                 apply(actions.get(step), atOnce, later, scene);
@@ -91,7 +91,7 @@ class DeferredSamplesTest {
                 if (!later.isFinished()) {
                     Film before = later.film().copy();
                     assertThatThrownBy(() -> later.finish(new CancelingProgress(0))).isInstanceOf(CancellationException.class);
-                    FilmAssert.assertSameBits(later.film(), before, "samples-cancelled");
+                    FilmAssert.assertSameBits(later.film(), before, "samples-canceled");
                 }
             }
             case RENDER -> later.render(scene, Progress.NONE);
@@ -152,7 +152,7 @@ class DeferredSamplesTest {
         }
     }
 
-    /** The eye's rays of the samples without those of the centres. */
+    /** The eye's rays of the samples without those of the centers. */
     private static long firstSamples() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             return renderer.render(key(0.5, true), Progress.NONE).rays().eye() - 70L * 50;

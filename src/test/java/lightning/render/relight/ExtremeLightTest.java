@@ -86,7 +86,7 @@ class ExtremeLightTest {
             edit(edits, "intensity " + intensity, l -> l.withIntensity(intensity));
         }
         for (Rgb color : new Rgb[] {new Rgb(0, 1, 1), new Rgb(1, 0, 1e-38), Rgb.BLACK, new Rgb(1000, 1e-40, 0)}) {
-            edit(edits, "colour " + color, l -> l.withColor(color));
+            edit(edits, "color " + color, l -> l.withColor(color));
         }
         edit(edits, "nothing left", l -> l.withIntensity(1e-25).withDropoff(400));
         return edits.stream();

@@ -96,9 +96,9 @@ class MaterialWorkTest {
             for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withAmbient(Rgb.WHITE),
                     m -> m.withDiffuse(new Rgb(1, 0, 0.3)), m -> m.withSpecular(Rgb.gray(0.9)), m -> m.withReflective(Rgb.gray(0.1)))) {
                 UpdateResult update = edit(studio, GLASS, edit);
-                assertThat(update.plan().steps()).containsExactly("glass: colours");
+                assertThat(update.plan().steps()).containsExactly("glass: colors");
                 assertWork(update, 0, rows(studio), 0, 0);
-                assertExact(studio, "colours");
+                assertExact(studio, "colors");
             }
         }
     }
@@ -107,7 +107,7 @@ class MaterialWorkTest {
     void colors_composeAllLevelsWithCurrentReflections() {
         try (StudioRenderer studio = studio(ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS)) {
             assertWork(edit(studio, GLASS, m -> m.withReflective(Rgb.gray(0.1))), 0, studio.referenceRows().rowsFrom(0), 0, 0);
-            assertExact(studio, "colours");
+            assertExact(studio, "colors");
         }
     }
 
@@ -286,7 +286,7 @@ class MaterialWorkTest {
             long matte = studio.referenceRows().count(0, ofMaterial(studio, MATT));
             long lit = litRows(studio, MATT);
             UpdateResult update = studio.render(scene.withLight(studio.key().withIntensity(2)));
-            assertThat(update.plan().steps()).containsExactly("key: weight", "glass: colours", "matt: texture + specular term");
+            assertThat(update.plan().steps()).containsExactly("key: weight", "glass: colors", "matt: texture + specular term");
             assertWork(update, matte + lit, rows(studio), 0, 0);
             assertExact(studio, "composite");
         }

@@ -50,7 +50,7 @@ class MetallicWorkTest {
             for (UnaryOperator<Material> edit : List.<UnaryOperator<Material>>of(m -> m.withBase(new Rgb(1, 0, 0.3)),
                     m -> m.withMetalness(1), m -> m.withF0(0.2))) {
                 UpdateResult update = edit(studio, edit);
-                assertThat(update.plan().steps()).contains("matt: colours");
+                assertThat(update.plan().steps()).contains("matt: colors");
                 assertThat(update.rowsTouched()).isZero();
             }
         }

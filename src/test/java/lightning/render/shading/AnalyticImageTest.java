@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * A ball of radius 1 over the floor y = 0, every pixel against what geometry on paper says: rays from
- * a pinhole, the distance of a line from a centre, the cone that touches the ball.
+ * a pinhole, the distance of a line from a center, the cone that touches the ball.
  */
 class AnalyticImageTest {
     private static final int SIZE = 81;
@@ -42,7 +42,7 @@ class AnalyticImageTest {
         return new Scene(new PictureSettings(SIZE, SIZE, depth), camera, new World(1, SKY), materials, nodes, lights);
     }
 
-    /** The unit direction through a pixel's centre, by the pinhole's own geometry. */
+    /** The unit direction through a pixel's center, by the pinhole's own geometry. */
     private static Vec3 ray(Camera camera, int x, int y) {
         Vec3 forward = camera.to().minus(camera.from()).normalized();
         Vec3 right = forward.cross(camera.up()).normalized();

@@ -105,7 +105,7 @@ class AngularMaskTest {
         AngularMask gobo = AngularMask.of(LightSource.of(light, scene));
         assertThat(gobo.factor(0, 6, -10)).isEqualTo(1, within(1e-12));
         assertThat(gobo.factor(3, -6, -10)).isZero();
-        assertThat(gobo.factor(0, 0, -10)).as("between the centres").isEqualTo(0.5, within(1e-12));
+        assertThat(gobo.factor(0, 0, -10)).as("between the centers").isEqualTo(0.5, within(1e-12));
         assertThat(gobo.factor(0, 2.5f, -10)).isEqualTo(0.75, within(1e-12));
     }
 

@@ -22,7 +22,7 @@ import lightning.scene.TextureMap;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
-/** What is seen, lit and mirrored through holes: scenes whose colours are known. */
+/** What is seen, lit and mirrored through holes: scenes whose colors are known. */
 class CutoutImageTest {
     private static final Rgb BLUE = new Rgb(0, 0, 1);
     /** The left half of a surface is there; the right one is not. */

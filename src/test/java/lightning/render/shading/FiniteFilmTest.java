@@ -145,7 +145,7 @@ class FiniteFilmTest {
                 .withReflective(Rgb.WHITE);
     }
 
-    /** The intensity of a thousand lamps of the brightest colour that are accepted before a metal. */
+    /** The intensity of a thousand lamps of the brightest color that are accepted before a metal. */
     private static double maxTermSum(Material metal) {
         return SceneLimits.MAX_TOTAL_LIGHT / metal.maxTerm() / (SceneLimits.MAX_LIGHTS * SceneLimits.MAX_LIGHT_COLOR) * (1 - 1e-12);
     }

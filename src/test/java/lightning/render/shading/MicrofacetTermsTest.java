@@ -133,7 +133,7 @@ class MicrofacetTermsTest {
         }
     }
 
-    /** What a surface sends towards the eye of light that comes evenly from everywhere, without base colour and F0. */
+    /** What a surface sends towards the eye of light that comes evenly from everywhere, without base color and F0. */
     private record Albedo(double diffuse, double specular, double grazing) {
         double white(double f0) {
             return (1 - f0) * diffuse + f0 * specular + grazing;

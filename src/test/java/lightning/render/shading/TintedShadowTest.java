@@ -22,7 +22,7 @@ import lightning.scene.Transmission;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
-/** Light that passes clear shapes on its way: colours that are known. */
+/** Light that passes clear shapes on its way: colors that are known. */
 class TintedShadowTest {
     private static final Rgb GREEN = new Rgb(0.25, 1, 0.5);
     private static final Rgb ROSE = new Rgb(1, 0.5, 0.75);

@@ -140,7 +140,7 @@ class RefractionTest {
     }
 
     /**
-     * A ray that passes a ball's centre by b radii is turned by 2·(asin b − asin(b/n)) in all, wherever the ball is: it enters, leaves, and meets nothing
+     * A ray that passes a ball's center by b radii is turned by 2·(asin b − asin(b/n)) in all, wherever the ball is: it enters, leaves, and meets nothing
      * between. Its points are floats, whose rounding turns the normal by as much of a radius.
      */
     @ParameterizedTest

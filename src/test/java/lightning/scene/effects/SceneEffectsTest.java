@@ -16,7 +16,7 @@ import lightning.scene.Solid;
 import org.junit.jupiter.api.Test;
 
 class SceneEffectsTest {
-    private static final String PLAIN = "material grey { diffuse 0.5 0.5 0.5 }\nsphere ball { material grey }\n";
+    private static final String PLAIN = "material gray { diffuse 0.5 0.5 0.5 }\nsphere ball { material gray }\n";
 
     private static SceneEffects of(String... text) throws Exception {
         Scene scene = JenReader.read("jen 1\n" + String.join("\n", text), "test", Path.of("")).scene();

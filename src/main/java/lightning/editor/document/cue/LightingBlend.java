@@ -20,7 +20,7 @@ import lightning.scene.World;
  * is exact at every position:
  *
  * <ul>
- * <li>Colour times intensity goes linearly, a light that is off or silenced by a solo counting as 0, and so do places, angles, sizes,
+ * <li>Color times intensity goes linearly, a light that is off or silenced by a solo counting as 0, and so do places, angles, sizes,
  * attenuation and all other numbers; of whole numbers the larger holds. Directions go along the great circle.
  * <li>A light goes on in the light of its name where both have the same type, gobo, profile and links. All others fade: those of the
  * begin out, those of the end in, under a free name where theirs is taken.
@@ -120,7 +120,7 @@ public final class LightingBlend {
                 .withOn(first.on() || last.on());
     }
 
-    /** The colour by which the mean intensity is the mean weight: between the two colours, so within their range. */
+    /** The color by which the mean intensity is the mean weight: between the two colors, so within their range. */
     private Rgb color(Rgb a, double fromIntensity, Rgb b, double toIntensity) {
         double share = fromIntensity == toIntensity ? t : t * toIntensity / lerp(fromIntensity, toIntensity);
         return a.equals(b) ? a : lerp(a, b, share);

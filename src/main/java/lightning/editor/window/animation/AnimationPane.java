@@ -216,7 +216,7 @@ final class AnimationPane extends VBox {
         });
     }
 
-    /** The last pictures of an export that was cancelled are told of after its end. */
+    /** The last pictures of an export that was canceled are told of after its end. */
     private void showProgress(ExportTask task, int written) {
         if (export == task) {
             status.setText(Messages.tr("Exporting: {0} of {1}", written, task.pictures()));
@@ -229,7 +229,7 @@ final class AnimationPane extends VBox {
                 return;
             }
             case SUCCEEDED -> status.setText(Messages.tr("Exported {0} pictures to {1}", task.pictures(), task.folder()));
-            case CANCELLED -> status.setText(Messages.tr("Export cancelled after {0} of {1} pictures", task.getValue(), task.pictures()));
+            case CANCELLED -> status.setText(Messages.tr("Export canceled after {0} of {1} pictures", task.getValue(), task.pictures()));
             case FAILED -> status.setText(Messages.tr("Export failed: {0}", task.getException().getMessage()));
         }
         export = null;

@@ -36,7 +36,7 @@ final class ExportTask extends Task<Integer> {
                 }
             });
         } catch (CancellationException e) {
-            // The task is cancelled already, which says so.
+            // The task is canceled already, which says so.
             return export.pictureCount();
         }
         return export.pictureCount();

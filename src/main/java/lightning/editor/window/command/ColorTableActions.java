@@ -13,7 +13,7 @@ import lightning.format.image.CubeLutReader;
 import lightning.render.image.CubeLut;
 import lightning.render.image.ViewTransform;
 
-/** The table of colours that the view shows through: chosen by its file, kept from one run to the next. */
+/** The table of colors that the view shows through: chosen by its file, kept from one run to the next. */
 public final class ColorTableActions {
     private static final String KEY = "table";
 

@@ -37,7 +37,7 @@ public interface FilePrompt {
         return sceneToWrite(proposal);
     }
 
-    /** A table of colours to read. */
+    /** A table of colors to read. */
     default Optional<Path> tableToOpen(Path folder) {
         return sceneToOpen(folder);
     }
@@ -73,7 +73,7 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> tableToOpen(Path folder) {
-                return path(chooser(Messages.tr("Colour Table"), folder, tables), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Color Table"), folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override

@@ -9,7 +9,7 @@ import javafx.stage.FileChooser;
 import javafx.stage.Window;
 import lightning.base.text.Messages;
 
-/** Asks the artist where a file is or should be; empty where the question was cancelled. */
+/** Asks the artist where a file is or should be; empty where the question was canceled. */
 public interface PathPrompt {
     Optional<Path> fileToOpen(String title, String extension);
 

@@ -65,7 +65,7 @@ final class PictureExport {
             write(kind, file, cache, frame, view);
             return file;
         }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {
-            end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} cancelled", name) : "");
+            end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} canceled", name) : "");
             if (!(failure instanceof CancellationException)) {
                 notices.showFailure(Messages.tr("The picture could not be exported"), failure);
             }

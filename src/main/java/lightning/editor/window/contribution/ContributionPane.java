@@ -316,6 +316,6 @@ public final class ContributionPane extends VBox {
                         Messages.tr("every pixel is displayed as before; %,d linear values differ, by %.2e at most."),
                         change.changedValues(),
                         change.maxDifference())
-                : String.format(Messages.locale(), Messages.tr("%,d pixels are displayed in another colour."), change.changedPixels()));
+                : String.format(Messages.locale(), Messages.tr("%,d pixels are displayed in another color."), change.changedPixels()));
     }
 }

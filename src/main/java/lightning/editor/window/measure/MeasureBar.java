@@ -88,7 +88,7 @@ final class MeasureBar extends HBox {
         });
         newTask.setOnCancelled(_ -> {
             finishTask();
-            onFailed.accept(Messages.tr("Cancelled"));
+            onFailed.accept(Messages.tr("Canceled"));
         });
         bar.progressProperty().bind(newTask.progressProperty());
         newTask.start();

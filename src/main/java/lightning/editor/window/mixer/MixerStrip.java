@@ -94,8 +94,8 @@ final class MixerStrip extends VBox {
         mute.getStyleClass().add("mute");
         mute.setOnAction(_ -> toggleMute());
         color.setId("color-" + id);
-        color.setAccessibleText(Messages.tr("{0} colour", id));
-        color.setTooltip(new Tooltip(Messages.tr("Colour")));
+        color.setAccessibleText(Messages.tr("{0} color", id));
+        color.setTooltip(new Tooltip(Messages.tr("Color")));
         color.getStyleClass().add("color-chip");
         color.setOnAction(_ -> new ColorPopup(model, channel).show(color));
         var switches = new HBox(color, solo, mute);

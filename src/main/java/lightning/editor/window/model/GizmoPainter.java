@@ -8,7 +8,7 @@ import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 
-/** How gizmos look over either picture: their colours, and thin lines with a dark edge, so that they are seen before bright surfaces too. */
+/** How gizmos look over either picture: their colors, and thin lines with a dark edge, so that they are seen before bright surfaces too. */
 public final class GizmoPainter {
     public static final Color SELECTED = Color.web("#FFD60A");
     /** Of lights that are not selected, and shine. */

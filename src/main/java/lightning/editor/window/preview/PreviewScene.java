@@ -11,11 +11,11 @@ import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * The scene as the preview traces it, which has neither mirrors nor shadows: what would be black without the one has a colour, and what
+ * The scene as the preview traces it, which has neither mirrors nor shadows: what would be black without the one has a color, and what
  * would burn out without the other is dimmed.
  */
 final class PreviewScene {
-    /** How much of a metal stays one: all else scatters its colour, in place of what it would mirror. */
+    /** How much of a metal stays one: all else scatters its color, in place of what it would mirror. */
     private static final double METAL_FACTOR = 0.4;
     /** Which part of what a mirror would show it scatters. */
     private static final double REFLECTION_FACTOR = 0.5;

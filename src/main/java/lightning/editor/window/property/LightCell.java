@@ -22,7 +22,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
 /**
- * A line of the list: a light's type, colour, name, solo and on, which a double click renames in place; or a bank. A light is dragged into a
+ * A line of the list: a light's type, color, name, solo and on, which a double click renames in place; or a bank. A light is dragged into a
  * bank, or out of one.
  */
 final class LightCell extends NamedCell<LightListRow> {

@@ -37,7 +37,7 @@ final class LightGroupSection extends VBox {
         getStyleClass().add("section-content");
         master = new ArrowWidget(Messages.tr("Master"), "master", gauge("master", LightGroup.INTENSITY, (Double v, Double x) -> x));
         master.setId("master");
-        gel = ColorSliders.forSurface("gel", Messages.tr("A factor of the colours of all its lights"), 1, new GelTarget());
+        gel = ColorSliders.forSurface("gel", Messages.tr("A factor of the colors of all its lights"), 1, new GelTarget());
         gel.setId("gel");
         getChildren().addAll(groupBox, master, SectionLayout.caption(Messages.tr("Gel")), gel);
         visibleState.subscribe(this::show);
@@ -70,7 +70,7 @@ final class LightGroupSection extends VBox {
         return editor.edit(scene -> LightGroupEdits.edit(scene, name, b -> attribute.with(b, change.apply(attribute.get(b)))), gesture);
     }
 
-    /** The colour of the bank. */
+    /** The color of the bank. */
     private final class GelTarget implements ColorSliders.Target {
         @Override
         public NumberSetting red() {

@@ -41,7 +41,7 @@ import lightning.scene.Scene;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 
-/** The property editor of a material: its colours, its shininess, its texture. All shapes that have it change together. */
+/** The property editor of a material: its colors, its shininess, its texture. All shapes that have it change together. */
 final class MaterialPane extends VBox {
     private static final String NO_MATERIAL = Messages.key("the scene has no shapes");
     private static final int MAX_NAMES = 4;

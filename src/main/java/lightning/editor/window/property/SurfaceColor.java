@@ -15,11 +15,11 @@ import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.NumericKind;
 
-/** A colour of the edited material. */
+/** A color of the edited material. */
 record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, MaterialAttribute<V> attribute, NumericKind<V> quantity)
         implements ColorSliders.Target {
 
-    /** The sliders of the colour; whoever made them shows it. */
+    /** The sliders of the color; whoever made them shows it. */
     ColorSliders sliders() {
         var sliders = ColorSliders.forSurface(attribute.title(), Messages.tr(attribute.help()), quantity.max(), this);
         sliders.setId(attribute.title());

@@ -36,7 +36,7 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         return last - first + 1;
     }
 
-    /** Writes all; waits until they are there. Pictures that are finished stay where it is cancelled, a film does not. */
+    /** Writes all; waits until they are there. Pictures that are finished stay where it is canceled, a film does not. */
     void write(Progress progress, Listener listener) throws IOException {
         // What cannot be is told before the first is begun.
         try {

@@ -195,8 +195,8 @@ final class ShotExportPane extends VBox {
                 return;
             }
             case SUCCEEDED -> status.setText(Messages.tr("Exported {0} frames to {1}", export.frames(), Quote.path(export.target())));
-            case CANCELLED -> status.setText(export.format().movie().isPresent() ? Messages.tr("Cancelled; no film was written")
-                    : Messages.tr("Cancelled; {0} of {1} pictures are written", running.getValue(), export.frames()));
+            case CANCELLED -> status.setText(export.format().movie().isPresent() ? Messages.tr("Canceled; no film was written")
+                    : Messages.tr("Canceled; {0} of {1} pictures are written", running.getValue(), export.frames()));
             case FAILED -> status.setText(Messages.tr("Not exported: {0}", ErrorMessage.of(running.getException())));
         }
         task = null;

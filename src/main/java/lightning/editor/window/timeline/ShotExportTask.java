@@ -36,7 +36,7 @@ final class ShotExportTask extends Task<Integer> {
                 updateProgress(frames, export.frames());
             });
         } catch (CancellationException e) {
-            // The task is cancelled already, which says so.
+            // The task is canceled already, which says so.
             return written;
         }
         return export.frames();

@@ -8,7 +8,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
 
-/** What colours in the traced picture say, in a row over it, while they are there. */
+/** What colors in the traced picture say, in a row over it, while they are there. */
 class Legend extends HBox {
     /** @param accessibleText for who does not see it */
     Legend(String id, String accessibleText, ObservableValue<Boolean> visible) {
@@ -23,7 +23,7 @@ class Legend extends HBox {
     }
 
     /**
-     * Adds what one colour says.
+     * Adds what one color says.
      *
      * @param rgb  0xRRGGBB
      * @param dark whether white words are read on it better than black ones

@@ -275,7 +275,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (state.problem() != null) {
             return ErrorMessage.of(state.problem());
         }
-        return state.canceled() ? Messages.tr("Cancelled. Go traces the picture.") : Messages.tr("Tracing {0} …", editor.document().name());
+        return state.canceled() ? Messages.tr("Canceled. Go traces the picture.") : Messages.tr("Tracing {0} …", editor.document().name());
     }
 
     private void showPending(String text) {

@@ -14,7 +14,7 @@ import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 
-/** A slider whose track shows the colours that it would give, with a field for values in full. */
+/** A slider whose track shows the colors that it would give, with a field for values in full. */
 final class ColorSlider extends VBox {
     private static final int SUBSTEPS_PER_STEP = 100;
     private static final int KEY_STEPS = 20;
@@ -68,14 +68,14 @@ final class ColorSlider extends VBox {
         getChildren().addAll(row, new RefusalLabel(List.of(field)));
     }
 
-    /** Shows a value, and along the track the colour that each value would give. */
+    /** Shows a value, and along the track the color that each value would give. */
     void show(double value, DoubleFunction<Rgb> color) {
         field.show(value);
         updateThumb();
         slider.setStyle("-track-paint: " + DisplayColors.gradient(share -> color.apply(scale.valueAt(share))) + ";");
     }
 
-    /** Shows that there is no colour: the thumb rests at the left of a track without colours. */
+    /** Shows that there is no color: the thumb rests at the left of a track without colors. */
     void showNothing() {
         field.showNothing();
         isUpdating = true;

@@ -22,7 +22,7 @@ import lightning.editor.document.StepRange;
 import lightning.scene.SceneLimits;
 
 /**
- * A colour as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
+ * A color as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
  * shows it.
  */
 public final class ColorSliders extends VBox {
@@ -43,7 +43,7 @@ public final class ColorSliders extends VBox {
     private final DisabledReason disabledReason;
     private Rgb shownColor = Rgb.WHITE;
     private HsvColor shownHsv = HsvColor.of(Rgb.WHITE);
-    /** What the parts show; null for no colour. */
+    /** What the parts show; null for no color. */
     private DisplayedColor displayed;
 
     private record DisplayedColor(Rgb color, HsvColor hsv) {}
@@ -60,19 +60,19 @@ public final class ColorSliders extends VBox {
 
         /** A surface has none. */
         default Optional<String> temperature(double kelvin, Object gesture) {
-            return Optional.of(Messages.tr("only a light has a colour temperature"));
+            return Optional.of(Messages.tr("only a light has a color temperature"));
         }
     }
 
     private record Preset(String name, double kelvin) {}
 
-    /** The colour of a light. */
+    /** The color of a light. */
     public ColorSliders(Target target) {
-        this("", Messages.tr("The light's colour"), SceneLimits.MAX_LIGHT_COLOR, true, target);
+        this("", Messages.tr("The light's color"), SceneLimits.MAX_LIGHT_COLOR, true, target);
     }
 
     /**
-     * A colour of a surface.
+     * A color of a surface.
      *
      * @param title names it for screen readers: {@code diffuse}
      * @param help  what it does, a sentence without a full stop
@@ -93,7 +93,7 @@ public final class ColorSliders extends VBox {
         HBox head = new HBox(well, tab("RGB", Messages.tr("red, green, blue"), () -> rgb),
                 tab("HSV", Messages.tr("hue, saturation, value"), () -> hsvTab(max)));
         if (isLight) {
-            head.getChildren().add(tab("Kelvin", Messages.tr("colour temperature"), this::kelvinTab));
+            head.getChildren().add(tab("Kelvin", Messages.tr("color temperature"), this::kelvinTab));
         }
         head.getStyleClass().add("color-head");
         well.setOnAction(_ -> {
@@ -113,12 +113,12 @@ public final class ColorSliders extends VBox {
         show(Rgb.WHITE);
     }
 
-    /** Shows a colour, linear, ≥ 0. */
+    /** Shows a color, linear, ≥ 0. */
     public void show(Rgb color) {
         shownColor = color;
         if (!shownHsv.rgb().equals(color)) {
             HsvColor newColor = HsvColor.of(color);
-            // A grey has no hue: the last one stays, so that saturation can come back.
+            // A gray has no hue: the last one stays, so that saturation can come back.
             shownHsv = newColor.saturation() == 0
                     ? new HsvColor(shownHsv.hue(), newColor.value() == 0 ? shownHsv.saturation() : 0, newColor.value())
                     : newColor;
@@ -133,7 +133,7 @@ public final class ColorSliders extends VBox {
     private void draw(Rgb color) {
         well.setStyle("-well-color: " + DisplayColors.css(color) + ";");
         well.setAccessibleText(
-                prefix + String.format(Messages.locale(), Messages.tr("colour: red %.3f, green %.3f, blue %.3f"), color.r(), color.g(),
+                prefix + String.format(Messages.locale(), Messages.tr("color: red %.3f, green %.3f, blue %.3f"), color.r(), color.g(),
                         color.b()));
         rgb.get(0).show(color.r(), v -> new Rgb(v, color.g(), color.b()));
         rgb.get(1).show(color.g(), v -> new Rgb(color.r(), v, color.b()));
@@ -166,11 +166,11 @@ public final class ColorSliders extends VBox {
         }
     }
 
-    /** Shows that there is no colour. */
+    /** Shows that there is no color. */
     public void showNothing() {
         displayed = null;
         well.setStyle("-well-color: transparent;");
-        well.setAccessibleText(prefix + Messages.tr("colour: none"));
+        well.setAccessibleText(prefix + Messages.tr("color: none"));
         rgb.forEach(ColorSlider::showNothing);
         drawHsv();
         drawKelvin();
@@ -206,7 +206,7 @@ public final class ColorSliders extends VBox {
         }));
     }
 
-    /** Keeps the hue of a colour that has none, as black. */
+    /** Keeps the hue of a color that has none, as black. */
     private Optional<String> setHsv(HsvColor color, Object gesture) {
         HsvColor oldHsv = shownHsv;
         shownHsv = color;
@@ -261,7 +261,7 @@ public final class ColorSliders extends VBox {
     /** @param nodes asked for whenever the tab comes in front */
     private ToggleButton tab(String name, String title, Supplier<List<? extends Node>> nodes) {
         ToggleButton tab = new ToggleButton(name);
-        tab.setTooltip(new Tooltip(Messages.tr("Colour as {0}", title)));
+        tab.setTooltip(new Tooltip(Messages.tr("Color as {0}", title)));
         tab.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(tab, Priority.ALWAYS);
         tab.setToggleGroup(tabs);

@@ -15,7 +15,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.HsvColor;
 import lightning.render.image.ViewTransform;
 
-/** All colours of one hue: saturation to the right, value upwards as the display brightens it. Drag, or use the arrow keys. */
+/** All colors of one hue: saturation to the right, value upwards as the display brightens it. Drag, or use the arrow keys. */
 final class ColorSquare extends Region {
     private static final int COLUMNS = 96;
     private static final int ROWS = 64;
@@ -32,7 +32,7 @@ final class ColorSquare extends Region {
     private double drawnHue = -1;
     private Object gesture;
 
-    /** Sets a colour; returns why it was refused. */
+    /** Sets a color; returns why it was refused. */
     interface Setter {
         Optional<String> set(HsvColor color, Object gesture);
     }

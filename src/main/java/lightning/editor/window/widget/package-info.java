@@ -1,5 +1,5 @@
 /**
- * The controls of the property editor: numbers, vectors and colours that a light is lit by. They know values and where
+ * The controls of the property editor: numbers, vectors and colors that a light is lit by. They know values and where
  * edits go, and no document.
  *
  * <pre>{@code

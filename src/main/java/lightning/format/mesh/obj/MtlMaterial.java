@@ -9,14 +9,14 @@ import lightning.base.math.Rgb;
  *
  * @param name         as the file writes it
  * @param illumination illum, which of the other numbers act and how
- * @param diffuse      Kd, as written; the same of all colours
+ * @param diffuse      Kd, as written; the same of all colors
  * @param specular     Ks
  * @param emission     Ke
  * @param shininess    Ns, the exponent of Phong's highlight; empty where the file does not say it
  * @param opacity      d: how much of it is there, 1 is all
  * @param filter       Tf, what is seen through it is multiplied by
  * @param ior          Ni, the index of refraction
- * @param texture      the picture of the diffuse colour, as written
+ * @param texture      the picture of the diffuse color, as written
  * @param cutout       the picture of what is there, as written
  */
 public record MtlMaterial(String name, IlluminationModel illumination, Rgb diffuse, Rgb specular, Rgb emission, OptionalDouble shininess,

@@ -13,7 +13,7 @@ import lightning.format.mesh.MeshException;
 import lightning.format.mesh.MeshLimits;
 import lightning.format.mesh.TextTokenizer;
 
-/** Reads MTL files: colours, shininess and the picture of the diffuse colour. What else they hold is told. */
+/** Reads MTL files: colors, shininess and the picture of the diffuse color. What else they hold is told. */
 public final class MtlReader {
     private final TextTokenizer text;
     private final ConversionNotes notes;
@@ -76,7 +76,7 @@ public final class MtlReader {
             case "Ni" -> current.ior = readNumber();
             case "map_Kd" -> current.texture = readTexturePath();
             // Most writers put 1 there whatever the surface is, which would make it shine.
-            case "Ka" -> notes.add("ambient colours (Ka) of materials");
+            case "Ka" -> notes.add("ambient colors (Ka) of materials");
             case "map_d" -> current.cutout = readTexturePath();
             default -> notes.add(keyword + " of materials");
         }
@@ -157,7 +157,7 @@ public final class MtlReader {
     /** One number stands for all three. */
     private Rgb readColor(Rgb fallback) throws IOException, MeshException {
         if (text.readToken() && (text.isToken("spectral") || text.isToken("xyz"))) {
-            notes.add("colours of materials that are no red, green and blue");
+            notes.add("colors of materials that are no red, green and blue");
             return fallback;
         }
         double red = text.number("red");

@@ -22,7 +22,7 @@ import lightning.format.mesh.VertexColors;
 import lightning.scene.Mesh;
 
 /**
- * Reads OBJ files: faces of any number of corners, with texture coordinates, normals, groups that are smooth together, colours of
+ * Reads OBJ files: faces of any number of corners, with texture coordinates, normals, groups that are smooth together, colors of
  * vertices (as sRGB), objects, groups and materials. What else they hold is passed over and told.
  */
 public final class ObjReader {
@@ -130,7 +130,7 @@ public final class ObjReader {
     private void readPosition() throws IOException, MeshException {
         int size = points.positions.size();
         readNumbers(points.positions, 3, 3, Mesh.MAX_COORDINATE);
-        // One more number is a weight, which acts on curves alone; three are a colour; four are both.
+        // One more number is a weight, which acts on curves alone; three are a color; four are both.
         double[] extra = new double[4];
         int count = 0;
         while (count < extra.length && nextToken()) {

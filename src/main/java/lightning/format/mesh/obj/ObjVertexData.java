@@ -25,7 +25,7 @@ final class ObjVertexData {
         return normals.size() / 3;
     }
 
-    /** Gives white to the positions without a colour. */
+    /** Gives white to the positions without a color. */
     void padColors() {
         while (colors.size() < positions.size()) {
             colors.add(1);

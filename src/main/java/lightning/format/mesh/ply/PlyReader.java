@@ -12,7 +12,7 @@ import lightning.format.mesh.TextTokenizer;
 import lightning.scene.Mesh;
 
 /**
- * Reads PLY files: vertices with positions, normals, texture coordinates and colours; faces of any number of corners; strips of
+ * Reads PLY files: vertices with positions, normals, texture coordinates and colors; faces of any number of corners; strips of
  * triangles. What else they hold is passed over and told.
  */
 public final class PlyReader {

@@ -13,7 +13,7 @@ import lightning.format.mesh.VertexNormals;
 import lightning.scene.Mesh;
 
 /**
- * The vertices of a PLY file. Colours of whole types are taken as sRGB, as scanners and painters of vertices write them; colours of
+ * The vertices of a PLY file. Colors of whole types are taken as sRGB, as scanners and painters of vertices write them; colors of
  * floating types as linear.
  */
 final class PlyVertices {
@@ -34,7 +34,7 @@ final class PlyVertices {
 
     /**
      * @param index  which of the numbers of a vertex
-     * @param linearTable the linear values of the whole numbers that a colour may be; null where a number is what it is
+     * @param linearTable the linear values of the whole numbers that a color may be; null where a number is what it is
      */
     private record Target(float[] values, int components, int index, float[] linearTable) {}
 
@@ -118,7 +118,7 @@ final class PlyVertices {
 
     private static int colorCode(double v, int codeCount, PlyBodyReader body) throws MeshException {
         if (!(v >= 0 && v < codeCount && v == Math.rint(v))) {
-            throw body.problem("a colour must be a whole number from 0 to " + (codeCount - 1) + ", was " + v);
+            throw body.problem("a color must be a whole number from 0 to " + (codeCount - 1) + ", was " + v);
         }
         return (int) v;
     }

@@ -18,7 +18,7 @@ import lightning.render.trace.HitRows;
 
 /**
  * What holds for all samples of a light that is larger than a point: which rows face none of them, and which have a highlight of
- * none. From its centre C and its extent alone, so once for each row in place of once for each sample.
+ * none. From its center C and its extent alone, so once for each row in place of once for each sample.
  *
  * <p>Every place P of a sample is within E of C, where E is the extent grown by 2⁻⁴⁰ of itself and of C's coordinates: P is a sum that
  * was rounded once. With v = C − p, p being the row's point (for a directional light the zero point, P and C being directions of a length
@@ -37,7 +37,7 @@ final class AreaLightLanes {
     private final double y;
     private final double z;
     private final double extent;
-    /** What is taken off the centre of a row's point: 1, or 0 for a direction. */
+    /** What is taken off the center of a row's point: 1, or 0 for a direction. */
     private final double positionFactor;
 
     /** @param source one that is larger than a point */

@@ -17,7 +17,7 @@ import lightning.render.trace.tree.CandidateList;
 /**
  * {@link ShadowRayHitFinder} in lanes: 64 ways at a time are tested against the box of a shape, and those that enter it go through a mesh together, or
  * against a solid in lanes. Rows with the same turn go together, whose ways end at the same place of an area: they are one beam, where those of
- * neighbours are not. Ways of which any may end on a shape, shapes with holes and such that the eye is on are asked way by way. Holds
+ * neighbors are not. Ways of which any may end on a shape, shapes with holes and such that the eye is on are asked way by way. Holds
  * scratch memory: one for each thread.
  */
 final class ShadowRayHitLanes {

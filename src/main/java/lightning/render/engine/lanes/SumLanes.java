@@ -120,7 +120,7 @@ final class SumLanes implements SumKernel {
         float kr = material.reflective()[channel];
         for (int i = start; i < end; i += F.length()) {
             FloatVector light = FloatVector.fromArray(F, diffuse, i);
-            // kd·texel first, as where a point carries its diffuse colour.
+            // kd·texel first, as where a point carries its diffuse color.
             light = texel == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texel, i).mul(kd));
             FloatVector color = light.add(emitted);
             if (image != null) {

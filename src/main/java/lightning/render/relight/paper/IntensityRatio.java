@@ -3,7 +3,7 @@ package lightning.render.relight.paper;
 import lightning.render.shading.WeightedLight;
 
 /**
- * The paper's update after a change of colour or intensity (§4.1): new over old weight, one factor for
+ * The paper's update after a change of color or intensity (§4.1): new over old weight, one factor for
  * each channel, by which all contributions are multiplied.
  */
 record IntensityRatio(float red, float green, float blue) {

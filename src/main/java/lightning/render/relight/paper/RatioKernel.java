@@ -127,7 +127,7 @@ public final class RatioKernel {
             ColumnAllocator.NEW_ARRAYS.floats(rows.count)};
     }
 
-    /** The paper's updates of colour, intensity, attenuation, dropoff and angle, alone or together. */
+    /** The paper's updates of color, intensity, attenuation, dropoff and angle, alone or together. */
     public RatioRows update(HitRows rows, WeightedLight from, WeightedLight to, RatioRows before, ConeChange cone, boolean falloff) {
         if (to.source().isArea() && (cone != ConeChange.NONE || falloff)) {
             return recomputeArea(rows, to, before, cone);

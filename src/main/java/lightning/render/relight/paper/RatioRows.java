@@ -14,7 +14,7 @@ import lightning.scene.Light;
 /**
  * One light's layer as the paper stores it (§2.4): the finished contributions, weight and falloff
  * multiplied in, which edits scale by ratios. Rows that the light does not reach hold 0; the paper's
- * negative diffuse colour, its flag for them, is the state here.
+ * negative diffuse color, its flag for them, is the state here.
  */
 public final class RatioRows extends WeightedLayer {
     /** All columns that there are: what makes, counts and splices layers knows no others. */

@@ -78,7 +78,7 @@ public final class Dispatcher {
         return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes);
     }
 
-    /** Whether all pixels have several samples, so that their centres are not traced. */
+    /** Whether all pixels have several samples, so that their centers are not traced. */
     private static boolean hasNoCenters(Scene scene) {
         return scene.picture().sampling().antialias() == AntialiasMode.EVERY;
     }

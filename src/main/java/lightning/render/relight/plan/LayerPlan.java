@@ -67,7 +67,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         return base == null ? null : base.layer(old);
     }
 
-    /** Whether the light's weight changes: colour, intensity, on or solo. */
+    /** Whether the light's weight changes: color, intensity, on or solo. */
     private boolean changesWeight() {
         return previous == null || previous.red() != target.red() || previous.green() != target.green() || previous.blue() != target.blue();
     }
@@ -91,7 +91,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         };
     }
 
-    /** Whether the colour of any of a tile's rows may differ from before. */
+    /** Whether the color of any of a tile's rows may differ from before. */
     boolean canChangeColors(TileLevel old, LightLayer after) {
         LightLayer before = layerBefore(old);
         boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;

@@ -105,7 +105,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return recodes;
     }
 
-    /** Whether any row's colour may differ from before, its mirror image left out. */
+    /** Whether any row's color may differ from before, its mirror image left out. */
     public boolean canChangeColors(TileLevel old, LightLayer[] after) {
         boolean recolors = recomposeAll || materials.colorChanged().intersects(old.rows());
         for (int l = 0; l < after.length && !recolors; l++) {

@@ -16,7 +16,7 @@ import lightning.scene.LightTerm;
  * @param moved   the source is another: position, or direction of a directional light, or one for the other
  * @param coneChange    which rows may enter or leave the cone
  * @param falloff whether the falloff of any row may change
- * @param weight  whether colour · intensity changes
+ * @param weight  whether color · intensity changes
  * @param shadows whether other shapes throw shadows in its light
  */
 public record LightDifference(boolean moved, ConeChange coneChange, boolean falloff, boolean weight, boolean shadows) {

@@ -8,7 +8,7 @@ public sealed interface LightUpdate {
     /** Nothing: the layer is as wanted, or its light does not shine and the layer may wait. */
     record Keep() implements LightUpdate {}
 
-    /** Only colour or intensity changed: a new weight, or at accuracy ratio the intensity ratio (§4.1). */
+    /** Only color or intensity changed: a new weight, or at accuracy ratio the intensity ratio (§4.1). */
     record Reweight() implements LightUpdate {}
 
     /**
@@ -16,7 +16,7 @@ public sealed interface LightUpdate {
      *
      * @param cone    which rows may enter or leave its cone (§4.3)
      * @param falloff whether attenuation or spot coefficient changed (§4.2, §4.4)
-     * @param weight  whether colour or intensity changed too
+     * @param weight  whether color or intensity changed too
      * @param shadows whether other shapes throw shadows in its light
      */
     record Partial(ConeChange cone, boolean falloff, boolean weight, boolean shadows) implements LightUpdate {

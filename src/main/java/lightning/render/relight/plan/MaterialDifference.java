@@ -34,7 +34,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesTexture(int m) {
-        // Shapes with colours of their own may have come to a material, or left it, without being seen here.
+        // Shapes with colors of their own may have come to a material, or left it, without being seen here.
         return differs(MaterialTerm.TEXEL, m) || before.isTextured(m) != after.isTextured(m);
     }
 

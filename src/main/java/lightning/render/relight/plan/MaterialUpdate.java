@@ -9,7 +9,7 @@ import lightning.render.trace.MaterialTable;
  * What an edit of materials asks of a level's rows, from the cheapest to the dearest. A material may be in several sets.
  *
  * @param materials  as they are wanted
- * @param colorChanged  any colour or the texture changed: the equation is closed anew where their rows are
+ * @param colorChanged  any color or the texture changed: the equation is closed anew where their rows are
  * @param specularChanged  the shininess, roughness or model changed, or highlights came or went: terms of each light are computed anew,
  *                   without a ray
  * @param textureChanged the texture changed: their rows' texels are looked up anew, without a search
@@ -42,7 +42,7 @@ public record MaterialUpdate(MaterialTable materials, MaterialSet colorChanged, 
                 parts.add(materials.isSpecular(m) ? "specular term" : "no highlights");
             }
             if (parts.isEmpty() && colorChanged.contains(m)) {
-                parts.add("colours");
+                parts.add("colors");
             }
             if (!parts.isEmpty()) {
                 steps.add(materials.material(m).name() + ": " + String.join(" + ", parts));

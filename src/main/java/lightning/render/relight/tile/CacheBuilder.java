@@ -21,7 +21,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 
 /**
- * Builds the pixel cache of a picture on all threads: all of it, the pixels' centres alone, or the finer samples of known centres.
+ * Builds the pixel cache of a picture on all threads: all of it, the pixels' centers alone, or the finer samples of known centers.
  * One for each job.
  */
 public final class CacheBuilder {
@@ -73,7 +73,7 @@ public final class CacheBuilder {
     }
 
     /**
-     * Adds the finer samples to known centres.
+     * Adds the finer samples to known centers.
      *
      * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
      */
@@ -83,7 +83,7 @@ public final class CacheBuilder {
     }
 
     /**
-     * Makes the pixels' centres; none where all pixels have several samples.
+     * Makes the pixels' centers; none where all pixels have several samples.
      *
      * @param laterTiles how many tiles are made afterwards, for who hears of the progress
      */
@@ -126,7 +126,7 @@ public final class CacheBuilder {
     /**
      * Makes the finer samples of each tile.
      *
-     * @param centers the pixels' centres as they are now; none where all pixels have several samples
+     * @param centers the pixels' centers as they are now; none where all pixels have several samples
      * @param before  how many tiles were made before, for who hears of the progress
      */
     private FineTile[] buildSamples(CachedTile[] centers, int before) {

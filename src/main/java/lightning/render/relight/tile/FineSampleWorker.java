@@ -12,7 +12,7 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.AntialiasMode;
 
 /**
- * Builds and updates the finer samples of tiles, after the pixels' centres are known (anti-aliasing). One for each
+ * Builds and updates the finer samples of tiles, after the pixels' centers are known (anti-aliasing). One for each
  * thread.
  *
  * <p>Which pixels have them follows from the scene alone. The samples of pixels at an edge of what is hit stay while
@@ -39,9 +39,9 @@ final class FineSampleWorker {
     }
 
     /**
-     * The finer samples of a tile; null where the work was cancelled.
+     * The finer samples of a tile; null where the work was canceled.
      *
-     * @param center    the centres of the tile's pixels after the update, or null where none are traced
+     * @param center    the centers of the tile's pixels after the update, or null where none are traced
      * @param oldCenter the same before, or null
      * @param old       the finer samples before, or null
      */
@@ -80,7 +80,7 @@ final class FineSampleWorker {
                     job.sampling().grid());
             blocks[b] = old == null ? worker.traceSamples(places) : worker.relight(places, old.blocks()[b]);
             if (job.progress().isCanceled()) {
-                // New samples that were given up have no colours, and no film before to take them from.
+                // New samples that were given up have no colors, and no film before to take them from.
                 break;
             }
             if (worker.hasNewColors()) {

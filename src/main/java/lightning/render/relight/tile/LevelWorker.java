@@ -216,7 +216,7 @@ final class LevelWorker {
     /**
      * Composes a level; gives it back with the sums that are kept for the next time, if any are.
      *
-     * @param to gets the colours
+     * @param to gets the colors
      */
     TileLevel compose(TileLevel level, LevelPlan update, BounceImages images, float[][] to) {
         rowsComposed += level.rows().count;

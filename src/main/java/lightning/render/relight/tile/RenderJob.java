@@ -44,7 +44,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
                 needsEdges(target.scene()), progress);
     }
 
-    /** Samples from nothing, of centres that may have mirrors of an older scene. */
+    /** Samples from nothing, of centers that may have mirrors of an older scene. */
     public static RenderJob samples(PixelCache centers, RenderOptions options, Progress progress) {
         PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
         PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown

@@ -5,7 +5,7 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.BranchSums;
 
 /**
- * Notices that one light alone is edited again and again, as while it is dragged, or ambience and colours of materials: from the second time
+ * Notices that one light alone is edited again and again, as while it is dragged, or ambience and colors of materials: from the second time
  * on, the sums over the other lights are kept.
  */
 public final class RepeatedEditDetector {

@@ -29,7 +29,7 @@ final class SampledTile {
     }
 
     /**
-     * Begins with the centres.
+     * Begins with the centers.
      *
      * @param center null where all pixels have several samples
      * @param old    what samples that stay made before, or null
@@ -43,7 +43,7 @@ final class SampledTile {
         return new float[][] {film[0].clone(), film[1].clone(), film[2].clone()};
     }
 
-    /** The samples of some pixels are in the colours of before. */
+    /** The samples of some pixels are in the colors of before. */
     void copyPrevious(short[] pixels, int from, int to) {
         if (startsFromCenters) {
             for (int c = 0; c < 3; c++) {
@@ -54,7 +54,7 @@ final class SampledTile {
         }
     }
 
-    /** The samples of some pixels have these colours. */
+    /** The samples of some pixels have these colors. */
     void write(short[] pixels, int from, int to, float[][] samples) {
         if (film == null) {
             film = copy(previous);

@@ -31,9 +31,9 @@ final class TileWorker {
     private BounceLevels bounceLevels;
     /** Made when anti-aliasing asks for it first. */
     private EdgeCodeBuilder edgeCoder;
-    /** Where samples are composed whose colours are not kept; made when it is needed first. */
+    /** Where samples are composed whose colors are not kept; made when it is needed first. */
     private float[][] sampleColors;
-    /** The colours composed last. */
+    /** The colors composed last. */
     private float[][] colors;
     /** Whether the last tile or block was composed. */
     private boolean hasNewColors;
@@ -73,7 +73,7 @@ final class TileWorker {
         return eyeWorker.minFalloff();
     }
 
-    /** Traces the centres of a tile's pixels and keeps what it learned; null where the work was cancelled. */
+    /** Traces the centers of a tile's pixels and keeps what it learned; null where the work was canceled. */
     CachedTile firstPass(int tile) {
         int x0 = tile % job.tilesX() * Film.TILE_SIZE;
         int y0 = tile / job.tilesX() * Film.TILE_SIZE;
@@ -83,18 +83,18 @@ final class TileWorker {
                 eyeWorker.visibility().traceEyeRays(x0, y0, Film.TILE_SIZE, allocator(job.detectsEdges())), job.detectsEdges(), false);
     }
 
-    /** Traces finer samples; null where the work was cancelled. */
+    /** Traces finer samples; null where the work was canceled. */
     CachedTile traceSamples(SamplePositions places) {
         eyeRays += places.count();
         return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(false)), false, true);
     }
 
-    /** Whether the samples made last have other colours than before. */
+    /** Whether the samples made last have other colors than before. */
     boolean hasNewColors() {
         return hasNewColors;
     }
 
-    /** The colours of the samples made last, where those are others than before: red, green and blue, valid until the next call. */
+    /** The colors of the samples made last, where those are others than before: red, green and blue, valid until the next call. */
     float[][] colors() {
         return colors;
     }
@@ -113,7 +113,7 @@ final class TileWorker {
         return (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, needsOwners);
     }
 
-    /** Updates the centres of a tile's pixels as planned; null where the work was cancelled. */
+    /** Updates the centers of a tile's pixels as planned; null where the work was canceled. */
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
         BitSet retraced = changedRays(places);
@@ -181,7 +181,7 @@ final class TileWorker {
         return new CachedTile(levels, old.hitShapes, old.images, old.film, null);
     }
 
-    /** Updates finer samples as planned; null where the work was cancelled. */
+    /** Updates finer samples as planned; null where the work was canceled. */
     CachedTile relight(SamplePositions places, CachedTile old) {
         BitSet retraced = changedRays(places);
         return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, false, true) : traceSamples(places);
@@ -236,10 +236,10 @@ final class TileWorker {
     }
 
     /**
-     * Composes the first level, unless its colours are those of before, and puts the tile together.
+     * Composes the first level, unless its colors are those of before, and puts the tile together.
      *
-     * @param film the colours of before
-     * @param fine whether the rows are finer samples, whose colours only accuracy ratio keeps, to bound its errors
+     * @param film the colors of before
+     * @param fine whether the rows are finer samples, whose colors only accuracy ratio keeps, to bound its errors
      */
     private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
             float[][] film, EdgeCodes codes,

@@ -144,7 +144,7 @@ final class MeshRay {
         double weightC = bx * ay - by * ax;
         boolean allPositive = weightA >= 0 && weightB >= 0 && weightC >= 0;
         boolean allNegative = weightA <= 0 && weightB <= 0 && weightC <= 0;
-        // NaN where all weights are 0: the triangle is seen as a line, and its neighbours cover what it does.
+        // NaN where all weights are 0: the triangle is seen as a line, and its neighbors cover what it does.
         return allPositive || allNegative ? (weightA * az + weightB * bz + weightC * cz) / (weightA + weightB + weightC) * inverseDepth
                 : Double.NaN;
     }

@@ -36,7 +36,7 @@ final class TriangleBoxes {
         }
     }
 
-    /** Twice the centre of triangle {@code i}'s box. */
+    /** Twice the center of triangle {@code i}'s box. */
     float doubledCenter(int i, int a) {
         return boxes[6 * i + a] - boxes[6 * i + 3 + a];
     }

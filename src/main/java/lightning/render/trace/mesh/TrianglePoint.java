@@ -104,7 +104,7 @@ public final class TrianglePoint {
         return (px - p[i]) * normal(v, 0) + (py - p[i + 1]) * normal(v, 1) + (pz - p[i + 2]) * normal(v, 2);
     }
 
-    /** Red, green or blue, {@code channel} 0 1 2, between the colours of the vertices, which the mesh has: from 0 to 1. */
+    /** Red, green or blue, {@code channel} 0 1 2, between the colors of the vertices, which the mesh has: from 0 to 1. */
     public double color(int channel) {
         float[] c = mesh.colors();
         double value = weight[0] * c[3 * vertex[0] + channel] + weight[1] * c[3 * vertex[1] + channel]

@@ -297,7 +297,7 @@ public final class PrimitiveTable {
         return traits.hasSameNormals(s, o.traits, t);
     }
 
-    /** Whether primitive {@code s} shows colours of its vertices. */
+    /** Whether primitive {@code s} shows colors of its vertices. */
     public boolean hasVertexColors(int s) {
         return meshes != null && stage.shapes().get(owner[s]).solid() instanceof Solid.TriangleMesh triangles
                 && triangles.hasVertexColors();

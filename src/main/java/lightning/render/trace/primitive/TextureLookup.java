@@ -6,7 +6,7 @@ import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.TextureMap;
 
 /**
- * The factor on the diffuse colour where a primitive is met: the colour of its texture, times that between the vertices of a mesh. Holds scratch memory: one for each thread.
+ * The factor on the diffuse color where a primitive is met: the color of its texture, times that between the vertices of a mesh. Holds scratch memory: one for each thread.
  *
  * <p>Texture coordinates are multiplied by the repeat counts. The four nearest pixels are mixed bilinearly and the
  * picture repeats endlessly; v runs upwards, from the picture's bottom row.

@@ -129,7 +129,7 @@ final class BvhBuilder {
         return 0.5f * primitiveBoxes[6 * primitive + a] + 0.5f * primitiveBoxes[6 * primitive + 3 + a];
     }
 
-    /** All in bin 0 where the centres do not differ, or are NaN because boxes are infinite. */
+    /** All in bin 0 where the centers do not differ, or are NaN because boxes are infinite. */
     private int bin(int primitive, int a) {
         float from = centers[a];
         float range = centers[3 + a] - from;

@@ -182,7 +182,7 @@ class AnimationWindowTest {
         load(robot, 0, 8);
         type(robot, "pictures", "100000");
         robot.clickOn("#export").clickOn("#cancel-export");
-        TestEditors.await(() -> status(robot).startsWith("Export cancelled after "));
+        TestEditors.await(() -> status(robot).startsWith("Export canceled after "));
         assertThat(robot.lookup("#export").query().isDisabled()).isFalse();
         // It ends with the picture that it is writing; the test's folder goes only then.
         Await.untilThreadEnded("lightning-export");

@@ -94,7 +94,7 @@ class AccuracyPaneTest extends EditorFixture {
         click("measure");
         waitFor("it runs", () -> !isDisabled("cancel-measure"));
         click("cancel-measure");
-        waitFor("it is cancelled", () -> text("accuracy-edit").equals("Cancelled"));
+        waitFor("it is canceled", () -> text("accuracy-edit").equals("Canceled"));
         assertThat(table().getItems()).isEmpty();
         assertThat(isDisabled("measure")).isFalse();
     }

@@ -110,7 +110,7 @@ class EffectsPaneTest extends EditorFixture {
             robot.lookup("#measure-effects").queryButton().fire();
             robot.lookup("#cancel-measure-effects").queryButton().fire();
         });
-        waitFor("it is over", () -> text("effects-outcome").equals("Cancelled"));
+        waitFor("it is over", () -> text("effects-outcome").equals("Canceled"));
         assertThat(isShown("bytes-shadows")).isFalse();
     }
 }

@@ -326,7 +326,7 @@ class MixerPaneTest extends EditorFixture {
         robot.clickOn(head("lamp"));
         ctrlClick("sun");
         click("color-sun");
-        waitFor("the colour is there", () -> robot.lookup("#color-popup").tryQuery().isPresent());
+        waitFor("the color is there", () -> robot.lookup("#color-popup").tryQuery().isPresent());
         TextField red = robot.lookup("#color-popup .text-field").queryAllAs(TextField.class).stream()
                 .filter(n -> "red".equals(n.getAccessibleText())).findFirst().orElseThrow();
         robot.clickOn(red);

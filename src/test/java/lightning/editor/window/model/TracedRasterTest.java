@@ -21,7 +21,7 @@ class TracedRasterTest {
     private final TracedRaster raster = new TracedRaster();
     private final Film first = filled(0.5f);
 
-    /** A film of one grey. */
+    /** A film of one gray. */
     private static Film filled(float value) {
         return filled(WIDTH, HEIGHT, value);
     }

@@ -101,7 +101,7 @@ class PreviewLoopTest {
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
     }
 
-    /** A floor of one colour under a spot: lit, its pool is on it; glowing, it is the same everywhere. */
+    /** A floor of one color under a spot: lit, its pool is on it; glowing, it is the same everywhere. */
     @Test
     void texture_isLitBySpotUnlessGlowing() throws InterruptedException {
         var texture = new TextureMap("one.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0.5f, 0.5f}));

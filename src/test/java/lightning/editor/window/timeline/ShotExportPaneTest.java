@@ -121,7 +121,7 @@ class ShotExportPaneTest extends EditorFixture {
         begin("Exporting");
         waitFor("some are there", () -> Files.exists(pathAnswer.resolve("desk-0003.png")));
         click("shot-cancel");
-        waitFor("it ended", () -> text("shot-status").startsWith("Cancelled; "));
+        waitFor("it ended", () -> text("shot-status").startsWith("Canceled; "));
         assertThat(text("shot-status")).endsWith(" of 5000 pictures are written");
         Await.untilThreadEnded("lightning-shot-export");
     }

@@ -73,7 +73,7 @@ class CoarseNoteTest {
         assertThat(noteText(robot)).isEqualTo("Coarse picture, a finer one follows");
     }
 
-    /** Many edges, whose samples take seconds: the window is told of the centres while they are made. */
+    /** Many edges, whose samples take seconds: the window is told of the centers while they are made. */
     @Test
     void centerSamples_announceFinerSamplesImmediately(FxRobot robot) throws Exception {
         var spheres = new StringBuilder("size 1500 1000  antialias edges  samples 8 }");
@@ -86,9 +86,9 @@ class CoarseNoteTest {
             if (now.frame() != null && !words.isDone()) {
                 // When all have heard of it.
                 Platform.runLater(
-                        () -> words.complete((model.picture().frame().isFinished() ? "finished: " : "centres: ") + noteText(robot)));
+                        () -> words.complete((model.picture().frame().isFinished() ? "finished: " : "centers: ") + noteText(robot)));
             }
         }));
-        assertThat(words.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo("centres: Finer samples follow");
+        assertThat(words.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo("centers: Finer samples follow");
     }
 }

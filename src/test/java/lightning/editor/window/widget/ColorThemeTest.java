@@ -41,7 +41,7 @@ class ColorThemeTest {
                 .collect(Collectors.toMap(Declaration::getProperty, d -> d.getParsedValue().getValue().toString(), (_, last) -> last));
     }
 
-    /** In ours the first greys of lists stand for the last: see the style sheet. */
+    /** In ours the first grays of lists stand for the last: see the style sheet. */
     @Test
     void lightTheme_matchesLibraryExceptOwnColors() throws IOException {
         Map<String, String> light = colors(ColorTheme.class.getResource(new PrimerLight().getUserAgentStylesheet()), ".root");

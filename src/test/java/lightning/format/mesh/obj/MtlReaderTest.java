@@ -53,7 +53,7 @@ class MtlReaderTest {
                 .isEqualTo(new MtlMaterial("plain", IlluminationModel.HIGHLIGHT, Rgb.gray(0.8), Rgb.BLACK, Rgb.BLACK,
                         OptionalDouble.empty(), 1,
                         Rgb.WHITE, 1.5, Optional.empty(), Optional.empty()));
-        assertThat(notes.counts()).containsOnlyKeys("ambient colours (Ka) of materials", "options -s of pictures",
+        assertThat(notes.counts()).containsOnlyKeys("ambient colors (Ka) of materials", "options -s of pictures",
                 "options -clamp of pictures", "map_Bump of materials");
     }
 

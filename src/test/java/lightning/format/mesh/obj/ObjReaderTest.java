@@ -125,7 +125,7 @@ class ObjReaderTest {
     @Test
     void outOfRangeColors_areClampedAndNoted() throws IOException, MeshException {
         assertThat(onlyMesh("v 0 0 0 0 1 0\nv 1 0 0 2 -1 0\nv 1 1 0 0 0 0\nf 1 2 3\n").colors()).containsExactly(0, 1, 0, 1, 0, 0, 0, 0, 0);
-        assertThat(notes.counts()).containsExactly(Map.entry("colours of vertices beyond 0 to 1", 1));
+        assertThat(notes.counts()).containsExactly(Map.entry("colors of vertices beyond 0 to 1", 1));
     }
 
     @Test

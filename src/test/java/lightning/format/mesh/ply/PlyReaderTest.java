@@ -135,7 +135,7 @@ class PlyReaderTest {
             assertThat(PlyReader.read(source, notes).colors()).containsExactly(1, 1, 1, 0.5f, 0, 0, 0, 1, 0, 0, 0, 0);
         }
         assertThat(notes.counts()).containsOnly(Map.entry("colors of vertices that are no numbers, white here", 1),
-                Map.entry("colours of vertices beyond 0 to 1", 1));
+                Map.entry("colors of vertices beyond 0 to 1", 1));
     }
 
     /** As one old version of MeshLab wrote colors of corners, without their property in the header. */
@@ -208,7 +208,7 @@ class PlyReaderTest {
         assertRejected(SQUARE.replace("4 0 1 2 3", "4 0 1 2 4"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was 4");
         assertRejected(SQUARE.replace("4 0 1 2 3", "4 0 1 -2 3"), "line 15: face 0: a vertex must be a whole number from 0 to 3, was -2");
         assertRejected(RICH.replace("255 0 0 0.5", "256 0 0 0.5"),
-                "line 26: vertex 0: a colour must be a whole number from 0 to 255, was 256.0");
+                "line 26: vertex 0: a color must be a whole number from 0 to 255, was 256.0");
         assertRejected(SQUARE.replace("4 0 1 2 3", ""), "line 16: face 0: the file ends before it does");
         byte[] binary =
                 PlyEncoder.encode("binary_big_endian",

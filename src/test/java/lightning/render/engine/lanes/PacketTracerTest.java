@@ -120,7 +120,7 @@ class PacketTracerTest {
         }
     }
 
-    /** The vector code must have been compiled by the optimising compiler to say that its bits are right. */
+    /** The vector code must have been compiled by the optimizing compiler to say that its bits are right. */
     @Test
     void compiledCode_matchesBitForBit() {
         for (Scene scene : new Scene[] {TraceScenes.bird(), TraceScenes.house(), TraceScenes.cloud(60, 5)}) {

@@ -21,7 +21,7 @@ public final class RandomRays {
         maxCoordinate = geometry.primitives().maxCoordinateSum / 4;
     }
 
-    /** Fills all lanes; neighbours often resemble each other. */
+    /** Fills all lanes; neighbors often resemble each other. */
     public void fill(RayPacket p) {
         Vec3 from = origin();
         boolean commonOrigin = random.nextBoolean();

@@ -32,7 +32,7 @@ class MeshPacketTraversalTest {
         check(new MeshSolid(mesh), random, 10);
     }
 
-    /** The vector code must have been compiled by the optimising compiler to say that its bits are right. */
+    /** The vector code must have been compiled by the optimizing compiler to say that its bits are right. */
     @Test
     @Slow
     void compiledCode_matchesBitForBit() {
