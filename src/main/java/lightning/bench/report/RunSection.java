@@ -89,7 +89,7 @@ final class RunSection {
         page.open("section", "id", "glance");
         page.leaf("h2", "All scenes at a glance");
         try (Table table = new Table(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
-                "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "paid for after",
+                "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "edits to break even",
                 "edits save, median", "least", "most")) {
             for (SceneResult scene : results.scenes()) {
                 FirstPass first = scene.firstPass();
