@@ -145,7 +145,7 @@ public final class Tables {
      * @param runs by the names of their parts
      */
     public static String runs(Map<String, Run> runs) {
-        return table(List.of("part", "began (UTC)", "minutes", "samples of each measurement", "memory bandwidth GB/s", "load average before",
+        return table(List.of("part", "began (UTC)", "minutes", "samples", "memory bandwidth GB/s", "load average before",
                 "processor time of other processes %", "quiet"), runs.entrySet().stream().map(entry -> {
                     Run run = entry.getValue();
                     return List.of(entry.getKey(), run.date(), number(run.actualSeconds() / 60), Integer.toString(run.repetitions()),
