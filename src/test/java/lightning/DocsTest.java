@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class DocsTest {
     private static final Path README = Path.of("README.md");
     /** Without {@code -q}, which hides Maven's own output and changes nothing else. */
-    private static final Set<List<String>> PROMISED = Set.of(
+    private static final Set<List<String>> REQUIRED_COMMANDS = Set.of(
             List.of("mvn", "compile", "exec:exec"),
             List.of("mvn", "test"),
             List.of("mvn", "verify"),
@@ -51,8 +51,8 @@ class DocsTest {
     }
 
     @Test
-    void readme_namesEveryPromisedCommand() throws IOException {
-        assertThat(DocCommands.of(Files.readString(README))).extracting(DocsTest::promise).containsAll(PROMISED);
+    void readme_listsEveryRequiredCommand() throws IOException {
+        assertThat(DocCommands.of(Files.readString(README))).extracting(DocsTest::withoutOptions).containsAll(REQUIRED_COMMANDS);
     }
 
     /** It downloads the libraries when it is run first, and says so. */
@@ -70,11 +70,11 @@ class DocsTest {
     void everyMavenCommand_isRequired() throws IOException {
         for (Path page : pages()) {
             assertThat(DocCommands.of(Files.readString(page))).filteredOn(command -> command.name().equals("mvn"))
-                    .allSatisfy(command -> assertThat(PROMISED).as(page.toString()).contains(promise(command)));
+                    .allSatisfy(command -> assertThat(REQUIRED_COMMANDS).as(page.toString()).contains(withoutOptions(command)));
         }
     }
 
-    private static List<String> promise(Command command) {
+    private static List<String> withoutOptions(Command command) {
         return command.words().stream()
                 .filter(word -> !word.equals("-q") && !word.startsWith("-Dlightning.") && !word.startsWith("-Djqwik.")).toList();
     }

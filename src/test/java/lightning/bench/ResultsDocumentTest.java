@@ -132,10 +132,10 @@ class ResultsDocumentTest {
 
     @Test
     void everyMeasuredFigureOfThePerformanceGuide_isMarked() throws IOException {
-        assertThat(figures(Files.readString(PERFORMANCE))).isEmpty();
+        assertThat(measuredNumbers(Files.readString(PERFORMANCE))).isEmpty();
     }
 
-    private static Stream<String> figures(String text) {
+    private static Stream<String> measuredNumbers(String text) {
         List<String> figures = new ArrayList<>();
         String plain = QUOTED.matcher(MARKED.matcher(text).replaceAll("")).replaceAll("");
         MEASURED.matcher(plain).results().map(m -> m.group(1)).forEach(figures::add);

@@ -68,7 +68,7 @@ public final class MarkdownTables {
     private String scenes() {
         return table(
                 List.of("scene", "shapes", "lights", "full trace ms", "first pass slower by %", "bytes a pixel", "edits to break even"),
-                large().map(s -> List.of(s.scene(), Integer.toString(s.shapes()), Integer.toString(s.lights()),
+                largestScenes().map(s -> List.of(s.scene(), Integer.toString(s.shapes()), Integer.toString(s.lights()),
                         number(s.firstPass().fullTrace().median()), number(s.firstPass().percentSlower()),
                         number(s.firstPass().bytesPerPixel()), number(s.firstPass().editsToPayOff()))));
     }
@@ -146,10 +146,10 @@ public final class MarkdownTables {
      *
      * @param runs by the names of their parts
      */
-    public static String runs(Map<String, Run> runs) {
+    public static String runs(Map<String, BenchRun> runs) {
         return table(List.of("part", "began (UTC)", "minutes", "samples", "memory bandwidth GB/s", "load average before",
                 "processor time of other processes %", "quiet"), runs.entrySet().stream().map(entry -> {
-                    Run run = entry.getValue();
+                    BenchRun run = entry.getValue();
                     return List.of(entry.getKey(), run.date(), number(run.actualSeconds() / 60), Integer.toString(run.repetitions()),
                             number(run.triadGBs()), number(run.load().atStart()), number(100 * run.load().others()),
                             run.load().isBusy(run.machine().processors()) ? "**no**" : "yes");
@@ -166,10 +166,11 @@ public final class MarkdownTables {
         return scene.edits().stream().filter(e -> e.edit().equals(edit)).map(value).findFirst().orElse("–");
     }
 
-    private String ladder() {
+    private String accuracy() {
         return table(List.of("scene", "setting", "ms", "saves %", "worst RMSE", "worst ꟻLIP", "most values that differ %"),
-                large().flatMap(s -> GradeSummary.of(s).stream().map(l -> List.of(s.scene(), l.grade().label(), number(l.median()),
-                        number(l.saving()), error(l.rmse()), error(l.flip()), number(l.percentDiffering())))));
+                largestScenes()
+                        .flatMap(s -> AccuracySummary.of(s).stream().map(l -> List.of(s.scene(), l.setting().label(), number(l.median()),
+                                number(l.saving()), error(l.rmse()), error(l.flip()), number(l.percentDiffering())))));
     }
 
     private String floors() {
@@ -184,7 +185,7 @@ public final class MarkdownTables {
 
     private String drift() {
         return table(List.of("edits", "setting", "values that differ", "largest ulp", "largest difference", "bound", "refreshes"),
-                results.drift().stream().map(Drift::points).flatMap(List::stream).map(p -> List.of(Integer.toString(p.edits()),
+                results.drift().stream().map(DriftCurve::points).flatMap(List::stream).map(p -> List.of(Integer.toString(p.edits()),
                         p.accuracy().name().toLowerCase(Locale.ROOT), Long.toString(p.error().values()), Long.toString(p.error().maxUlp()),
                         error(p.error().maxAbsolute()), error(p.bound()), Integer.toString(p.refreshes()))));
     }

@@ -88,10 +88,11 @@ final class RunSection {
 
     private static void overview(HtmlWriter page, BenchResults results) {
         page.open("section", "id", "glance");
-        page.leaf("h2", "All scenes at a glance");
-        try (Table table = new Table(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
-                "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "edits to break even",
-                "edits save, median", "least", "most")) {
+        page.element("h2", "All scenes at a glance");
+        try (HtmlTable table =
+                new HtmlTable(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
+                        "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "edits to break even",
+                        "edits save, median", "least", "most")) {
             for (SceneResult scene : results.scenes()) {
                 FirstPassResult first = scene.firstPass();
                 double[] savings = scene.edits().stream().mapToDouble(e -> e.saving()).filter(Double::isFinite).sorted().toArray();
