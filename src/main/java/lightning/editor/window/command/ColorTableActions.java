@@ -45,8 +45,8 @@ public final class ColorTableActions {
                     .runConcurrently(() -> CubeLutReader.read(file), table -> {
                         setTable(Optional.of(table));
                         model.editor().message()
-                                .show(Messages.tr("Shown through {0}, {1}", Quote.path(file.getFileName()), table.sizeText()));
-                    }, failure -> notices.showFailure(Messages.tr("The table could not be read"), failure)));
+                                .show(Messages.tr("Loaded LUT {0}, {1}", Quote.path(file.getFileName()), table.sizeText()));
+                    }, failure -> notices.showFailure(Messages.tr("The LUT could not be read"), failure)));
         }
     }
 

@@ -94,6 +94,6 @@ public final class CommandButton extends StackPane {
      */
     static String help(Command command, String key, String disabledReason) {
         String description = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
-        return disabledReason.isEmpty() ? description : Messages.tr("{0}\nNot now: {1}.", description, disabledReason);
+        return disabledReason.isEmpty() ? description : Messages.tr("{0}\nUnavailable: {1}.", description, disabledReason);
     }
 }

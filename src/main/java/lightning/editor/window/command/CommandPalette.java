@@ -45,15 +45,15 @@ public final class CommandPalette extends Stage {
         initOwner(owner);
         setTitle(Messages.tr("Find Command"));
         query.setId("palette-query");
-        query.setAccessibleText(Messages.tr("Letters of a command's name"));
-        query.setPromptText(Messages.tr("Letters of a command's name"));
+        query.setAccessibleText(Messages.tr("Search commands"));
+        query.setPromptText(Messages.tr("Search commands"));
         query.textProperty().subscribe(this::search);
         query.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         matches.setId("palette-found");
         matches.setAccessibleText(Messages.tr("commands"));
         matches.setFocusTraversable(false);
         matches.getStyleClass().add("edge-to-edge");
-        matches.setPlaceholder(new Label(Messages.tr("No command has these letters")));
+        matches.setPlaceholder(new Label(Messages.tr("No matching commands")));
         matches.setCellFactory(_ -> new Row());
         matches.getSelectionModel().selectedItemProperty().subscribe(this::showDescription);
         VBox.setVgrow(matches, Priority.ALWAYS);
@@ -90,7 +90,7 @@ public final class CommandPalette extends Stage {
     private void showDescription(PaletteEntry entry) {
         description.setText(
                 entry == null ? ""
-                        : entry.command().help() + "." + entry.disabledReason().map(r -> Messages.tr("\nNot now: {0}.", r)).orElse("\n"));
+                        : entry.command().help() + "." + entry.disabledReason().map(r -> Messages.tr("\nUnavailable: {0}.", r)).orElse("\n"));
     }
 
     private void press(KeyEvent e) {
@@ -156,7 +156,7 @@ public final class CommandPalette extends Stage {
                 key.setManaged(key.isVisible());
                 // As the notes are, which can be read; half as opaque it could not.
                 title.getStyleClass().setAll("label", offer.disabledReason().isEmpty() ? "palette-title" : "pane-note");
-                setAccessibleText(offer.title() + offer.disabledReason().map(r -> Messages.tr(", not now: {0}", r)).orElse(""));
+                setAccessibleText(offer.title() + offer.disabledReason().map(r -> Messages.tr(", unavailable: {0}", r)).orElse(""));
             }
         }
     }

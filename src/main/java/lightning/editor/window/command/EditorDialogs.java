@@ -35,15 +35,15 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 public final class EditorDialogs {
     static final ButtonType SAVE = new ButtonType(Messages.tr("Save"), ButtonData.YES);
     static final ButtonType DISCARD = new ButtonType(Messages.tr("Don't Save"), ButtonData.NO);
-    static final ButtonType GO_FIRST = new ButtonType(Messages.tr("Go First"), ButtonData.NO);
-    static final ButtonType SAVE_AS_IT_IS = new ButtonType(Messages.tr("Save As It Is"), ButtonData.YES);
+    static final ButtonType GO_FIRST = new ButtonType(Messages.tr("Render First"), ButtonData.NO);
+    static final ButtonType SAVE_AS_IT_IS = new ButtonType(Messages.tr("Save Anyway"), ButtonData.YES);
     public static final ButtonType RECOVER = new ButtonType(Messages.tr("Recover"), ButtonData.YES);
     public static final ButtonType FORGET = new ButtonType(Messages.tr("Discard"), ButtonData.NO);
     static final ButtonType OVERWRITE = new ButtonType(Messages.tr("Overwrite"), ButtonData.YES);
     static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.YES);
     static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
-    static final ButtonType RELOAD = new ButtonType(Messages.tr("Take the File's"), ButtonData.NO);
-    private static final ButtonType LATER = new ButtonType(Messages.tr("Ask Later"), ButtonData.CANCEL_CLOSE);
+    static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
+    private static final ButtonType LATER = new ButtonType(Messages.tr("Not Now"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
     /** What a dialog's content has beside it, of the dialog and of its window, at most. */
     private static final double FRAME_WIDTH = 40;
@@ -77,7 +77,7 @@ public final class EditorDialogs {
         Alert alert = alert(Alert.AlertType.ERROR, header, "", ButtonType.CLOSE);
         var list = new ListView<Problem>();
         list.setId("problems");
-        list.setAccessibleText(Messages.tr("What is wrong with the file"));
+        list.setAccessibleText(Messages.tr("Problems in the file"));
         list.getItems().setAll(problems);
         list.setCellFactory(_ -> new ProblemCell());
         list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (problems.size() + 1)));
@@ -86,21 +86,21 @@ public final class EditorDialogs {
     }
 
     Optional<ButtonType> askUnsaved(String name) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the changes of {0}?", name),
-                Messages.tr("The scene was edited since it was last saved."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save changes to {0}?", name),
+                Messages.tr("Unsaved changes are lost if you do not save them."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
     }
 
     /** @param message why the picture is not what the artist may expect: a clause */
     Optional<ButtonType> askPending(String message) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the picture as it is?"),
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the picture anyway?"),
                 Character.toUpperCase(message.charAt(0)) + message.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
                 .showAndWait();
     }
 
     public Optional<ButtonType> askRecover(RecoveryFolder.RecoverableScene recoverable) {
         return alert(Alert.AlertType.CONFIRMATION,
-                Messages.tr("Recover unsaved edits of {0}?", Quote.path(recoverable.file().getFileName())),
-                Messages.tr("Lightning ended before they were saved to {0}.", Quote.path(recoverable.file())), RECOVER, FORGET, LATER)
+                Messages.tr("Recover unsaved changes to {0}?", Quote.path(recoverable.file().getFileName())),
+                Messages.tr("Lightning closed unexpectedly. There are unsaved changes to {0}.", Quote.path(recoverable.file())), RECOVER, FORGET, LATER)
                 .showAndWait();
     }
 
@@ -121,7 +121,7 @@ public final class EditorDialogs {
      */
     Optional<LightUnits> askLightUnits(Path file, Map<LightUnits, Film> pictures) {
         Alert alert =
-                alert(Alert.AlertType.CONFIRMATION, Messages.tr("Which of these is {0}?", Quote.path(file.getFileName())), "",
+                alert(Alert.AlertType.CONFIRMATION, Messages.tr("Which looks right for {0}?", Quote.path(file.getFileName())), "",
                         ButtonType.CANCEL);
         var cards = new LightUnitChooser(pictures, WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
         alert.getDialogPane().setContent(cards);
@@ -130,8 +130,8 @@ public final class EditorDialogs {
     }
 
     Optional<ButtonType> askReadOnly(Path file) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace {0}, which is read-only?", Quote.path(file.getFileName())),
-                Messages.tr("Somebody wanted it to stay as it is. If you replace it, it is read-only again."), REPLACE, SAVE_AS,
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace the read-only file {0}?", Quote.path(file.getFileName())),
+                Messages.tr("This file is read-only. The new file will be read-only too."), REPLACE, SAVE_AS,
                 ButtonType.CANCEL).showAndWait();
     }
 
@@ -151,12 +151,12 @@ public final class EditorDialogs {
             if (!exists || askReplace(file)) {
                 action.accept(file);
             }
-        }, cause -> showFailure(Messages.tr("{0} could not be looked at", Quote.path(file)), cause));
+        }, cause -> showFailure(Messages.tr("{0} could not be accessed", Quote.path(file)), cause));
     }
 
     private boolean askReplace(Path file) {
         return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace {0}?", Quote.path(file.getFileName())),
-                Messages.tr("{0} is there already.", Quote.path(file)), REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals)
+                Messages.tr("{0} already exists.", Quote.path(file)), REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals)
                 .isPresent();
     }
 

@@ -5,11 +5,11 @@ import lightning.format.image.ImageFormat;
 
 /** What a picture can be exported as. */
 enum ExportFormat {
-    LAYERS_HALF(Messages.key("Layers as OpenEXR, Half…"), ImageFormat.EXR, 16, true),
-    LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32 Bits…"), ImageFormat.EXR, 32, true),
-    EXR(Messages.key("Picture as OpenEXR, 32 Bits…"), ImageFormat.EXR, 32, false),
-    HDR(Messages.key("Picture as Radiance HDR…"), ImageFormat.HDR, 8, false),
-    PNG(Messages.key("Picture as PNG, 16 Bits…"), ImageFormat.PNG, 16, false);
+    LAYERS_HALF(Messages.key("Layers as OpenEXR, 16-bit Half…"), ImageFormat.EXR, 16, true),
+    LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, true),
+    EXR(Messages.key("Image as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, false),
+    HDR(Messages.key("Image as Radiance HDR…"), ImageFormat.HDR, 8, false),
+    PNG(Messages.key("Image as PNG, 16-bit…"), ImageFormat.PNG, 16, false);
 
     private final String title;
     private final ImageFormat format;

@@ -138,7 +138,7 @@ public final class FileActions {
             imported.write();
             int noteCount = imported.notes().size();
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
-                    "; {0} kind of thing is left out or not the same: {1}", "; {0} kinds of things are left out or not the same: {1}",
+                    "; {0} import note: {1}", "; {0} import notes: {1}",
                     noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
             model.files().windowExecutor().execute(() -> message.show(text));
             return OpenDocument.open(imported.sceneFile());
@@ -208,7 +208,7 @@ public final class FileActions {
         model.workbench()
                 .reload(failure -> failure.ifPresentOrElse(
                         cause -> notices.showFailure(Messages.tr("{0} could not be reloaded", name), cause),
-                        () -> message.show(Messages.tr("Reloaded; Undo brings the edits back"))));
+                        () -> message.show(Messages.tr("Reverted to the saved file; Undo restores the edits"))));
     }
 
     /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
@@ -277,6 +277,6 @@ public final class FileActions {
         List<MenuItem> items = recent.stream()
                 .map(file -> CommandMenuItems.forMenu(model.commands()).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file)))
                 .toList();
-        return items.isEmpty() ? List.of(CommandMenuItems.placeholder(Command.LOAD_RECENT, Messages.tr("None yet"))) : items;
+        return items.isEmpty() ? List.of(CommandMenuItems.placeholder(Command.LOAD_RECENT, Messages.tr("No Recent Scenes"))) : items;
     }
 }

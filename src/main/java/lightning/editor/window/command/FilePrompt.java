@@ -56,7 +56,7 @@ public interface FilePrompt {
         return new FilePrompt() {
             @Override
             public Optional<Path> sceneToOpen(Path folder) {
-                return path(chooser(Messages.tr("Load File"), folder, files), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Open"), folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override
@@ -68,12 +68,12 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> rigToOpen(Path folder) {
-                return path(chooser(Messages.tr("Load Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Import Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> tableToOpen(Path folder) {
-                return path(chooser(Messages.tr("Color Table"), folder, tables), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Load LUT"), folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override

@@ -36,7 +36,7 @@ public final class KeyBindingButton extends Button {
         setId("key-" + command.id());
         getStyleClass().addAll("small", "key-button");
         setMinWidth(USE_PREF_SIZE);
-        setTooltip(new Tooltip(Messages.tr("Click, then press another key.\nDelete: no key. Home: the program's own. Escape: as it was.")));
+        setTooltip(new Tooltip(Messages.tr("Click, then press the new shortcut.\nDelete: none. Home: default. Escape: cancel.")));
         setOnAction(_ -> startRecording());
         addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         focusedProperty().subscribe(is -> {
@@ -50,7 +50,7 @@ public final class KeyBindingButton extends Button {
     private void startRecording() {
         isRecording = true;
         conflictingKey = Optional.empty();
-        setText(Messages.tr("press a key …"));
+        setText(Messages.tr("press a key…"));
         message.setText("");
     }
 
@@ -77,7 +77,7 @@ public final class KeyBindingButton extends Button {
             message.setText(invalidReason.get());
         } else if (owner.isPresent() && !conflictingKey.equals(Optional.of(key))) {
             conflictingKey = Optional.of(key);
-            message.setText(Messages.tr("{0} is {1}'s: press again to take it", KeyLabel.text(key), owner.get().plainTitle()));
+            message.setText(Messages.tr("{0} is assigned to {1}; press it again to reassign it", KeyLabel.text(key), owner.get().plainTitle()));
         } else {
             set(Optional.of(key));
         }
@@ -99,7 +99,7 @@ public final class KeyBindingButton extends Button {
         if (!isRecording) {
             String key = keyBindings.text(command);
             setText(key.isEmpty() ? Messages.tr("none") : key);
-            setAccessibleText(Messages.tr("Key of {0}: {1}", command.plainTitle(), getText()));
+            setAccessibleText(Messages.tr("Shortcut of {0}: {1}", command.plainTitle(), getText()));
             pseudoClassStateChanged(CHANGED, keyBindings.isChanged(command));
         }
     }

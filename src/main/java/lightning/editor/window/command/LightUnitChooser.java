@@ -31,8 +31,7 @@ final class LightUnitChooser extends VBox {
         super(GAP);
         var explanation =
                 new Label(
-                        Messages.tr("The file has numbers for its lights and does not say what they are: exporters write one or the other. "
-                                + "Textures are left out in these pictures."));
+                        Messages.tr("The file does not state the unit of its light intensities. These previews leave out textures."));
         explanation.setWrapText(true);
         var cards = new HBox(GAP);
         pictures.forEach((units, film) -> {
@@ -46,7 +45,7 @@ final class LightUnitChooser extends VBox {
             card.setTextAlignment(TextAlignment.CENTER);
             card.setId("units-" + units.name().toLowerCase(Locale.ROOT));
             card.setContentDisplay(ContentDisplay.TOP);
-            card.setAccessibleText(Messages.tr("Take the numbers as {0}", units.description()));
+            card.setAccessibleText(Messages.tr("Read intensities as {0}", units.description()));
             card.setOnAction(_ -> {
                 chosen = Optional.of(units);
                 onChosen.run();
@@ -66,7 +65,7 @@ final class LightUnitChooser extends VBox {
 
     private static String title(LightUnits units) {
         return switch (units) {
-            case CANDELA -> Messages.tr("Candela and lux, as the format says");
+            case CANDELA -> Messages.tr("Candela and lux (per the format)");
             case UNITLESS -> Messages.tr("Watts per steradian (unitless)");
             case WATTS -> Messages.tr("Watts");
         };

@@ -51,7 +51,7 @@ record PaletteEntry(Command command, String title, String menuPath, Optional<Str
     }
 
     private static Optional<String> reason(MenuItem item, Command command, CommandRegistry commands) {
-        return item.isDisable() ? commands.disabledReason(command).or(() -> Optional.of(Messages.tr("there is nothing to choose")))
+        return item.isDisable() ? commands.disabledReason(command).or(() -> Optional.of(Messages.tr("nothing to choose")))
                 : Optional.empty();
     }
 

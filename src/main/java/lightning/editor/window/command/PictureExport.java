@@ -55,7 +55,7 @@ final class PictureExport {
         PixelCache cache = model.workbench().cache().orElse(null);
         Frame frame = model.picture().frame();
         if (model.fileActivity().file() != null || cache == null || frame == null) {
-            message.show(Messages.tr("Nothing is exported while a file is read or a picture is begun"));
+            message.show(Messages.tr("Wait until the file is loaded and the picture has started before exporting"));
             return;
         }
         ViewTransform view = model.picture().viewProperty().get().forOutput();

@@ -52,7 +52,7 @@ final class RigActions {
             if (document == editor.document()) {
                 if (editor.editOrReport(scene -> edit.apply(lighting, scene)).isEmpty()) {
                     editor.message().show(
-                            Messages.tr("Lights of {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size()));
+                            Messages.tr("Lights imported from {0}: {1}", Quote.path(chosen.get().getFileName()), lighting.rig().lights().size()));
                 }
             }
         }, failure -> notices.showFailure(Messages.tr("The lights could not be read"), failure));
@@ -67,7 +67,7 @@ final class RigActions {
     private void write(Path file) {
         if (file.toAbsolutePath().normalize().equals(editor.document().file().toAbsolutePath().normalize())) {
             editor.message().show(
-                    Messages.tr("{0} is the open scene: lights alone in its place would lose its shapes", Quote.path(file.getFileName())));
+                    Messages.tr("{0} is the open scene; saving only its lights there would delete its shapes", Quote.path(file.getFileName())));
             return;
         }
         Lighting lighting = Lighting.of(editor.scene());

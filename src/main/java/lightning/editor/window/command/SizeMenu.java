@@ -41,7 +41,7 @@ public final class SizeMenu {
                     () -> setSizeAndTrace(editor, size)));
         }
         all.add(new SeparatorMenuItem());
-        MenuItem other = items.value(Command.PICTURE_SIZE, Messages.tr("Other…"), () -> promptSize(editor));
+        MenuItem other = items.value(Command.PICTURE_SIZE, Messages.tr("Custom…"), () -> promptSize(editor));
         other.setId("size-other");
         all.add(other);
         return all;
@@ -51,14 +51,14 @@ public final class SizeMenu {
         showSizeDialog(editor.scene().picture().width() + " × " + editor.scene().picture().height())
                 .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> setSizeAndTrace(editor, size),
                         () -> editor.message()
-                                .show(Messages.tr("A size is two numbers as in 640 × 480, was {0}", Quote.of(typed.strip())))));
+                                .show(Messages.tr("Resolution: expected width × height such as 640 × 480, found {0}", Quote.of(typed.strip())))));
     }
 
     /** The size that the scene's file says. */
     private static MenuItem sceneSizeItem(SceneEditor editor, CommandMenuItems items) {
         MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> setSizeAndTrace(editor, fileSize(editor)));
         item.setId("size-own");
-        editor.editorStateProperty().subscribe(_ -> item.setText(Messages.tr("The scene's own, {0}", fileSize(editor).title())));
+        editor.editorStateProperty().subscribe(_ -> item.setText(Messages.tr("Scene Default ({0})", fileSize(editor).title())));
         return item;
     }
 
@@ -85,7 +85,7 @@ public final class SizeMenu {
 
     private static Optional<String> showSizeDialog(String currentSize) {
         var dialog = new TextInputDialog(currentSize);
-        dialog.setTitle(Messages.tr("Size of the picture"));
+        dialog.setTitle(Messages.tr("Resolution"));
         dialog.setHeaderText(Messages.tr("Width × height in pixels, each 1 to {0}", SceneLimits.MAX_SIZE));
         dialog.setGraphic(null);
         dialog.setContentText(Messages.tr("Size"));

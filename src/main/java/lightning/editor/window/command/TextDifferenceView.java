@@ -24,7 +24,7 @@ final class TextDifferenceView extends VBox {
         getStyleClass().add("differences");
         var list = new ListView<TextDifference.Row>();
         list.setId("differences");
-        list.setAccessibleText(Messages.tr("The lines of both texts"));
+        list.setAccessibleText(Messages.tr("Line-by-line comparison"));
         list.getItems().setAll(rows);
         list.setCellFactory(_ -> new RowCell());
         list.setPrefSize(WIDTH, HEIGHT);

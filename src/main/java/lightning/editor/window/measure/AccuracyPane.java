@@ -39,7 +39,7 @@ public final class AccuracyPane extends BorderPane {
     private final Label editLabel = new Label();
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("",
-            Messages.tr("Make the edit at each grade in the background, again and again, and compare"));
+            Messages.tr("Measure the last edit at each accuracy setting in the background"));
     private final ToggleButton difference = new ToggleButton(Messages.tr("Difference"));
     private final AccuracyTable table = new AccuracyTable();
     private final AccuracyPlot chart = new AccuracyPlot();
@@ -109,7 +109,7 @@ public final class AccuracyPane extends BorderPane {
     private void update() {
         Optional<LastEdit> last = lastEdit();
         bar.setDisabledReason(
-                last.isEmpty() ? Optional.of(Messages.tr("there is no edit of a light yet that the picture could show"))
+                last.isEmpty() ? Optional.of(Messages.tr("no light has been edited yet"))
                         : Optional.empty());
         editLabel.setText(bar.isBusy() ? Messages.tr("Measuring …") : title(last));
     }
@@ -119,9 +119,9 @@ public final class AccuracyPane extends BorderPane {
             return outcome;
         }
         String description =
-                last.map(e -> e.isPending() ? Messages.tr("The edits that are not rendered yet") : Messages.tr("The edits of the last Go"))
+                last.map(e -> e.isPending() ? Messages.tr("Edits not rendered yet") : Messages.tr("Edits of the last render"))
                         .orElse(Messages.tr("Edit a light first."));
-        return sweep == null ? description : Messages.tr("{0}. The table is still of: {1}", description, text(sweep));
+        return sweep == null ? description : Messages.tr("{0}. The table still shows: {1}", description, text(sweep));
     }
 
     private static String text(AccuracySweep sweep) {
@@ -148,7 +148,7 @@ public final class AccuracyPane extends BorderPane {
         table.show(newSweep);
         chart.show(newSweep);
         table.getSelectionModel().select(newSweep.point(AccuracySetting.EXACT));
-        showOutcome(text(newSweep) + (newSweep.isWarm() ? "" : Messages.tr(". The times did not come to rest, so no savings are told")));
+        showOutcome(text(newSweep) + (newSweep.isWarm() ? "" : Messages.tr(". Timing too noisy to report savings")));
     }
 
     private void showOutcome(String text) {

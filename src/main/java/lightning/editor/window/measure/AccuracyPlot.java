@@ -30,7 +30,7 @@ final class AccuracyPlot extends ScatterChart<Number, Number> {
     AccuracyPlot() {
         super(axis("milliseconds"), axis(Messages.tr("root mean square error, linear")));
         setId("ladder-chart");
-        setAccessibleText(Messages.tr("Error of each grade against its time"));
+        setAccessibleText(Messages.tr("Error against time of each setting"));
         setLegendVisible(false);
         setAnimated(false);
         getStyleClass().add("ladder-chart");

@@ -57,7 +57,7 @@ final class EffectRow extends HBox {
 
     /** The heads of the columns. */
     static EffectRow header(String title, String callers) {
-        return new EffectRow(title, Messages.tr("First pass"), Messages.tr("Update"), Messages.tr("Memory"), callers);
+        return new EffectRow(title, Messages.tr("Full render"), Messages.tr("Update"), Messages.tr("Memory"), callers);
     }
 
     private static Label number() {

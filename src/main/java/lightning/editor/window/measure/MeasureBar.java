@@ -43,7 +43,7 @@ final class MeasureBar extends HBox {
         cancel.setId("cancel-measure" + suffix);
         cancel.setMinWidth(Region.USE_PREF_SIZE);
         cancel.setOnAction(_ -> cancelTask());
-        bar.setAccessibleText(Messages.tr("Progress of measuring"));
+        bar.setAccessibleText(Messages.tr("Measurement progress"));
         var measureBox = new StackPane(measure);
         var cancelBox = new StackPane(cancel);
         measureReason = new DisabledReason(measureBox, measure, hint);
@@ -102,8 +102,8 @@ final class MeasureBar extends HBox {
     }
 
     private void update() {
-        measureReason.set(isBusy() ? Optional.of(Messages.tr("it is being measured")) : disabledReason);
-        cancelReason.set(isBusy() ? Optional.empty() : Optional.of(Messages.tr("nothing is being measured")));
+        measureReason.set(isBusy() ? Optional.of(Messages.tr("a measurement is running")) : disabledReason);
+        cancelReason.set(isBusy() ? Optional.empty() : Optional.of(Messages.tr("no measurement is running")));
         bar.setVisible(isBusy());
     }
 

@@ -22,8 +22,8 @@ public final class ScopesPane extends VBox {
 
     private final TracedPicture picture;
     private final PaneUpdater<ScopeImages> feed;
-    private final ImageView histogram = view("histogram", Messages.tr("How many pixels have each code, red, green and blue"));
-    private final ImageView waveform = view("waveform", Messages.tr("Which codes the pixels of each column have"));
+    private final ImageView histogram = view("histogram", Messages.tr("Histogram of red, green and blue values"));
+    private final ImageView waveform = view("waveform", Messages.tr("Waveform of the values in each column"));
     private final Label clippingLabel = new Label();
     private volatile Frame frame;
     private volatile ViewTransform shownView = ViewTransform.DEFAULT;
@@ -80,7 +80,7 @@ public final class ScopesPane extends VBox {
         histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, images.histogramPixels()));
         waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, images.waveformPixels()));
         clippingLabel.setText(
-                String.format(Messages.locale(), Messages.tr("%.1f %% of a channel at black, %.1f %% at white"), 100 * scopes.pixelShare(0),
+                String.format(Messages.locale(), Messages.tr("Clipped: %.1f %% black, %.1f %% white"), 100 * scopes.pixelShare(0),
                         100 * scopes.pixelShare(Scopes.CODES - 1)));
     }
 }

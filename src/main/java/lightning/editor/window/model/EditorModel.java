@@ -69,7 +69,7 @@ public final class EditorModel implements AutoCloseable {
     }
 
     private void reportAutosaveFailure(Throwable failure) {
-        editor.message().show(Messages.tr("The last edits could not be kept for the case of a crash: {0}", ErrorMessage.of(failure)));
+        editor.message().show(Messages.tr("Autosave failed: {0}", ErrorMessage.of(failure)));
     }
 
     private void addCommands() {

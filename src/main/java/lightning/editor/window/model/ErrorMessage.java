@@ -14,9 +14,9 @@ public final class ErrorMessage {
         return switch (problem) {
             case UserFacingException told -> told.getMessage();
             case IOException e -> FileErrorMessage.of(e);
-            case PictureTooLargeException e -> Messages.tr("This is too large: {0}", e.getMessage());
-            case OutOfMemoryError _ -> Messages.tr("There is not enough memory for this picture; choose a smaller size");
-            default -> Messages.tr("An error of the program itself, not of your input: {0}; please report it with the scene", problem);
+            case PictureTooLargeException e -> Messages.tr("Too large: {0}", e.getMessage());
+            case OutOfMemoryError _ -> Messages.tr("Not enough memory for this picture; choose a smaller size");
+            default -> Messages.tr("Internal error: {0}; please report it with the scene", problem);
         };
     }
 }

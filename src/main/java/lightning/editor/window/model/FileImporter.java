@@ -57,7 +57,7 @@ public final class FileImporter {
             switch (outcome) {
                 case FileCopy.Copied(String name) -> onImported.accept(name);
                 case FileCopy.NameConflict(String name) -> onRefused.accept(
-                        Messages.tr("Another file {0} is among the textures: choose it again to write over it", Quote.of(name)));
+                        Messages.tr("The textures folder has another file {0}. Choose the file again to overwrite it", Quote.of(name)));
             }
         }, failure -> onRefused.accept(ErrorMessage.of(failure)));
     }

@@ -98,13 +98,13 @@ public final class KeyBindings {
         boolean hasModifier = key.getShortcut() == KeyCombination.ModifierValue.DOWN || key.getAlt() == KeyCombination.ModifierValue.DOWN;
         if (!hasModifier && !key.getCode().isFunctionKey()) {
             return Optional
-                    .of(Messages.tr("{0} alone types or moves; hold Ctrl or Alt with it, or take a function key", KeyLabel.text(key)));
+                    .of(Messages.tr("{0} needs Ctrl or Alt; only function keys work alone", KeyLabel.text(key)));
         }
         boolean hasShortcutOnly = key.getShift() == KeyCombination.ModifierValue.UP && key.getAlt() == KeyCombination.ModifierValue.UP;
         boolean isTextKey =
                 key.getCode() == KeyCode.C || key.getCode() == KeyCode.V || key.getCode() == KeyCode.X || key.getCode() == KeyCode.A;
         return hasShortcutOnly && hasModifier && isTextKey
-                ? Optional.of(Messages.tr("{0} is for texts: it copies, pastes, cuts or selects all", KeyLabel.text(key)))
+                ? Optional.of(Messages.tr("{0} is reserved for editing text", KeyLabel.text(key)))
                 : Optional.empty();
     }
 

@@ -67,7 +67,7 @@ final class LightActions {
     /** Tells where a copy stands. */
     static void reportDuplicateOffset(SceneEditor editor, String copy, String original) {
         editor.message()
-                .show(Messages.tr("{0} stands {1} beside {2}, along x", copy, DecimalNumber.format(DuplicateOffset.length(editor.scene())),
+                .show(Messages.tr("Duplicated {2} as {0}, offset by {1} along x", copy, DecimalNumber.format(DuplicateOffset.length(editor.scene())),
                         original));
     }
 }

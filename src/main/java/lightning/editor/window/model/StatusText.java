@@ -30,13 +30,13 @@ public final class StatusText {
      */
     static String of(UpdateResult update, boolean isFinished, String accuracyText, Optional<WarmSaving> saving) {
         String text =
-                Messages.tr("{0} · {1} rows touched · {2} shadow rays · {3}", update.plan().description(), number(update.rowsTouched()),
+                Messages.tr("{0} · {1} shading points updated · {2} shadow rays · {3}", update.plan().description(), number(update.rowsTouched()),
                         number(update.rays().shadow()), milliseconds(update.milliseconds()));
         if (!isFinished) {
-            return Messages.tr("{0} · without finer samples yet", text);
+            return Messages.tr("{0} · not anti-aliased yet", text);
         }
         if (update.plan() instanceof UpdatePlan.Relight) {
-            text += saving.map(StatusText::savingText).orElse(Messages.tr(" (what it saves is being measured)"));
+            text += saving.map(StatusText::savingText).orElse(Messages.tr(" (measuring the saving…)"));
         }
         return text + " · " + accuracyText;
     }
@@ -45,12 +45,12 @@ public final class StatusText {
     public static String shortText(Frame frame) {
         UpdateResult update = frame.update();
         String time = time(update.milliseconds());
-        String what = update.plan() instanceof UpdatePlan.Relight ? time : Messages.tr("Traced in {0}", time);
-        return what + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("without finer samples yet"));
+        String prefix = update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
+        return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
     }
 
     private static String savingText(WarmSaving measured) {
-        return Messages.tr(" · made again {0} of {1} for a full trace · {2}", milliseconds(measured.update().median()),
+        return Messages.tr(" · median {0}, full trace {1} · {2}", milliseconds(measured.update().median()),
                 milliseconds(measured.full().median()), savingText(measured.percent() / 100));
     }
 
@@ -66,7 +66,7 @@ public final class StatusText {
      * @param frame the picture shown; where the verdict is of another, it says so
      */
     public static String of(Verification verification, Frame frame) {
-        String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("The picture before: ");
+        String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("Previous picture: ");
         OptionalDouble full = verification.fullTraceMs();
         return prefix + verification.text() + (full.isPresent() ? Messages.tr(" (full trace {0})", milliseconds(full.getAsDouble())) : "");
     }

@@ -7,7 +7,7 @@ import lightning.base.text.Messages;
 /** Which language the editor is to speak. */
 public enum UiLanguage {
     /** The system's, or English where the editor does not speak that. */
-    SYSTEM(Messages.key("The System's")), ENGLISH(Language.ENGLISH.toString()), GERMAN(Language.GERMAN.toString());
+    SYSTEM(Messages.key("System")), ENGLISH(Language.ENGLISH.toString()), GERMAN(Language.GERMAN.toString());
 
     /** A language, {@code english} or {@code german}, that takes the place of what was chosen. */
     public static final String PROPERTY = "lightning.language";

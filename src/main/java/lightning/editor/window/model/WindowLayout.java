@@ -16,9 +16,9 @@ public final class WindowLayout {
 
     /** Which of the two pictures are seen, and how large. */
     public enum CanvasLayout {
-        SIDE_BY_SIDE(Messages.key("Side by Side"), 0.5), PICTURE_LARGE(Messages.key("Traced Picture Large"), 0.72),
+        SIDE_BY_SIDE(Messages.key("Side by Side"), 0.5), PICTURE_LARGE(Messages.key("Render Large"), 0.72),
         PREVIEW_LARGE(Messages.key("Preview Large"), 0.28),
-        PICTURE_ALONE(Messages.key("Traced Picture Alone"), 1), PREVIEW_ALONE(Messages.key("Preview Alone"), 0);
+        PICTURE_ALONE(Messages.key("Render Only"), 1), PREVIEW_ALONE(Messages.key("Preview Only"), 0);
 
         private final String title;
         private final double share;

@@ -16,11 +16,11 @@ record FileChoice(Command command, FileKind kind, String help) {
     static FileChoice of(ValueKind.AssetKind<?> kind) {
         return switch (kind) {
             case ValueKind.GoboKind _ -> new FileChoice(Command.CHOOSE_GOBO, FileKind.TEXTURE,
-                    Messages.tr("A picture that the light projects: black holds it back"));
+                    Messages.tr("Image projected by the light (gobo)"));
             case ValueKind.ProfileKind _ -> new FileChoice(Command.CHOOSE_PROFILE, FileKind.PROFILE,
-                    Messages.tr("How strongly the light shines in each direction, as an IES file tells"));
+                    Messages.tr("Intensity in each direction, from an IES file"));
             case ValueKind.EnvironmentKind _ -> new FileChoice(Command.CHOOSE_ENVIRONMENT, FileKind.ENVIRONMENT,
-                    Messages.tr("A picture of all that is far around, which lights the scene"));
+                    Messages.tr("Environment map that lights the scene"));
         };
     }
 }

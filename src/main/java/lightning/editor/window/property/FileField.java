@@ -69,7 +69,7 @@ final class FileField<F extends FileAsset> extends StackPane {
 
         @Override
         public Scene copy(Scene from, Scene to, String who) {
-            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException(Messages.tr("the light is gone")));
+            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException(Messages.tr("the light no longer exists")));
             return to.withLight(attribute.copy(from.light(who).orElseThrow(), light));
         }
     }

@@ -119,7 +119,7 @@ final class LightCell extends NamedCell<LightListRow> {
             type.setIconCode(LightTypes.icon(light.type()));
             chip.setStyle("-fx-background-color: " + DisplayColors.css(light.color()) + ";");
             name.setText(light.name());
-            describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Show only the lights that are solo"));
+            describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Mute all lights that are not solo"));
             bulb.setIconCode(LightTypes.onIcon(light.on()));
             describe(onToggle, Messages.tr("{0} on", light.name()), light.on() ? Messages.tr("Switch off") : Messages.tr("Switch on"));
             setAccessibleText(light.name() + ", " + LightTypes.phrase(light.type())

@@ -68,22 +68,22 @@ final class LightGroupRow extends HBox {
         group = bank;
         boolean isCollapsed = collapsedGroups.contains(bank.name());
         arrow.setIconCode(isCollapsed ? MaterialDesignC.CHEVRON_RIGHT : MaterialDesignC.CHEVRON_DOWN);
-        foldButton.setAccessibleText((isCollapsed ? Messages.tr("list the lights of ") : Messages.tr("fold ")) + bank.name());
+        foldButton.setAccessibleText((isCollapsed ? Messages.tr("expand ") : Messages.tr("collapse ")) + bank.name());
         gel.setStyle("-fx-background-color: " + DisplayColors.css(bank.color()) + ";");
         name.setText(bank.name());
         master.setText(bank.intensity() == 1 ? "" : "× " + SceneLimits.format(Math.rint(bank.intensity() * 100) / 100));
         LightCell.describe(solo, Messages.tr("{0} solo", bank.name()),
-                Messages.tr("Show only the lights of banks and lights that are solo"));
+                Messages.tr("Mute all lights and light groups that are not solo"));
         bulb.setIconCode(LightTypes.onIcon(bank.on()));
         LightCell.describe(onToggle, Messages.tr("{0} on", bank.name()),
-                bank.on() ? Messages.tr("Switch all of its lights off") : Messages.tr("Let its lights shine"));
+                bank.on() ? Messages.tr("Switch off the group") : Messages.tr("Switch on the group"));
         solo.setSelected(bank.solo());
         onToggle.setSelected(bank.on());
     }
 
     /** For screen readers. */
     String text() {
-        return Messages.tr("{0}, bank of lights", group.name()) + (group.on() ? "" : Messages.tr(", off"))
+        return Messages.tr("{0}, light group", group.name()) + (group.on() ? "" : Messages.tr(", off"))
                 + (group.solo() ? Messages.tr(", solo") : "");
     }
 

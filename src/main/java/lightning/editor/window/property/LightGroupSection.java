@@ -22,7 +22,7 @@ import lightning.scene.SceneAttribute;
 
 /** Which bank the selected light belongs to, and that bank's master and gel. */
 final class LightGroupSection extends VBox {
-    private static final String NO_BANK = Messages.key("the light is in no bank");
+    private static final String NO_BANK = Messages.key("the light is in no light group");
 
     private final SceneEditor editor;
     private final ArrowWidget master;
@@ -37,7 +37,7 @@ final class LightGroupSection extends VBox {
         getStyleClass().add("section-content");
         master = new ArrowWidget(Messages.tr("Master"), "master", gauge("master", LightGroup.INTENSITY, (Double v, Double x) -> x));
         master.setId("master");
-        gel = ColorSliders.forSurface("gel", Messages.tr("A factor of the colors of all its lights"), 1, new GelTarget());
+        gel = ColorSliders.forSurface("gel", Messages.tr("Multiplies the color of every light in the group"), 1, new GelTarget());
         gel.setId("gel");
         getChildren().addAll(groupBox, master, SectionLayout.caption(Messages.tr("Gel")), gel);
         visibleState.subscribe(this::show);

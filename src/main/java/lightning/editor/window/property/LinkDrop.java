@@ -106,9 +106,9 @@ final class LinkDrop {
 
     private static String message(String light, String shape, boolean shadows, boolean linked) {
         if (shadows) {
-            return linked ? Messages.tr("{0} throws a shadow in the light of {1}", shape, light)
-                    : Messages.tr("{0} throws no shadow in the light of {1}", shape, light);
+            return linked ? Messages.tr("{0} casts shadows from {1}", shape, light)
+                    : Messages.tr("{0} casts no shadows from {1}", shape, light);
         }
-        return linked ? Messages.tr("{0} shines on {1}", light, shape) : Messages.tr("{0} does not shine on {1}", light, shape);
+        return linked ? Messages.tr("{0} illuminates {1}", light, shape) : Messages.tr("{0} does not illuminate {1}", light, shape);
     }
 }

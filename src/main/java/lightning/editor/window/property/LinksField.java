@@ -68,8 +68,8 @@ final class LinksField extends StackPane {
         List<MenuItem> items = new ArrayList<>();
         if (light != null) {
             ShapeLinks links = attribute.get(light);
-            items.add(modeItem(Messages.tr("All but the checked"), false, links));
-            items.add(modeItem(Messages.tr("Only the checked"), true, links));
+            items.add(modeItem(Messages.tr("Exclude Selected"), false, links));
+            items.add(modeItem(Messages.tr("Include Only Selected"), true, links));
             items.add(new SeparatorMenuItem());
             addItems(links, items);
         }
@@ -97,7 +97,7 @@ final class LinksField extends StackPane {
         }
         int shapeCount = addItems(stage.nodes(), 0, links, expanded, items);
         if (shapeCount < stage.shapeCount()) {
-            items.add(CommandMenuItems.placeholder(Command.LINK, Messages.tr("More can be named in the file")));
+            items.add(CommandMenuItems.placeholder(Command.LINK, Messages.tr("Link further shapes in the scene file")));
         }
     }
 

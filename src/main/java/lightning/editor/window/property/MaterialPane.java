@@ -103,7 +103,7 @@ final class MaterialPane extends VBox {
         name.setAccessibleText(Messages.tr("material"));
         name.setMaxWidth(Double.MAX_VALUE);
         var nameBox = new StackPane(name);
-        nameReason = new DisabledReason(nameBox, name, Messages.tr("The material that is edited, with all shapes that have it"));
+        nameReason = new DisabledReason(nameBox, name, Messages.tr("Material to edit; affects every shape that uses it"));
         HBox.setHgrow(nameBox, Priority.ALWAYS);
         var row = new HBox(nameBox, CommandButton.iconButton(commands, Command.PICK_MATERIAL));
         row.getStyleClass().add("header-row");
@@ -292,8 +292,8 @@ final class MaterialPane extends VBox {
 
     private void showUsers(List<String> shapes) {
         users.setText(
-                shapes.isEmpty() ? Messages.tr("No shape has it")
-                        : Messages.tr("On {0}", String.join(", ", shapes.subList(0, Math.min(MAX_NAMES, shapes.size()))))
+                shapes.isEmpty() ? Messages.tr("Not used by any shape")
+                        : Messages.tr("Used by {0}", String.join(", ", shapes.subList(0, Math.min(MAX_NAMES, shapes.size()))))
                                 + (shapes.size() > MAX_NAMES ? Messages.tr(" and {0} more", shapes.size() - MAX_NAMES) : ""));
     }
 }

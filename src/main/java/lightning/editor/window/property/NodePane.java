@@ -129,7 +129,7 @@ final class NodePane extends VBox {
         name.setText(node.name());
         summary.setText(switch (node) {
             case NodeGroup g -> Messages.tr("Group of {0}", g.children().size());
-            case Shape s -> Messages.tr("{0} of material {1}", SectionLayout.title(OutlineCell.noun(s)), s.material());
+            case Shape s -> Messages.tr("{0}, material {1}", SectionLayout.title(OutlineCell.noun(s)), s.material());
         } + (node.visible() ? "" : Messages.tr(", hidden")));
         position.show(node.placement().position());
         scale.show(node.placement().scale());

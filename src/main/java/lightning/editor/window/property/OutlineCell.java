@@ -97,12 +97,12 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         if (node == shownNode) {
             return;
         }
-        foldButton.setAccessibleText(Messages.tr("fold or unfold {0}", node.name()));
+        foldButton.setAccessibleText(Messages.tr("collapse or expand {0}", node.name()));
         kind.setIconCode(icon(node));
         name.setText(node.name());
         eyeIcon.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
         LightCell.describe(eye, Messages.tr("{0} visible", node.name()),
-                node.visible() ? Messages.tr("Hide it: no picture, no shadow") : Messages.tr("Show it again"));
+                node.visible() ? Messages.tr("Hide the shape and its shadow") : Messages.tr("Show the shape"));
         row.pseudoClassStateChanged(DARK, !node.visible());
         setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : Messages.tr(", hidden")));
     }

@@ -61,7 +61,7 @@ final class PropertyMenu {
         var copy = items.value(Command.COPY_PROPERTY, Messages.tr("Copy {0}", title), () -> copy(property));
         var paste = items.value(Command.PASTE_PROPERTY,
                 Messages.tr("Paste {0}", title)
-                        + (clipboardValue.isEmpty() ? Messages.tr(" (none is copied)") : " " + Quote.of(clipboardValue)),
+                        + (clipboardValue.isEmpty() ? Messages.tr(" (nothing copied)") : " " + Quote.of(clipboardValue)),
                 () -> paste(property));
         var reset =
                 items.value(Command.RESET_PROPERTY, Messages.tr("Reset {0}", title), () -> editor.editOrReport(property::reset));
@@ -73,13 +73,13 @@ final class PropertyMenu {
             return new MenuItem[] {copy, paste, reset};
         }
         var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> setKeyframe(property));
-        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Remove Keys of {0}", title), () -> removeKeyframes(property));
+        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Remove Keyframes of {0}", title), () -> removeKeyframes(property));
         unkey.setDisable(unkey.isDisable() || moment().flatMap(m -> m.shot().track(property.keyTarget(), property.name())).isEmpty());
         return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
     }
 
     private String keyTitle(String title) {
-        return moment().map(m -> Messages.tr("Key {0} at Frame {1}", title, m.frame())).orElse(Messages.tr("Key {0} in a New Shot", title));
+        return moment().map(m -> Messages.tr("Set Keyframe of {0} at Frame {1}", title, m.frame())).orElse(Messages.tr("Set Keyframe of {0} in a New Shot", title));
     }
 
     private void setKeyframe(SelectedProperty property) {

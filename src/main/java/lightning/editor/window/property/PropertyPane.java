@@ -79,7 +79,7 @@ public final class PropertyPane extends VBox {
         ScrollPane scroll = SectionLayout.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.LINKS)
                         .map(this::section),
-                Stream.of(SectionLayout.section(Messages.tr("Bank"), groupSection),
+                Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection),
                         SectionLayout.section(Messages.tr("Scene"), dial(NumericParameter.AMBIENCE),
                                 SectionLayout.caption(Messages.tr("Environment")),
                                 FileField.forWorld(editor, commands, files, visibleState),

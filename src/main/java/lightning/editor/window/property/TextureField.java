@@ -73,7 +73,7 @@ final class TextureField extends VBox {
         HBox.setHgrow(file, Priority.ALWAYS);
         fileMenu = new FileMenu(commands, files, Messages.tr("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
         fileMenu.setId(title + "-found");
-        fileMenu.setAccessibleText(Messages.tr("Choose a picture: {0}", title));
+        fileMenu.setAccessibleText(Messages.tr("Choose an image: {0}", title));
         fileMenu.setMinWidth(USE_PREF_SIZE);
         refusal.setId(title + "-refusal");
         refusal.getStyleClass().add("refusal");
@@ -83,9 +83,9 @@ final class TextureField extends VBox {
         var row = new HBox(file, fileMenu);
         row.getStyleClass().add("header-row");
         disabledReason = new DisabledReason(this, row);
-        repeatU = repeatWidget(id("u"), Messages.tr("Repeat around"), repeatTitle("u"),
+        repeatU = repeatWidget(id("u"), Messages.tr("Repeat U"), repeatTitle("u"),
                 (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
-        repeatV = repeatWidget(id("v"), Messages.tr("Repeat along"), repeatTitle("v"),
+        repeatV = repeatWidget(id("v"), Messages.tr("Repeat V"), repeatTitle("v"),
                 (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
         getChildren().addAll(row, refusal, repeatU, repeatV);
     }

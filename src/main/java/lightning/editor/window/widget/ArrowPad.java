@@ -15,7 +15,7 @@ final class ArrowPad extends VBox {
         setAccessibleRole(AccessibleRole.SPINNER);
         setAccessibleText(field.getAccessibleText());
         setCursor(Cursor.V_RESIZE);
-        Tooltip.install(this, new Tooltip(Messages.tr("Drag up or down, or click a half; Shift finer, Ctrl coarser")));
+        Tooltip.install(this, new Tooltip(Messages.tr("Drag to change, click to step (Shift: fine, Ctrl: coarse)")));
         NumberScrubber.install(this, gauge, field, NumberScrubber.Direction.UP, event -> field
                 .step((event.getY() < getHeight() / 2 ? 1 : -1) * NumberScrubber.factor(event.isShiftDown(), event.isShortcutDown())));
     }

@@ -12,7 +12,7 @@ import lightning.scene.PictureSettings;
  */
 public record CanvasSize(String title, int width, int height) {
     /** As large as there is room, in the shape of the traced picture. */
-    public static final CanvasSize PICTURE_ASPECT = new CanvasSize(Messages.key("Picture's shape"), 0, 0);
+    public static final CanvasSize PICTURE_ASPECT = new CanvasSize(Messages.key("Match Aspect Ratio"), 0, 0);
     /** All the room there is. */
     public static final CanvasSize FREE = new CanvasSize(Messages.key("Free"), 0, 0);
 

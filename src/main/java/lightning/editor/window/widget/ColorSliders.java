@@ -68,7 +68,7 @@ public final class ColorSliders extends VBox {
 
     /** The color of a light. */
     public ColorSliders(Target target) {
-        this("", Messages.tr("The light's color"), SceneLimits.MAX_LIGHT_COLOR, true, target);
+        this("", Messages.tr("Light color"), SceneLimits.MAX_LIGHT_COLOR, true, target);
     }
 
     /**
@@ -88,7 +88,7 @@ public final class ColorSliders extends VBox {
         rgb = List.of(channel("R", prefix + Messages.tr("red"), target.red()), channel("G", prefix + Messages.tr("green"), target.green()),
                 channel("B", prefix + Messages.tr("blue"), target.blue()));
         well.getStyleClass().add("color-well");
-        well.setTooltip(new Tooltip(Messages.tr("{0}.\nClick to pick another", help)));
+        well.setTooltip(new Tooltip(Messages.tr("{0}.\nClick to change the color", help)));
         content.getStyleClass().add("color-content");
         HBox head = new HBox(well, tab("RGB", Messages.tr("red, green, blue"), () -> rgb),
                 tab("HSV", Messages.tr("hue, saturation, value"), () -> hsvTab(max)));

@@ -13,7 +13,7 @@ final class FieldLabel extends Label {
         setCursor(Cursor.H_RESIZE);
         getStyleClass().add("field-label");
         Tooltip.install(this,
-                new Tooltip(Messages.tr("Drag sideways; Shift finer, Ctrl coarser.\nThe field takes sums too: 0.3*2, +10%, 1/3")));
+                new Tooltip(Messages.tr("Drag sideways to change (Shift: fine, Ctrl: coarse).\nYou can type math: 0.3*2, +10%, 1/3")));
         NumberScrubber.install(this, gauge, field, NumberScrubber.Direction.RIGHT, _ -> {
             field.requestFocus();
             field.selectAll();

@@ -31,8 +31,8 @@ public final class LightTypes {
             case POINT -> Messages.tr("Point");
             case SPOT -> Messages.tr("Spot");
             case DIRECTIONAL -> Messages.tr("Directional");
-            case RECT -> Messages.tr("Rectangle");
-            case DISC -> Messages.tr("Disc");
+            case RECT -> Messages.tr("Rectangle Area");
+            case DISC -> Messages.tr("Disc Area");
         };
     }
 
@@ -42,8 +42,8 @@ public final class LightTypes {
             case POINT -> Messages.tr("point light");
             case SPOT -> Messages.tr("spot light");
             case DIRECTIONAL -> Messages.tr("directional light");
-            case RECT -> Messages.tr("rectangle light");
-            case DISC -> Messages.tr("disc light");
+            case RECT -> Messages.tr("rectangle area light");
+            case DISC -> Messages.tr("disc area light");
         };
     }
 

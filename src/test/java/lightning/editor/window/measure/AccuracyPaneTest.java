@@ -56,7 +56,7 @@ class AccuracyPaneTest extends EditorFixture {
         Scene before = model().editor().scene();
         dim();
         robot.push(KeyCode.F9);
-        assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
+        assertThat(text("accuracy-edit")).isEqualTo("Edits not rendered yet");
         measure();
         assertThat(table().getItems()).extracting(SweepPoint::setting)
                 .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(AccuracySetting.FEW_SAMPLES, AccuracySetting.NO_ANTIALIASING)));

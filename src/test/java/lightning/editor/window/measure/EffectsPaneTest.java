@@ -20,7 +20,7 @@ class EffectsPaneTest extends EditorFixture {
     @Test
     void effects_listTheirUsers() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
-        assertThat(text("effects-summary")).startsWith("desk.jen calls for ");
+        assertThat(text("effects-summary")).startsWith("desk.jen uses ");
         assertThat(isListed("effect-reflection")).isTrue();
         assertThat(robot.lookup("up to 2 bounces: mirror").tryQuery()).isPresent();
         assertThat(isListed("effect-textures")).isFalse();
@@ -58,7 +58,7 @@ class EffectsPaneTest extends EditorFixture {
     private void openAndMeasure() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         click("measure-effects");
-        waitFor("it is measured", () -> text("effects-outcome").startsWith("First pass"));
+        waitFor("it is measured", () -> text("effects-outcome").startsWith("Full render"));
     }
 
     @Test
@@ -92,7 +92,7 @@ class EffectsPaneTest extends EditorFixture {
     void edit_afterMeasurement_marksCostsOutdated() {
         openAndMeasure();
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
-        assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
+        assertThat(text("effects-outcome")).startsWith("Before the last edits: Full render");
     }
 
     @Test

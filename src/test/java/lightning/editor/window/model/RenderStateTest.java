@@ -49,15 +49,15 @@ class RenderStateTest {
     void saving_isShownForItsUpdate() {
         Frame edit = frame(SAMPLES);
         RenderState state = RenderState.NONE.withFrame(edit);
-        assertThat(text(state)).contains("60 ms (what it saves is being measured)").doesNotContain("%");
-        assertThat(text(state.withSaving(saving(edit)))).contains("60 ms · made again 2.0 ms of 29 ms for a full trace · 93.1 % saved");
+        assertThat(text(state)).contains("60 ms (measuring the saving…)").doesNotContain("%");
+        assertThat(text(state.withSaving(saving(edit)))).contains("60 ms · median 2.0 ms, full trace 29 ms · 93.1 % saved");
     }
 
     @Test
     void pictureOfCenters_isShownAsUnfinished() {
         Frame edit = frame(SAMPLES);
         var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, false);
-        assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · without finer samples yet").doesNotContain("exact");
+        assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · not anti-aliased yet").doesNotContain("exact");
     }
 
     @Test

@@ -88,7 +88,7 @@ class LightListPaneTest {
         assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
         assertThat(model.editor().selection().light().name()).isEqualTo("key2");
         assertThat(model.editor().selection().light().position()).isEqualTo(new Vec3(3.9, 5, 2));
-        assertThat(model.editor().message().textProperty().get()).isEqualTo("key2 stands 0.9 beside key, along x");
+        assertThat(model.editor().message().textProperty().get()).isEqualTo("Duplicated key as key2, offset by 0.9 along x");
     }
 
     @Test

@@ -132,7 +132,7 @@ class MaterialPaneTest extends EditorFixture {
         byte[] first = Files.readAllBytes(copy);
         pictureInOtherFolder(0x0080ff);
         browse();
-        waitFor("it asks", () -> text("texture-refusal").contains("choose it again to write over it"));
+        waitFor("it asks", () -> text("texture-refusal").contains("Choose the file again to overwrite it"));
         assertThat(copy).hasBinaryContent(first);
         browse();
         waitFor("it is written over", () -> text("texture-refusal").isEmpty());
@@ -157,7 +157,7 @@ class MaterialPaneTest extends EditorFixture {
         robot.clickOn("#traced-picture", MouseButton.SECONDARY);
         chooseFromMenu();
         assertThat(edited()).isEqualTo("matt");
-        assertThat(text("material-users")).isEqualTo("On ball");
+        assertThat(text("material-users")).isEqualTo("Used by ball");
     }
 
     @Test

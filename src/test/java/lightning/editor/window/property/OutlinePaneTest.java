@@ -75,7 +75,7 @@ class OutlinePaneTest extends EditorFixture {
         waitFor("it is selected", () -> tab("lists").equals("shapes-tab"));
         assertThat(selectedName()).isEqualTo("ball");
         assertThat(tab("side")).isEqualTo("shape-tab");
-        assertThat(text("shape-about")).isEqualTo("Sphere of material matt");
+        assertThat(text("shape-about")).isEqualTo("Sphere, material matt");
         assertThat(model().editor().selection().light()).isNull();
     }
 
