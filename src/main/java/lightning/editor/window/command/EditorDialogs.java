@@ -31,7 +31,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignH;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 
-/** What the editor tells and asks in windows of their own. */
+/** Dialogs of the editor. */
 public final class EditorDialogs {
     static final ButtonType SAVE = new ButtonType(Messages.tr("Save"), ButtonData.YES);
     static final ButtonType DISCARD = new ButtonType(Messages.tr("Don't Save"), ButtonData.NO);
@@ -45,7 +45,7 @@ public final class EditorDialogs {
     static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
     private static final ButtonType LATER = new ButtonType(Messages.tr("Not Now"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
-    /** What a dialog's content has beside it, of the dialog and of its window, at most. */
+    /** Maximum total width of a dialog's padding and its window's frame, pixels. */
     private static final double FRAME_WIDTH = 40;
     private static final double LIST_HEIGHT = 320;
     private static final double ROW_HEIGHT = 36;
@@ -58,12 +58,12 @@ public final class EditorDialogs {
         this.owner = owner;
     }
 
-    /** Says that something failed; the window beside lives on. */
+    /** Shows an error dialog without blocking. */
     public void showFailure(String header, Throwable cause) {
         failureAlert(header, cause).show();
     }
 
-    /** The same, and goes on when it was read. */
+    /** Shows an error dialog and waits until it is closed. */
     public void showFailureAndWait(String header, Throwable cause) {
         failureAlert(header, cause).showAndWait();
     }
@@ -90,7 +90,7 @@ public final class EditorDialogs {
                 Messages.tr("Unsaved changes are lost if you do not save them."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
     }
 
-    /** @param message why the picture is not what the artist may expect: a clause */
+    /** @param message  clause that says why the picture is out of date */
     Optional<ButtonType> askPending(String message) {
         return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the picture anyway?"),
                 Character.toUpperCase(message.charAt(0)) + message.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
@@ -100,11 +100,12 @@ public final class EditorDialogs {
     public Optional<ButtonType> askRecover(RecoveryFolder.RecoverableScene recoverable) {
         return alert(Alert.AlertType.CONFIRMATION,
                 Messages.tr("Recover unsaved changes to {0}?", Quote.path(recoverable.file().getFileName())),
-                Messages.tr("Lightning closed unexpectedly. There are unsaved changes to {0}.", Quote.path(recoverable.file())), RECOVER, FORGET, LATER)
+                Messages.tr("Lightning closed unexpectedly. There are unsaved changes to {0}.", Quote.path(recoverable.file())),
+                RECOVER, FORGET, LATER)
                 .showAndWait();
     }
 
-    /** @param comparison the open scene beside the file */
+    /** @param comparison  view of the differences between the open scene and the file */
     Optional<ButtonType> askChangedFile(String name, Node comparison) {
         Alert alert = alert(Alert.AlertType.CONFIRMATION, Messages.tr("{0} was changed by another program", name),
                 "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
@@ -114,10 +115,10 @@ public final class EditorDialogs {
     }
 
     /**
-     * Asks what the numbers of a file's lights are.
+     * Asks for the unit of an imported file's light intensities.
      *
-     * @param pictures what each choice makes of them
-     * @return empty where the artist thought better of it
+     * @param pictures  preview for each choice
+     * @return chosen unit; empty if canceled
      */
     Optional<LightUnits> askLightUnits(Path file, Map<LightUnits, Film> pictures) {
         Alert alert =
@@ -136,10 +137,10 @@ public final class EditorDialogs {
     }
 
     /**
-     * Adds the ending of a kind of files to a chosen name that lacks it. Asks before a file of the longer name is replaced: the system's
-     * dialog asked about the name as it was typed only.
+     * Adds a missing extension to a chosen file name. Confirms before replacing a file of the longer name, since the system's dialog
+     * checked only the typed one.
      *
-     * @param action gets the file, unless the artist wants to keep the one that exists
+     * @param action  receives the file, unless the user keeps the existing one
      */
     void withExtension(FileThread files, Path chosen, String extension, Consumer<Path> action) {
         if (chosen.getFileName().toString().endsWith(extension)) {
@@ -181,7 +182,7 @@ public final class EditorDialogs {
         return alert;
     }
 
-    /** Lines that are no longer than can be read, also where a dialog asks how wide they are to set itself in the middle of its window. */
+    /** Wrapping label of limited width, also when the dialog computes its preferred size. */
     private static final class WrappedLabel extends Label {
         WrappedLabel(String text) {
             super(text);
@@ -194,7 +195,7 @@ public final class EditorDialogs {
         }
     }
 
-    /** Line and column, then what is wrong. */
+    /** Cell that shows the position and message of a problem. */
     private static final class ProblemCell extends ListCell<Problem> {
         @Override
         protected void updateItem(Problem problem, boolean empty) {

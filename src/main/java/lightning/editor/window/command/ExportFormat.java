@@ -3,7 +3,7 @@ package lightning.editor.window.command;
 import lightning.base.text.Messages;
 import lightning.format.image.ImageFormat;
 
-/** What a picture can be exported as. */
+/** File format for exporting the picture. */
 enum ExportFormat {
     LAYERS_HALF(Messages.key("Layers as OpenEXR, 16-bit Half…"), ImageFormat.EXR, 16, true),
     LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, true),
@@ -23,7 +23,7 @@ enum ExportFormat {
         this.hasLayers = layers;
     }
 
-    /** As a menu has it. */
+    /** Returns the title for menus. */
     String title() {
         return Messages.tr(title);
     }
@@ -32,7 +32,7 @@ enum ExportFormat {
         return format;
     }
 
-    /** Of a number. */
+    /** Returns the bits per channel. */
     int bits() {
         return bits;
     }

@@ -16,43 +16,43 @@ import lightning.format.image.ImageFormat;
 import lightning.format.jen.FileKind;
 import lightning.format.jen.JenFile;
 
-/** Asks which file. */
+/** Prompts for files; an empty result means that the user canceled. */
 public interface FilePrompt {
-    /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
+    /** Prompts for a scene to open, or a file to import. */
     Optional<Path> sceneToOpen(Path folder);
 
-    /** Where to write a scene. */
+    /** Prompts for a file to write a scene to. */
     Optional<Path> sceneToWrite(Path proposal);
 
-    /** Where to write a picture. */
+    /** Prompts for a file to write a picture to. */
     Optional<Path> pictureToWrite(Path proposal);
 
-    /** A file of lights to read. */
+    /** Prompts for a light rig to read. */
     default Optional<Path> rigToOpen(Path folder) {
         return sceneToOpen(folder);
     }
 
-    /** Where to write lights. */
+    /** Prompts for a file to write a light rig to. */
     default Optional<Path> rigToWrite(Path proposal) {
         return sceneToWrite(proposal);
     }
 
-    /** A table of colors to read. */
+    /** Prompts for a color lookup table to read. */
     default Optional<Path> tableToOpen(Path folder) {
         return sceneToOpen(folder);
     }
 
-    /** A file that a scene is to have beside it. */
+    /** Prompts for an asset to copy next to the scene. */
     default Optional<Path> assetToOpen(String title, FileKind kind, Path folder) {
         return sceneToOpen(folder);
     }
 
-    /** The system's own windows. */
+    /** Returns a prompt that uses the system's file dialogs. */
     static FilePrompt ofSystem(Window owner) {
         var scenes = filter("Scenes", JenFile.EXTENSION);
         var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes, glTF, OBJ, PLY, NFF"),
                 Stream.concat(Stream.of(JenFile.EXTENSION), MeshFormat.allExtensions().stream()).map(ending -> "*" + ending).toList());
-        var tables = filter("Tables", CubeLutReader.EXTENSION);
+        var tables = filter("LUTs", CubeLutReader.EXTENSION);
         return new FilePrompt() {
             @Override
             public Optional<Path> sceneToOpen(Path folder) {

@@ -15,8 +15,10 @@ import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.model.KeyLabel;
 
 /**
- * The key of a command. A click, and the next key is taken: at once where it is free, at a second press where another command has it.
- * Delete takes the key away, Home brings the program's own back, Escape ends it.
+ * Button that shows and records the shortcut of a command. A click starts recording; the next key is assigned, after a second press if
+ * another command has it.
+ *
+ * <p>Delete clears the shortcut, Home restores the default, Escape cancels.
  */
 public final class KeyBindingButton extends Button {
     private static final PseudoClass CHANGED = PseudoClass.getPseudoClass("changed");
@@ -25,10 +27,10 @@ public final class KeyBindingButton extends Button {
     private final Command command;
     private final Label message;
     private boolean isRecording;
-    /** Another command has it: pressed again, it is taken. */
+    /** Key of another command, reassigned when pressed again. */
     private Optional<KeyCodeCombination> conflictingKey = Optional.empty();
 
-    /** @param message says what comes of a press */
+    /** @param message  shows the result of a key press */
     public KeyBindingButton(KeyBindings keyBindings, Command command, Label message) {
         this.keyBindings = keyBindings;
         this.command = command;
@@ -77,7 +79,8 @@ public final class KeyBindingButton extends Button {
             message.setText(invalidReason.get());
         } else if (owner.isPresent() && !conflictingKey.equals(Optional.of(key))) {
             conflictingKey = Optional.of(key);
-            message.setText(Messages.tr("{0} is assigned to {1}; press it again to reassign it", KeyLabel.text(key), owner.get().plainTitle()));
+            message.setText(Messages.tr("{0} is assigned to {1}; press it again to reassign it", KeyLabel.text(key),
+                    owner.get().plainTitle()));
         } else {
             set(Optional.of(key));
         }

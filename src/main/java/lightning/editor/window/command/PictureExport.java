@@ -23,7 +23,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.tile.RenderOptions;
 
-/** Writes the traced picture for other programs, beside the window's thread: its layers, or all that its film holds. */
+/** Exports the traced picture or its layers in the background. */
 final class PictureExport {
     private final EditorModel model;
     private final StatusMessage message;
@@ -37,7 +37,7 @@ final class PictureExport {
         this.notices = notices;
     }
 
-    /** One for each kind. */
+    /** Returns a menu item for each format. */
     List<MenuItem> items() {
         return Arrays.stream(ExportFormat.values())
                 .map(kind -> CommandMenuItems.forMenu(model.commands()).updatingValue(Command.EXPORT, kind.title(),

@@ -133,7 +133,7 @@ public final class AccuracyPane extends BorderPane {
     private void startMeasuring() {
         measuredEdit = lastEdit();
         LastEdit edit = measuredEdit.orElseThrow();
-        bar.start("lightning-ladder", progress -> measure(edit, progress), this::showResult, this::showOutcome);
+        bar.start("lightning-accuracy", progress -> measure(edit, progress), this::showResult, this::showOutcome);
         update();
     }
 

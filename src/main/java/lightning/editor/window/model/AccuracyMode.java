@@ -5,7 +5,7 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 
-/** What the artist chooses between speed and exactness. */
+/** Accuracy setting of the editor: the accuracy of updates and the handling of reflections. */
 public enum AccuracyMode {
     EXACT(Messages.key("Exact"), Messages.key("Bit-identical to a full trace, reflections included"),
             Accuracy.EXACT, ReflectionMode.CURRENT),

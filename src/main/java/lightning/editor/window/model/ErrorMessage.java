@@ -6,13 +6,13 @@ import lightning.base.text.Messages;
 import lightning.base.text.UserFacingException;
 import lightning.render.relight.PictureTooLargeException;
 
-/** What went wrong, as a sentence for the artist. */
+/** Converts an exception to a message for the user. */
 public final class ErrorMessage {
     private ErrorMessage() {}
 
     public static String of(Throwable problem) {
         return switch (problem) {
-            case UserFacingException told -> told.getMessage();
+            case UserFacingException e -> e.getMessage();
             case IOException e -> FileErrorMessage.of(e);
             case PictureTooLargeException e -> Messages.tr("Too large: {0}", e.getMessage());
             case OutOfMemoryError _ -> Messages.tr("Not enough memory for this picture; choose a smaller size");

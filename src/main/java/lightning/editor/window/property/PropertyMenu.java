@@ -79,7 +79,8 @@ final class PropertyMenu {
     }
 
     private String keyTitle(String title) {
-        return moment().map(m -> Messages.tr("Set Keyframe of {0} at Frame {1}", title, m.frame())).orElse(Messages.tr("Set Keyframe of {0} in a New Shot", title));
+        return moment().map(m -> Messages.tr("Set Keyframe of {0} at Frame {1}", title, m.frame()))
+                .orElse(Messages.tr("Set Keyframe of {0} in a New Shot", title));
     }
 
     private void setKeyframe(SelectedProperty property) {
