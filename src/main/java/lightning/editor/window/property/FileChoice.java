@@ -6,11 +6,11 @@ import lightning.format.jen.FileKind;
 import lightning.scene.ValueKind;
 
 /**
- * How a file of an attribute is chosen.
+ * Settings for choosing an attribute's file.
  *
- * @param command what choosing one does
- * @param kind    which files serve
- * @param help    what it is, in the editor's language
+ * @param command  command of choosing a file
+ * @param kind  accepted kind of files
+ * @param help  tooltip in the interface language
  */
 record FileChoice(Command command, FileKind kind, String help) {
     static FileChoice of(ValueKind.AssetKind<?> kind) {

@@ -27,7 +27,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** The selected light's name, type and switches, and the commands that concern it alone. */
+/** Header with the selected light's name, type and switches, and its commands. */
 final class LightHeader extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
@@ -145,7 +145,7 @@ final class LightHeader extends VBox {
         }
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     void revert() {
         shownName = selection.lightName();
         name.setText(shownName);

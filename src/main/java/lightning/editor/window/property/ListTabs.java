@@ -6,7 +6,7 @@ import lightning.base.text.Messages;
 import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.SceneEditor;
 
-/** What the scene holds: its lights, and its shapes and groups. The list of what is selected comes in front. */
+/** Tabs with the lists of lights and shapes. Shows the list of the selected item. */
 public final class ListTabs extends TabPane {
     public ListTabs(SceneEditor editor, CommandRegistry commands) {
         setId("lists");

@@ -31,7 +31,7 @@ import lightning.scene.SceneLimits;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 
-/** The placement of the selected shape or group: where it stands, how it is turned, how large it is. */
+/** Property editor of the selected shape's or group's placement: position, rotation and scale. */
 final class NodePane extends VBox {
     private static final String NO_SHAPE = Messages.key("no shape is selected");
     private static final StepRange DEGREES = new StepRange(5, -SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION);
@@ -46,8 +46,8 @@ final class NodePane extends VBox {
     private String shownName = "";
 
     /**
-     * @param menu    opens on each property
-     * @param tabSelected whether the pane is seen; else it does not follow what is edited
+     * @param menu  context menu of the properties
+     * @param tabSelected  true while the pane is visible; it is updated only then
      */
     NodePane(SceneEditor editor, CommandRegistry commands, PropertyMenu menu, ObservableValue<Boolean> tabSelected) {
         this.editor = editor;
@@ -117,7 +117,7 @@ final class NodePane extends VBox {
         String selected = state.selectedNode().map(SceneNode::name).orElse("");
         if (!selected.equals(shownName)) {
             shownName = selected;
-            // What was typed was meant for the other shape.
+            // Uncommitted input belongs to the other shape.
             position.revert();
             scale.revert();
             rotations.forEach(ArrowWidget::revert);

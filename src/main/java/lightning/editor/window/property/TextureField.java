@@ -29,10 +29,7 @@ import lightning.scene.SceneLimits;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 
-/**
- * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
- * often it repeats. It is read on a thread of its own.
- */
+/** Field for a texture of a material: file name, menu of the files next to the scene, and repetition. Reads files in the background. */
 final class TextureField extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
@@ -94,7 +91,7 @@ final class TextureField extends VBox {
         return repeatTitle(axis).replace('_', '-').replace(' ', '-');
     }
 
-    /** As the scene file calls it. */
+    /** Returns the name of the repeat attribute in the scene file. */
     private String repeatTitle(String axis) {
         return (attribute.kind() instanceof ValueKind.TextureKind t ? t.repeatName() : "repeat") + " " + axis;
     }
@@ -126,7 +123,7 @@ final class TextureField extends VBox {
         repeatV.show(attribute.get(material).map(TextureMap::repeatV).orElse(1.0));
     }
 
-    /** Shows that there is no material. */
+    /** Clears the field. */
     void showNothing() {
         shownMaterial = null;
         revert();

@@ -19,12 +19,12 @@ public final class ArrowWidget extends VBox {
      * @param label what stands before the number, without its unit
      * @param title the name in full, for screen readers
      */
-    public ArrowWidget(String label, String title, NumberSetting gauge) {
-        field = new NumberField(title, gauge);
-        Label name = new FieldLabel(label, gauge, field);
+    public ArrowWidget(String label, String title, NumberSetting setting) {
+        field = new NumberField(title, setting);
+        Label name = new FieldLabel(label, setting, field);
         name.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(name, Priority.ALWAYS);
-        HBox row = new HBox(name, field, new ArrowPad(gauge, field));
+        HBox row = new HBox(name, field, new ArrowPad(setting, field));
         row.getStyleClass().add("number-row");
         getStyleClass().add("arrow-widget");
         getChildren().addAll(row, new RefusalLabel(List.of(field)));

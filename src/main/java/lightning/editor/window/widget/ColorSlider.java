@@ -19,7 +19,7 @@ final class ColorSlider extends VBox {
     private static final int SUBSTEPS_PER_STEP = 100;
     private static final int KEY_STEPS = 20;
 
-    private final NumberSetting gauge;
+    private final NumberSetting setting;
     private final Scale scale;
     private final NumberField field;
     private final Slider slider;
@@ -47,10 +47,10 @@ final class ColorSlider extends VBox {
         }
     }
 
-    ColorSlider(String label, String title, Scale scale, NumberSetting gauge) {
-        this.gauge = gauge;
+    ColorSlider(String label, String title, Scale scale, NumberSetting setting) {
+        this.setting = setting;
         this.scale = scale;
-        field = new NumberField(title, gauge);
+        field = new NumberField(title, setting);
         slider = new Slider(scale.toPosition().applyAsDouble(scale.min()), scale.toPosition().applyAsDouble(scale.max()), 0);
         slider.setAccessibleText(Messages.tr("{0} slider", title));
         slider.setBlockIncrement((slider.getMax() - slider.getMin()) / KEY_STEPS);
@@ -103,15 +103,15 @@ final class ColorSlider extends VBox {
         if (isUpdating) {
             return;
         }
-        double substep = gauge.steps().step() / SUBSTEPS_PER_STEP;
-        double value = gauge.steps().addSteps(0, Math.rint(scale.toValue().applyAsDouble(position) / substep) / SUBSTEPS_PER_STEP);
-        gauge.set(Math.clamp(value, scale.min(), scale.max()), gesture).ifPresentOrElse(field::refuse, field::revert);
+        double substep = setting.steps().step() / SUBSTEPS_PER_STEP;
+        double value = setting.steps().addSteps(0, Math.rint(scale.toValue().applyAsDouble(position) / substep) / SUBSTEPS_PER_STEP);
+        setting.set(Math.clamp(value, scale.min(), scale.max()), gesture).ifPresentOrElse(field::refuse, field::revert);
         updateThumb();
     }
 
     private void handleKey(KeyEvent event) {
         if (event.getCode() == KeyCode.ESCAPE && gesture != null) {
-            gauge.set(startValue, gesture);
+            setting.set(startValue, gesture);
             updateThumb();
             gesture = null;
             event.consume();

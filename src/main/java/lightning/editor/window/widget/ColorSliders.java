@@ -190,8 +190,8 @@ public final class ColorSliders extends VBox {
         disabledReason.set(reason);
     }
 
-    private static ColorSlider channel(String label, String title, NumberSetting gauge) {
-        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1), gauge);
+    private static ColorSlider channel(String label, String title, NumberSetting setting) {
+        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1), setting);
     }
 
     private ColorSlider hsv(String label, String title, StepRange steps, double max, BiFunction<HsvColor, Double, HsvColor> edit) {

@@ -29,15 +29,15 @@ public final class NumberField extends TextField {
     private static final long WHEEL_GESTURE_NS = 1_000_000_000;
 
     private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
-    private final NumberSetting gauge;
+    private final NumberSetting setting;
     private double value;
     /** What stands for the turns of the wheel that are one step to undo. */
     private Object wheelGesture = new Object();
     private long lastWheelNs = Long.MIN_VALUE;
 
     /** @param title for people, and for screen readers */
-    public NumberField(String title, NumberSetting gauge) {
-        this.gauge = gauge;
+    public NumberField(String title, NumberSetting setting) {
+        this.setting = setting;
         setAccessibleText(Messages.tr(title));
         setPrefColumnCount(COLUMNS);
         setAlignment(Pos.CENTER_RIGHT);
@@ -105,7 +105,7 @@ public final class NumberField extends TextField {
     /** Steps the value, after what was typed is set. */
     void step(double steps) {
         commit();
-        gauge.set(gauge.steps().addSteps(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
+        setting.set(setting.steps().addSteps(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
     }
 
     private void commit() {
@@ -118,9 +118,9 @@ public final class NumberField extends TextField {
 
     /** Sets what the text says; returns why that was refused. */
     private Optional<String> commitText() {
-        return switch (NumberExpression.evaluate(normalizeDecimal(getText()), value, gauge.measure())) {
-            case NumberExpression.Value(double v) -> gauge.set(v, null);
-            case NumberExpression.Invalid(String reason) -> Optional.of(Messages.tr(gauge.title()) + " " + reason);
+        return switch (NumberExpression.evaluate(normalizeDecimal(getText()), value, setting.measure())) {
+            case NumberExpression.Value(double v) -> setting.set(v, null);
+            case NumberExpression.Invalid(String reason) -> Optional.of(Messages.tr(setting.title()) + " " + reason);
         };
     }
 
@@ -159,7 +159,7 @@ public final class NumberField extends TextField {
         }
         lastWheelNs = now;
         double steps = Math.signum(delta) * NumberScrubber.factor(event.isShiftDown(), event.isShortcutDown());
-        gauge.set(gauge.steps().addSteps(value, steps), wheelGesture).ifPresentOrElse(this::refuse, this::revert);
+        setting.set(setting.steps().addSteps(value, steps), wheelGesture).ifPresentOrElse(this::refuse, this::revert);
     }
 
     private void handleKey(KeyEvent event) {

@@ -21,7 +21,7 @@ final class NumberScrubber {
     private static final PseudoClass DRAGGED = PseudoClass.getPseudoClass("dragged");
 
     private final Node handle;
-    private final NumberSetting gauge;
+    private final NumberSetting setting;
     private final NumberField field;
     private final Direction direction;
     private final Click onClick;
@@ -50,17 +50,17 @@ final class NumberScrubber {
         }
     }
 
-    private NumberScrubber(Node handle, NumberSetting gauge, NumberField field, Direction direction, Click onClick) {
+    private NumberScrubber(Node handle, NumberSetting setting, NumberField field, Direction direction, Click onClick) {
         this.handle = handle;
-        this.gauge = gauge;
+        this.setting = setting;
         this.field = field;
         this.direction = direction;
         this.onClick = onClick;
     }
 
     /** Lets a node be dragged. */
-    static void install(Node handle, NumberSetting gauge, NumberField field, Direction direction, Click onClick) {
-        var scrub = new NumberScrubber(handle, gauge, field, direction, onClick);
+    static void install(Node handle, NumberSetting setting, NumberField field, Direction direction, Click onClick) {
+        var scrub = new NumberScrubber(handle, setting, field, direction, onClick);
         handle.setOnMousePressed(scrub::press);
         handle.setOnMouseDragged(scrub::drag);
         handle.setOnMouseReleased(scrub::release);
@@ -93,7 +93,7 @@ final class NumberScrubber {
         drag.position = position(event);
         drag.steps += distance / PIXELS_PER_STEP * factor(event.isShiftDown(), event.isShortcutDown());
         // A thousandth of a step is finer than a hand, and keeps the number short.
-        show(gauge.set(gauge.steps().addSteps(drag.startValue, Math.rint(drag.steps * FRACTIONS_PER_STEP) / FRACTIONS_PER_STEP), drag));
+        show(setting.set(setting.steps().addSteps(drag.startValue, Math.rint(drag.steps * FRACTIONS_PER_STEP) / FRACTIONS_PER_STEP), drag));
         event.consume();
     }
 
@@ -112,7 +112,7 @@ final class NumberScrubber {
     private void handleKey(KeyEvent event) {
         if (event.getCode() == KeyCode.ESCAPE && drag != null) {
             if (drag.hasMoved) {
-                show(gauge.set(drag.startValue, drag));
+                show(setting.set(drag.startValue, drag));
             }
             endDrag();
             event.consume();

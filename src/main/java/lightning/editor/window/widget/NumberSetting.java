@@ -27,12 +27,12 @@ public interface NumberSetting {
         Optional<String> set(double value, Object gesture);
     }
 
-    /** A gauge of numbers without a unit. */
+    /** A setting of numbers without a unit. */
     static NumberSetting of(String title, StepRange steps, Setter setter) {
         return of(title, steps, NumberUnit.FACTOR, setter);
     }
 
-    /** A gauge. */
+    /** A setting. */
     static NumberSetting of(String title, StepRange steps, NumberUnit measure, Setter setter) {
         return new NumberSetting() {
             @Override

@@ -41,10 +41,10 @@ public final class VectorField extends VBox {
 
     private void addAxis(String axis, String title, NumberSetting.Setter setter) {
         String name = Messages.tr(title) + " " + axis;
-        NumberSetting gauge = NumberSetting.of(name, STEPS, setter);
-        NumberField field = new NumberField(name, gauge);
+        NumberSetting setting = NumberSetting.of(name, STEPS, setter);
+        NumberField field = new NumberField(name, setting);
         HBox.setHgrow(field, Priority.ALWAYS);
-        Label label = new FieldLabel(axis.toUpperCase(Locale.ROOT), gauge, field);
+        Label label = new FieldLabel(axis.toUpperCase(Locale.ROOT), setting, field);
         label.getStyleClass().addAll("axis", "axis-" + axis);
         fields.add(field);
         row.getChildren().addAll(label, field);
