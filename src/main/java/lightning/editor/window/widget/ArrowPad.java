@@ -7,7 +7,7 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 
-/** The arrow of an {@link ArrowWidget}: drag it up or down, or click its upper or its lower half. */
+/** Arrow of an {@link ArrowWidget}: drag vertically, or click the upper or lower half to step. */
 final class ArrowPad extends VBox {
     ArrowPad(NumberSetting setting, NumberField field) {
         super(arrow("up"), arrow("down"));

@@ -5,7 +5,7 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import lightning.base.text.Messages;
 
-/** The name of a number beside its field, with the unit: dragged sideways it changes the number, a click goes into the field. */
+/** Label of a number field, with the unit. Dragging it sideways changes the number; a click focuses the field. */
 final class FieldLabel extends Label {
     FieldLabel(String text, NumberSetting setting, NumberField field) {
         super(setting.measure().sign().isEmpty() ? text : text + " " + setting.measure().sign());
