@@ -28,13 +28,13 @@ import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** What accuracy costs: each grade's time and error for the edit made last, measured when the artist asks for it. */
+/** Pane that compares accuracy settings: time and error of each for the last edit, measured on request. */
 public final class AccuracyPane extends BorderPane {
     private static final int REPETITIONS = 5;
     private static final double TIMEOUT_MS = 10_000;
 
     private final Workbench workbench;
-    private final ObservableValue<EditorState> situation;
+    private final ObservableValue<EditorState> editorState;
     private final ObservableValue<ViewTransform> view;
     private final Label editLabel = new Label();
     private final Label note = new Label();
@@ -45,14 +45,14 @@ public final class AccuracyPane extends BorderPane {
     private final AccuracyPlot chart = new AccuracyPlot();
     private final PictureView picture = new PictureView();
     private AccuracySweep sweep;
-    /** The edit that was measured last, and what came of it. */
+    /** Last measured edit, and the text of its result. */
     private Optional<LastEdit> measuredEdit = Optional.empty();
     private String outcome = "";
 
-    /** @param view how linear light becomes display pixels */
-    public AccuracyPane(Workbench workbench, ObservableValue<EditorState> situation, ObservableValue<ViewTransform> view) {
+    /** @param view  conversion from linear light to display pixels */
+    public AccuracyPane(Workbench workbench, ObservableValue<EditorState> editorState, ObservableValue<ViewTransform> view) {
         this.workbench = workbench;
-        this.situation = situation;
+        this.editorState = editorState;
         this.view = view;
         bar.setOnMeasure(this::startMeasuring);
         setId("accuracy");
@@ -80,7 +80,7 @@ public final class AccuracyPane extends BorderPane {
         difference.setAccessibleText(Messages.tr("Show the difference from the full trace"));
         difference.selectedProperty().subscribe(_ -> updatePicture());
         table.getSelectionModel().selectedItemProperty().subscribe(_ -> updatePicture());
-        VisibilityListener.attach(this, () -> Subscription.combine(situation.subscribe(_ -> update()),
+        VisibilityListener.attach(this, () -> Subscription.combine(editorState.subscribe(_ -> update()),
                 view.subscribe(_ -> updatePicture())));
     }
 
@@ -103,7 +103,7 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private Optional<LastEdit> lastEdit() {
-        return situation.getValue().animating() ? Optional.empty() : workbench.lastEdit();
+        return editorState.getValue().animating() ? Optional.empty() : workbench.lastEdit();
     }
 
     private void update() {

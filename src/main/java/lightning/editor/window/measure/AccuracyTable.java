@@ -9,7 +9,7 @@ import lightning.base.text.Messages;
 import lightning.bench.accuracy.AccuracySweep;
 import lightning.bench.accuracy.SweepPoint;
 
-/** The grades of accuracy, a row each: time, saving and errors. */
+/** Table of accuracy settings with time, saving and errors. */
 final class AccuracyTable extends TableView<SweepPoint> {
     private static final double NUMBER_WIDTH = 116;
     private static final double SHARE_WIDTH = 170;

@@ -35,15 +35,15 @@ import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * The effects that the scene calls for, who calls for each, and what each costs, measured when the artist asks for it; one
- * click hides one from the view.
+ * Pane of the rendering effects that a scene uses: the elements that use each, its cost measured on request, and check boxes to hide it in
+ * the view.
  */
 public final class EffectsPane extends VBox {
     private static final int REPETITIONS = 5;
 
     private final SceneEditor editor;
     private final Workbench workbench;
-    private final ObservableValue<AccuracyMode> precision;
+    private final ObservableValue<AccuracyMode> accuracyMode;
     private final ObjectProperty<ViewEffects> view;
     private final Map<RenderEffect, EffectRow> rows = new LinkedHashMap<>();
     private final Label summary = new Label();
@@ -58,15 +58,15 @@ public final class EffectsPane extends VBox {
     private Scene costsScene;
     private String costsText = "";
     private Scene shownScene;
-    /** The effects that are listed as absent, and the costs beside them. */
+    /** Listed unused effects and costs. */
     private Set<RenderEffect> listedEffects;
     private EffectCosts listedCosts;
 
-    /** @param view which effects the traced picture shows */
-    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> precision, ObjectProperty<ViewEffects> view) {
+    /** @param view  effects shown in the traced picture */
+    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> accuracyMode, ObjectProperty<ViewEffects> view) {
         this.editor = editor;
         this.workbench = workbench;
-        this.precision = precision;
+        this.accuracyMode = accuracyMode;
         this.view = view;
         setId("effects");
         getStyleClass().add("effects");
@@ -144,7 +144,7 @@ public final class EffectsPane extends VBox {
             row.setCallers(effects.reason(effect));
         });
         summary.setText(Messages.tr("{0} uses {1} of {2} effects", editor.document().name(), effects.users().size(), rows.size()));
-        // While a light is dragged, the rows stay where they are, and the keyboard with them.
+        // Unchanged rows stay in place, so that they keep the focus while a light is dragged.
         if (!effects.unused().equals(listedEffects) || costs != listedCosts) {
             listedEffects = effects.unused();
             listedCosts = costs;
@@ -166,15 +166,14 @@ public final class EffectsPane extends VBox {
             }
             usedRows.addFirst(EffectRow.header(Messages.tr("Used"), Messages.tr("Used by")));
         }
-        // A row must not be in two places at a time.
+        // A node must have one parent only.
         usedBox.getChildren().clear();
         unusedBox.getChildren().setAll(unusedRows);
         usedBox.getChildren().setAll(usedRows);
     }
 
     /**
-     * The edit to measure: the last one, unless it brought or took an effect; or else the first light moved, or else whatever
-     * edit the scene allows.
+     * Returns the edit to measure: the last one if it changed no effect, else moving the first light, else any edit that the scene allows.
      */
     private Optional<LastEdit> editToMeasure() {
         return (editor.isAnimating() ? Optional.<LastEdit>empty() : workbench.lastEdit())
@@ -186,7 +185,7 @@ public final class EffectsPane extends VBox {
     private void measure() {
         Scene scene = editor.scene();
         editToMeasure().ifPresent(edit -> {
-            RenderOptions options = precision.getValue().options();
+            RenderOptions options = accuracyMode.getValue().options();
             bar.start("lightning-effects",
                     progress -> EffectCosts.of(edit.before(), edit.after(), options, REPETITIONS, progress),
                     result -> showCosts(result, scene), outcome::setText);
