@@ -63,7 +63,8 @@ public final class EffectsPane extends VBox {
     private EffectCosts listedCosts;
 
     /** @param view  effects shown in the traced picture */
-    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> accuracyMode, ObjectProperty<ViewEffects> view) {
+    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> accuracyMode,
+            ObjectProperty<ViewEffects> view) {
         this.editor = editor;
         this.workbench = workbench;
         this.accuracyMode = accuracyMode;

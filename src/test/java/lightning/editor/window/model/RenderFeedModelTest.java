@@ -19,18 +19,18 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The hop from the loop's threads to the window's. */
+/** Hand-over from the loop's threads to the window's thread. */
 @Tag("model")
 class RenderFeedModelTest {
     private static final Film FILM = Film.black(1, 1);
 
-    /** Tables of codes are made when they are needed first: too long a work for a model. */
+    /** Builds the encoding tables in advance, which takes too long within a test. */
     @BeforeAll
     static void makeTables() {
         ViewTransform.DEFAULT.toPixels(FILM);
     }
 
-    /** The window's thread, which runs what it is told when it has time. */
+    /** Executor that stands for the window's thread and runs tasks on request. */
     private static final class Window implements Executor {
         private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
         private int executedCount;

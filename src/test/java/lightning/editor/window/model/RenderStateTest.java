@@ -30,7 +30,7 @@ class RenderStateTest {
             new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
             null, 2, 2, true, ShapeChange.NONE);
 
-    /** Took 60 ms in cold code. */
+    /** Frame of an update that took 60 ms in a cold JVM. */
     private static Frame frame(UpdatePlan plan) {
         return new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE,
                 new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null,
@@ -68,7 +68,7 @@ class RenderStateTest {
         assertThat(behind.saving()).isEmpty();
         assertThat(text(behind)).doesNotContain("%", "slower");
         RenderState late = RenderState.NONE.withFrame(newer).withSaving(saving(older));
-        assertThat(late.saving()).as("of an edit that is over").isEmpty();
+        assertThat(late.saving()).as("saving of an earlier edit").isEmpty();
     }
 
     @Test

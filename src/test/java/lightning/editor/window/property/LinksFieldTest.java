@@ -28,7 +28,7 @@ class LinksFieldTest extends EditorFixture {
     }
 
     private String check(String id) {
-        // The window that shows no screen has no room for a menu.
+        // The headless window has no room for a menu.
         robot.interact(() -> menu(id).getOnShowing().handle(null));
         CheckBox first = menu(id).getItems().stream().filter(CustomMenuItem.class::isInstance)
                 .map(i -> ((CustomMenuItem) i).getContent()).filter(CheckBox.class::isInstance).map(CheckBox.class::cast).findFirst()
