@@ -23,12 +23,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * README.md and docs/results.md say what the kept runs say: their tables and the measured parts of their sentences stand between marks, and
- * are made from those runs. {@code -Dlightning.write=true} writes them again, unless the runs must not be published.
+ * README.md, docs/results.md and docs/performance.md agree with the kept runs: their tables and the measured parts of their sentences are
+ * between marks, and are made from those runs. {@code -Dlightning.write=true} writes them again, unless the runs must not be published.
  */
 class ResultsDocumentTest {
     private static final Path RESULTS = Path.of("docs", "results.md");
     private static final Path README = Path.of("README.md");
+    private static final Path PERFORMANCE = Path.of("docs", "performance.md");
+    private static final Path DECISIONS = Path.of("docs", "decisions");
     private static final Path PICTURES = Path.of("docs", "pictures");
     private static final Pattern MARKED = Pattern.compile("(<!-- (table|value): (.+?) -->\n?)(.*?)(<!-- end -->)", Pattern.DOTALL);
     /** Ends the names of tables that are made from another part than their own. */
@@ -38,7 +40,9 @@ class ResultsDocumentTest {
     private static final Pattern NUMBER = Pattern.compile("\\d+(?:\\.\\d+)?(?:e-?\\d+)?");
     /** What another publication measured. */
     private static final Pattern QUOTED = Pattern.compile("\\(the paper: [^)]*\\)");
-    private static final Pattern COSTS = Pattern.compile("(?s)\n## What an edit costs\n(.*?)\n## ");
+    private static final Pattern COSTS = Pattern.compile("(?s)\n## Results\n(.*?)\n## ");
+    /** Where a decision keeps the measurements that led to it. */
+    private static final Pattern RECORD = Pattern.compile("(?ms)^## Measurements\n(.*?)(?=^## |\\z)");
 
     static List<String> names() {
         return MarkdownTables.names();
@@ -49,7 +53,7 @@ class ResultsDocumentTest {
     }
 
     static List<Path> documents() {
-        return List.of(RESULTS, README);
+        return List.of(RESULTS, README, PERFORMANCE);
     }
 
     @ParameterizedTest
@@ -126,6 +130,11 @@ class ResultsDocumentTest {
         assertThat(MARKED.matcher(costs.group(1)).results().map(m -> m.group(3))).contains("savings in short", "build", "equal pictures");
     }
 
+    @Test
+    void everyMeasuredFigureOfThePerformanceGuide_isMarked() throws IOException {
+        assertThat(measuredNumbers(Files.readString(PERFORMANCE))).isEmpty();
+    }
+
     private static Stream<String> measuredNumbers(String text) {
         List<String> figures = new ArrayList<>();
         String plain = QUOTED.matcher(MARKED.matcher(text).replaceAll("")).replaceAll("");
@@ -172,13 +181,26 @@ class ResultsDocumentTest {
                 .hasMessageStartingWith("bird, color, ");
     }
 
-    /** They are of many builds: a record of what was tried. */
+    /** They are of many builds. */
     @Test
-    void everyTableOfRecord_hasDateAndCommit() throws IOException {
-        List<String> lines = Files.readAllLines(Path.of("docs", "performance.md"));
-        for (int i = 3; i < lines.size(); i++) {
+    void everyTableOfADecisionsMeasurements_namesItsDateAndCommit() throws IOException {
+        int records = 0;
+        try (Stream<Path> decisions = Files.list(DECISIONS)) {
+            for (Path decision : decisions.filter(file -> file.toString().endsWith(".md")).sorted().toList()) {
+                Matcher section = RECORD.matcher(Files.readString(decision));
+                while (section.find()) {
+                    assertDated(decision, section.group(1).lines().toList());
+                    records++;
+                }
+            }
+        }
+        assertThat(records).isPositive();
+    }
+
+    private static void assertDated(Path decision, List<String> lines) {
+        for (int i = 0; i < lines.size(); i++) {
             if (lines.get(i).matches("\\|[-|]+\\|")) {
-                assertThat(lines.get(i - 3)).as("above the table at line %d", i + 1)
+                assertThat(lines.get(Math.max(i - 3, 0))).as("%s, above the table of '%s'", decision, lines.get(i - 1))
                         .matches("\\*Recorded \\d{4}-\\d\\d-\\d\\d.*, last at commit `[0-9a-f]{8}`\\.\\*");
             }
         }

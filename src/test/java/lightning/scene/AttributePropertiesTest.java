@@ -28,8 +28,9 @@ import net.jqwik.api.Provide;
 class AttributePropertiesTest {
     /** On a shape of the studio. */
     private static final String MATT = "matt";
-    /** Words of scene files that differ from those of the program. */
-    private static final Map<String, String> KEYWORDS = Map.of("light group", "bank", "light count", "lamps");
+    /** Components whose word in scene files is another. */
+    private static final Map<String, String> KEYWORDS = Map.of("Light.lightGroup", "bank", "World.lightCount", "lamps",
+            "Transmission.color", "clear", "BumpMapping.normalMap", "normals", "AlphaCutout.map", "cutout");
 
     @Provide
     Arbitrary<Changed<Light>> lights() {
@@ -55,12 +56,12 @@ class AttributePropertiesTest {
 
     private static List<String> components(Class<? extends Record> type) {
         return Arrays.stream(type.getRecordComponents()).flatMap(AttributePropertiesTest::names).filter(n -> !n.equals("name"))
-                .map(AttributePropertiesTest::words).toList();
+                .toList();
     }
 
-    private static String words(String component) {
-        String words = component.replaceAll("(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
-        return KEYWORDS.getOrDefault(words, words);
+    private static String words(RecordComponent component) {
+        return KEYWORDS.getOrDefault(component.getDeclaringRecord().getSimpleName() + "." + component.getName(),
+                component.getName().replaceAll("(?=[A-Z])", " ").toLowerCase(Locale.ROOT));
     }
 
     /** An area's components are attributes of their light, a relief's, a clarity's and a cut-out's of their material. */
@@ -68,7 +69,7 @@ class AttributePropertiesTest {
         return component.getType() == AreaShape.class || component.getType() == BumpMapping.class
                 || component.getType() == Transmission.class
                 || component.getType() == AlphaCutout.class
-                        ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(component.getName());
+                        ? components(component.getType().asSubclass(Record.class)).stream() : Stream.of(words(component));
     }
 
     @Property

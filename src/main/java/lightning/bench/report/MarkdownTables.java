@@ -67,7 +67,7 @@ public final class MarkdownTables {
 
     private String scenes() {
         return table(
-                List.of("scene", "shapes", "lights", "full trace ms", "first pass slower by %", "bytes a pixel", "paid for after edits"),
+                List.of("scene", "shapes", "lights", "full trace ms", "first pass slower by %", "bytes a pixel", "edits to break even"),
                 largestScenes().map(s -> List.of(s.scene(), Integer.toString(s.shapes()), Integer.toString(s.lights()),
                         number(s.firstPass().fullTrace().median()), number(s.firstPass().percentSlower()),
                         number(s.firstPass().bytesPerPixel()), number(s.firstPass().editsToPayOff()))));
@@ -147,8 +147,8 @@ public final class MarkdownTables {
      * @param runs by the names of their parts
      */
     public static String runs(Map<String, BenchRun> runs) {
-        return table(List.of("part", "began (UTC)", "minutes", "samples of each work", "memory bandwidth GB/s", "load average before",
-                "processor time that others had %", "quiet"), runs.entrySet().stream().map(entry -> {
+        return table(List.of("part", "began (UTC)", "minutes", "samples", "memory bandwidth GB/s", "load average before",
+                "processor time of other processes %", "quiet"), runs.entrySet().stream().map(entry -> {
                     BenchRun run = entry.getValue();
                     return List.of(entry.getKey(), run.date(), number(run.actualSeconds() / 60), Integer.toString(run.repetitions()),
                             number(run.triadGBs()), number(run.load().atStart()), number(100 * run.load().others()),
@@ -167,7 +167,7 @@ public final class MarkdownTables {
     }
 
     private String accuracy() {
-        return table(List.of("scene", "grade", "ms", "saves %", "worst RMSE", "worst ꟻLIP", "most values that differ %"),
+        return table(List.of("scene", "setting", "ms", "saves %", "worst RMSE", "worst ꟻLIP", "most values that differ %"),
                 largestScenes()
                         .flatMap(s -> AccuracySummary.of(s).stream().map(l -> List.of(s.scene(), l.setting().label(), number(l.median()),
                                 number(l.saving()), error(l.rmse()), error(l.flip()), number(l.percentDiffering())))));
@@ -184,7 +184,7 @@ public final class MarkdownTables {
     }
 
     private String drift() {
-        return table(List.of("edits", "grade", "values that differ", "largest ulp", "largest difference", "bound", "refreshes"),
+        return table(List.of("edits", "setting", "values that differ", "largest ulp", "largest difference", "bound", "refreshes"),
                 results.drift().stream().map(DriftCurve::points).flatMap(List::stream).map(p -> List.of(Integer.toString(p.edits()),
                         p.accuracy().name().toLowerCase(Locale.ROOT), Long.toString(p.error().values()), Long.toString(p.error().maxUlp()),
                         error(p.error().maxAbsolute()), error(p.bound()), Integer.toString(p.refreshes()))));

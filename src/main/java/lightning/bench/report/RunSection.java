@@ -91,7 +91,7 @@ final class RunSection {
         page.element("h2", "All scenes at a glance");
         try (HtmlTable table =
                 new HtmlTable(page, null, "Medians. The first pass keeps what edits need; the full trace keeps nothing.", "scene",
-                        "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "paid for after",
+                        "pixels", "lights", "shapes", "full trace", "first pass", "slower by", "bytes a pixel", "edits to break even",
                         "edits save, median", "least", "most")) {
             for (SceneResult scene : results.scenes()) {
                 FirstPassResult first = scene.firstPass();
