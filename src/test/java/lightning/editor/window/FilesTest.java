@@ -106,7 +106,7 @@ class FilesTest extends EditorFixture {
     void unwritableExport_showsError() {
         answer = folder.resolve("nowhere").resolve("desk.hdr");
         export("Image as Radiance HDR…");
-        waitFor("it tells", () -> isMessageShown("The picture could not be exported"));
+        waitFor("it tells", () -> isMessageShown("The image could not be exported"));
         robot.clickOn("Close");
         assertThat(model().fileActivity().file()).isNull();
     }

@@ -92,7 +92,7 @@ public final class EditorDialogs {
 
     /** @param message  clause that says why the picture is out of date */
     Optional<ButtonType> askPending(String message) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the picture anyway?"),
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the image anyway?"),
                 Character.toUpperCase(message.charAt(0)) + message.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
                 .showAndWait();
     }

@@ -254,7 +254,7 @@ public final class FileActions {
                         ? " (" + view.description() + ")" : "")),
                 failure -> {
                     message.clear();
-                    notices.showFailure(Messages.tr("The picture could not be saved"), failure);
+                    notices.showFailure(Messages.tr("The image could not be saved"), failure);
                 });
     }
 

@@ -84,7 +84,7 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> rigToWrite(Path proposal) {
-                var chooser = chooser(Messages.tr("Save Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Messages.tr("Export Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }

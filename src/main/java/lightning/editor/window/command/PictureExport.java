@@ -55,7 +55,7 @@ final class PictureExport {
         PixelCache cache = model.workbench().cache().orElse(null);
         Frame frame = model.picture().frame();
         if (model.fileActivity().file() != null || cache == null || frame == null) {
-            message.show(Messages.tr("Wait until the file is loaded and the picture has started before exporting"));
+            message.show(Messages.tr("Wait until the file is loaded and rendering has started"));
             return;
         }
         ViewTransform view = model.picture().viewProperty().get().forOutput();
@@ -67,7 +67,7 @@ final class PictureExport {
         }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {
             end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} canceled", name) : "");
             if (!(failure instanceof CancellationException)) {
-                notices.showFailure(Messages.tr("The picture could not be exported"), failure);
+                notices.showFailure(Messages.tr("The image could not be exported"), failure);
             }
         });
     }

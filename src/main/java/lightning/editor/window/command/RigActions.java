@@ -68,7 +68,7 @@ final class RigActions {
     private void write(Path file) {
         if (file.toAbsolutePath().normalize().equals(editor.document().file().toAbsolutePath().normalize())) {
             editor.message().show(
-                    Messages.tr("{0} is the open scene; saving only its lights there would delete its shapes",
+                    Messages.tr("{0} is the open scene; saving only its lights there would delete its objects",
                             Quote.path(file.getFileName())));
             return;
         }

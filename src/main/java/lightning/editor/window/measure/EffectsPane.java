@@ -110,7 +110,7 @@ public final class EffectsPane extends VBox {
     }
 
     private static Node hint() {
-        var hint = new Label(Messages.tr("Hiding an effect changes only the view. Save Image and Verify use the full picture."));
+        var hint = new Label(Messages.tr("Hiding an effect changes only the view. Save Image and Verify use the full image."));
         hint.getStyleClass().add("pane-note");
         hint.setWrapText(true);
         HBox.setHgrow(hint, Priority.ALWAYS);

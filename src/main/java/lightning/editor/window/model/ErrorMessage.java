@@ -15,7 +15,7 @@ public final class ErrorMessage {
             case UserFacingException e -> e.getMessage();
             case IOException e -> FileErrorMessage.of(e);
             case PictureTooLargeException e -> Messages.tr("Too large: {0}", e.getMessage());
-            case OutOfMemoryError _ -> Messages.tr("Not enough memory for this picture; choose a smaller size");
+            case OutOfMemoryError _ -> Messages.tr("Not enough memory for this resolution; choose a smaller one");
             default -> Messages.tr("Internal error: {0}; please report it with the scene", problem);
         };
     }

@@ -48,7 +48,7 @@ public final class MaterialSelection {
         MaterialEdits.ofShape(editor.scene(), shape).ifPresentOrElse(m -> {
             choose(m.name());
             editor.materialShownProperty().set(true);
-        }, () -> editor.message().show(Messages.tr("The scene no longer has shape {0}", Quote.of(shape))));
+        }, () -> editor.message().show(Messages.tr("The scene no longer has object {0}", Quote.of(shape))));
     }
 
     private void refresh() {

@@ -131,7 +131,7 @@ public final class SceneEditor {
     public Optional<String> editShot(UnaryOperator<AnimatedScene> edit, Object gesture) {
         message.clear();
         if (animationScene != null) {
-            return Optional.of(Messages.tr("an animation is open; close it first"));
+            return Optional.of(Messages.tr("close the open animation first"));
         }
         return workbench.editShot(() -> edit.apply(document().content()), gesture);
     }

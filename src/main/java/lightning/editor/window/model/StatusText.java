@@ -67,7 +67,7 @@ public final class StatusText {
      * @param frame  displayed picture; a result of another picture is marked as such
      */
     public static String of(Verification verification, Frame frame) {
-        String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("Previous picture: ");
+        String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("Previous image: ");
         OptionalDouble full = verification.fullTraceMs();
         return prefix + verification.text() + (full.isPresent() ? Messages.tr(" (full trace {0})", milliseconds(full.getAsDouble())) : "");
     }

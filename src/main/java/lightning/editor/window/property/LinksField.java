@@ -97,7 +97,7 @@ final class LinksField extends StackPane {
         }
         int shapeCount = addItems(stage.nodes(), 0, links, expanded, items);
         if (shapeCount < stage.shapeCount()) {
-            items.add(CommandMenuItems.placeholder(Command.LINK, Messages.tr("Link further shapes in the scene file")));
+            items.add(CommandMenuItems.placeholder(Command.LINK, Messages.tr("Link further objects in the scene file")));
         }
     }
 

@@ -43,7 +43,7 @@ import lightning.scene.ValueKind;
 
 /** Property editor of a material. Edits affect every shape that uses it. */
 final class MaterialPane extends VBox {
-    private static final String NO_MATERIAL = Messages.key("the scene has no shapes");
+    private static final String NO_MATERIAL = Messages.key("the scene has no objects");
     private static final int MAX_NAMES = 4;
     /** Maximum number of shapes to scan on the window's thread, which takes tens of microseconds. */
     private static final int MAX_INLINE_SHAPES = 1000;
@@ -103,7 +103,7 @@ final class MaterialPane extends VBox {
         name.setAccessibleText(Messages.tr("material"));
         name.setMaxWidth(Double.MAX_VALUE);
         var nameBox = new StackPane(name);
-        nameReason = new DisabledReason(nameBox, name, Messages.tr("Material to edit; affects every shape that uses it"));
+        nameReason = new DisabledReason(nameBox, name, Messages.tr("Material to edit; affects every object that uses it"));
         HBox.setHgrow(nameBox, Priority.ALWAYS);
         var row = new HBox(nameBox, CommandButton.iconButton(commands, Command.PICK_MATERIAL));
         row.getStyleClass().add("header-row");
@@ -295,7 +295,7 @@ final class MaterialPane extends VBox {
 
     private void showUsers(List<String> shapes) {
         users.setText(
-                shapes.isEmpty() ? Messages.tr("Not used by any shape")
+                shapes.isEmpty() ? Messages.tr("Not used by any object")
                         : Messages.tr("Used by {0}", String.join(", ", shapes.subList(0, Math.min(MAX_NAMES, shapes.size()))))
                                 + (shapes.size() > MAX_NAMES ? Messages.tr(" and {0} more", shapes.size() - MAX_NAMES) : ""));
     }

@@ -33,7 +33,7 @@ import lightning.scene.Shape;
 
 /** Property editor of the selected shape's or group's placement: position, rotation and scale. */
 final class NodePane extends VBox {
-    private static final String NO_SHAPE = Messages.key("no shape is selected");
+    private static final String NO_SHAPE = Messages.key("no object is selected");
     private static final StepRange DEGREES = new StepRange(5, -SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION);
 
     private final SceneEditor editor;
@@ -141,7 +141,7 @@ final class NodePane extends VBox {
 
     private void showNothing() {
         name.setText("");
-        summary.setText(Messages.tr("Click a shape in the preview or in the list of shapes"));
+        summary.setText(Messages.tr("Click an object in the preview or in the list"));
         position.showNothing();
         scale.showNothing();
         rotations.forEach(ArrowWidget::showNothing);

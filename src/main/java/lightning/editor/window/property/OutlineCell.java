@@ -102,7 +102,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         name.setText(node.name());
         eyeIcon.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
         LightCell.describe(eye, Messages.tr("{0} visible", node.name()),
-                node.visible() ? Messages.tr("Hide the shape and its shadow") : Messages.tr("Show the shape"));
+                node.visible() ? Messages.tr("Hide the object and its shadow") : Messages.tr("Show the object"));
         row.pseudoClassStateChanged(DARK, !node.visible());
         setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : Messages.tr(", hidden")));
     }

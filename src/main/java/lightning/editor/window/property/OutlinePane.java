@@ -52,8 +52,8 @@ final class OutlinePane extends VBox {
         getStyleClass().add("lights");
         list.setId("shape-list");
         list.getStyleClass().addAll("light-list", "shape-list", "edge-to-edge");
-        list.setAccessibleText(Messages.tr("shapes and groups"));
-        list.setPlaceholder(new Label(Messages.tr("No shapes.")));
+        list.setAccessibleText(Messages.tr("objects and groups"));
+        list.setPlaceholder(new Label(Messages.tr("No objects.")));
         list.setCellFactory(_ -> new OutlineCell(editor, commands, this));
         CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
@@ -162,7 +162,7 @@ final class OutlinePane extends VBox {
         list.getSelectionModel().clearSelection();
         OutlineRow.update(list.getItems(), stage, expandedGroups);
         int shapes = stage.shapeCount();
-        count.setText(shapes == 1 ? Messages.tr("1 shape") : Messages.tr("{0} shapes", countFormat.format(shapes)));
+        count.setText(shapes == 1 ? Messages.tr("1 object") : Messages.tr("{0} objects", countFormat.format(shapes)));
         isUpdating = false;
     }
 

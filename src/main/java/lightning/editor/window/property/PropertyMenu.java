@@ -74,7 +74,7 @@ final class PropertyMenu {
             return new MenuItem[] {copy, paste, reset};
         }
         var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> setKeyframe(property));
-        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Remove Keyframes of {0}", title), () -> removeKeyframes(property));
+        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Clear Keyframes of {0}", title), () -> removeKeyframes(property));
         unkey.setDisable(unkey.isDisable() || shotFrame().flatMap(f -> f.shot().track(property.keyTarget(), property.name())).isEmpty());
         return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
     }

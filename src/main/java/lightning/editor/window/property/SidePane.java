@@ -28,7 +28,7 @@ public final class SidePane extends TabPane {
                 tab -> new PropertyPane(editor, commands, model.fileImporter(), menu, tab.selectedProperty()));
         Tab material = tab(Messages.tr("Material"), "material-tab",
                 _ -> new MaterialPane(editor, model.materials(), commands, model.fileImporter(), menu));
-        Tab shape = tab(Messages.tr("Shape"), "shape-tab", tab -> new NodePane(editor, commands, menu, tab.selectedProperty()));
+        Tab shape = tab(Messages.tr("Object"), "shape-tab", tab -> new NodePane(editor, commands, menu, tab.selectedProperty()));
         getTabs().setAll(light, material, shape);
         var materialInFront = editor.materialShownProperty();
         materialInFront.subscribe(on -> show(on ? material : isShapeSelected ? shape : light));

@@ -103,7 +103,7 @@ class LinksFieldTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> EditOutcome.of(
                 () -> scene.withNodes(List.of(group("many", 300), group("few", 3), group("others", 195))))));
         assertThat(listedNames("illuminates")).contains("many", "few", "few_2", "others").doesNotContain("many_0", "others_0")
-                .last().isEqualTo("Link further shapes in the scene file");
+                .last().isEqualTo("Link further objects in the scene file");
         String light = model().editor().selection().light().name();
         robot.interact(
                 () -> model().editor().edit(scene -> LightEdits.edit(scene, light, l -> l.withIlluminates(ShapeLinks.except("others_7")))));

@@ -205,7 +205,7 @@ class TimelinePaneTest extends EditorFixture {
                 .containsExactly(key(5, Interpolation.LINEAR, 0.4));
         assertThat(isShown("key-sun-intensity-5")).isTrue();
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
-        robot.clickOn("Remove Keyframes of Intensity");
+        robot.clickOn("Clear Keyframes of Intensity");
         assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity")).isEmpty();
     }
 
