@@ -35,7 +35,7 @@ import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Pane of the rendering effects that a scene uses: the elements that use each, its cost measured on request, and check boxes to hide it in
+ * Pane of the rendering effects that a scene uses. Lists the elements that use each effect, measures costs on request, and hides effects in
  * the view.
  */
 public final class EffectsPane extends VBox {

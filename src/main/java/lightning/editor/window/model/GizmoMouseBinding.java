@@ -9,8 +9,9 @@ public final class GizmoMouseBinding {
     private GizmoMouseBinding() {}
 
     /**
-     * Returns the drag for a mouse press: left rotates, Ctrl+left orbits the target, right translates across the view; the middle button,
-     * or any button with Alt, dollies.
+     * Returns the drag for a mouse press.
+     *
+     * <p>Left rotates, Ctrl+left orbits the target, right translates across the view. The middle button, or any button with Alt, dollies.
      */
     public static LightDrag lightDrag(MouseEvent press) {
         if (press.isAltDown() || press.getButton() == MouseButton.MIDDLE) {

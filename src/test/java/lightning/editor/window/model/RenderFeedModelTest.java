@@ -86,7 +86,7 @@ class RenderFeedModelTest {
             var raster = new TracedRaster();
             var feeds = new RenderFeed[1];
             var feed = new RenderFeed(window, raster,
-                    () -> check(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
+                    () -> check(feeds[0].state().frame() == null || raster.pixels() != null, "a reported picture can be shown"));
             feeds[0] = feed;
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, true));
@@ -143,10 +143,10 @@ class RenderFeedModelTest {
                 feed.pictureDropped(1);
                 feed.rendered(fresh);
             });
-            check(feed.state().frame() != old, "no picture of the document that was left is told");
+            check(feed.state().frame() != old, "no picture of the closed document is reported");
             check(raster.pixels() == null || raster.pixels().width() == 2, "none of it is shown");
             loop.end();
-            check(feed.state().frame() == fresh && raster.pixels().width() == 2, "that of the open one is told and shown");
+            check(feed.state().frame() == fresh && raster.pixels().width() == 2, "the open document's picture is reported and shown");
         });
     }
 }

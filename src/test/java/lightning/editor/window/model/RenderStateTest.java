@@ -37,8 +37,8 @@ class RenderStateTest {
                 true);
     }
 
-    private static WarmSaving saving(Frame of) {
-        return new WarmSaving(of.update(), new Timing(List.of(2.0)), new Timing(List.of(29.0)));
+    private static WarmSaving saving(Frame frame) {
+        return new WarmSaving(frame.update(), new Timing(List.of(2.0)), new Timing(List.of(29.0)));
     }
 
     private static String text(RenderState state) {

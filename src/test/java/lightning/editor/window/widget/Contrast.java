@@ -56,11 +56,11 @@ public final class Contrast {
             return;
         }
         if (node instanceof Text text && !text.getText().isBlank() && text.getFill() instanceof Color fill) {
-            double wanted = text instanceof FontIcon ? MIN_ICON_RATIO : MIN_TEXT_RATIO;
+            double required = text instanceof FontIcon ? MIN_ICON_RATIO : MIN_TEXT_RATIO;
             double opacity = opacity(text);
             backgrounds(text.getParent()).stream().min(Comparator.comparingDouble(b -> ratio(blend(fill, opacity, b), b))).ifPresent(b -> {
                 double ratio = ratio(blend(fill, opacity, b), b);
-                if (ratio < wanted) {
+                if (ratio < required) {
                     found.add(String.format(Locale.ROOT, "%.2f: %s on %s, %s in %s", ratio, blend(fill, opacity, b), b,
                             text instanceof FontIcon icon ? String.valueOf(icon.getIconCode()) : "\"" + text.getText() + "\"",
                             describe(text)));
