@@ -49,7 +49,7 @@ class CommandPaletteTest extends EditorFixture {
     @Test
     void disabledCommand_showsReasonAndStaysOpen() {
         find("undo");
-        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Not now: there is nothing to undo.");
+        assertThat(robot.lookup("#palette-about").<Label>query().getText()).contains("Unavailable: there is nothing to undo.");
         robot.push(KeyCode.ENTER);
         assertThat(isOpen()).isTrue();
         robot.push(KeyCode.ESCAPE);
@@ -60,7 +60,7 @@ class CommandPaletteTest extends EditorFixture {
     void longReason_isShownInFull() {
         find("way keys");
         Label about = robot.lookup("#palette-about").query();
-        assertThat(about.getText()).contains("Not now: ");
+        assertThat(about.getText()).contains("Unavailable: ");
         assertThat(about.getHeight()).isGreaterThanOrEqualTo(about.prefHeight(about.getWidth()));
     }
 
@@ -100,7 +100,7 @@ class CommandPaletteTest extends EditorFixture {
     void keyInUse_isReassignedOnSecondPress() {
         listenFor(Command.DUPLICATE_LIGHT);
         robot.push(KeyCode.CONTROL, KeyCode.L);
-        assertThat(robot.lookup("Ctrl+L is Add Light's: press again to take it").tryQuery()).isPresent();
+        assertThat(robot.lookup("Ctrl+L is assigned to Add Light; press it again to reassign it").tryQuery()).isPresent();
         assertThat(model().commands().keyBindings().isChanged(Command.DUPLICATE_LIGHT)).isFalse();
         robot.push(KeyCode.CONTROL, KeyCode.L);
         assertThat(model().commands().keyBindings().binding(Command.DUPLICATE_LIGHT)).contains(KeyCombination.valueOf("Shortcut+L"));
@@ -113,7 +113,7 @@ class CommandPaletteTest extends EditorFixture {
     void singleLetterKey_isRefusedWithReason() {
         listenFor(Command.GO);
         robot.push(KeyCode.K);
-        assertThat(robot.lookup("K alone types or moves; hold Ctrl or Alt with it, or take a function key").tryQuery()).isPresent();
+        assertThat(robot.lookup("K needs Ctrl or Alt; only function keys work alone").tryQuery()).isPresent();
         robot.push(KeyCode.ESCAPE);
         assertThat(model().commands().keyBindings().isChanged(Command.GO)).isFalse();
     }

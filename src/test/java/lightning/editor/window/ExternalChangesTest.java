@@ -97,7 +97,7 @@ class ExternalChangesTest extends EditorFixture {
     @Test
     void loadingOtherText_canBeUndone() throws IOException {
         saveOverOtherText();
-        robot.clickOn("Take the File's");
+        robot.clickOn("Reload File");
         waitFor("it is reloaded", () -> model().editor().scene().world().ambience() == 0.7);
         assertThat(model().editor().document().isDirty()).isFalse();
         click("undo");
@@ -164,7 +164,7 @@ class ExternalChangesTest extends EditorFixture {
         String before = Files.readString(file);
         dim();
         Platform.runLater(() -> model().commands().run(Command.SAVE_SCENE));
-        waitFor("it asks", () -> robot.lookup("Replace desk.jen, which is read-only?").tryQuery().isPresent());
+        waitFor("it asks", () -> robot.lookup("Replace the read-only file desk.jen?").tryQuery().isPresent());
         assertThat(file).hasContent(before);
         robot.clickOn("Replace");
         waitFor("it is saved", () -> !model().editor().document().isDirty());

@@ -85,7 +85,7 @@ class FilesTest extends EditorFixture {
     @Test
     void exportedLayers_sumToPicture() throws IOException {
         answer = folder.resolve("desk.exr");
-        export("Layers as OpenEXR, 32 Bits…");
+        export("Layers as OpenEXR, 32-bit Float…");
         waitFor("it is written", () -> text("message").equals("Exported desk.exr"));
         assertThat(ImageFile.read(answer).hasSameBits(model().picture().frame().film())).isTrue();
         try (ExrReader reader = new ExrReader(answer)) {
@@ -97,7 +97,7 @@ class FilesTest extends EditorFixture {
     @Test
     void exportWithoutExtension_addsExtension() throws IOException {
         answer = folder.resolve("deep");
-        export("Picture as PNG, 16 Bits…");
+        export("Image as PNG, 16-bit…");
         waitFor("it is written", () -> text("message").equals("Exported deep.png"));
         assertThat(Files.readAllBytes(folder.resolve("deep.png"))[24]).isEqualTo((byte) 16);
     }
@@ -105,8 +105,8 @@ class FilesTest extends EditorFixture {
     @Test
     void unwritableExport_showsError() {
         answer = folder.resolve("nowhere").resolve("desk.hdr");
-        export("Picture as Radiance HDR…");
-        waitFor("it tells", () -> isMessageShown("The picture could not be exported"));
+        export("Image as Radiance HDR…");
+        waitFor("it tells", () -> isMessageShown("The image could not be exported"));
         robot.clickOn("Close");
         assertThat(model().fileActivity().file()).isNull();
     }
@@ -127,7 +127,7 @@ class FilesTest extends EditorFixture {
         answer = folder.resolve("picture.png");
         startCommand(Command.SAVE_IMAGE);
         waitFor("it asks", () -> isMessageShown("The picture does not show the edits since the last Go."));
-        robot.clickOn("Save As It Is");
+        robot.clickOn("Save Anyway");
         waitFor("it is written", () -> Files.exists(answer));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
@@ -137,8 +137,8 @@ class FilesTest extends EditorFixture {
         dim();
         answer = folder.resolve("picture.png");
         startCommand(Command.SAVE_IMAGE);
-        waitFor("it asks", () -> isMessageShown("Go First"));
-        robot.clickOn("Go First");
+        waitFor("it asks", () -> isMessageShown("Render First"));
+        robot.clickOn("Render First");
         waitForPicture();
         assertThat(answer).doesNotExist();
     }
@@ -247,7 +247,7 @@ class FilesTest extends EditorFixture {
         Path mesh = Files.writeString(folder.resolve("tri.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n");
         robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
         waitFor("it is open", () -> model().editor().document().name().equals("tri.jen"));
-        waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 kinds of things are left out"));
+        waitFor("it tells", () -> text("message").startsWith("Imported tri.obj; 3 import notes"));
         String first = Files.readString(folder.resolve("tri.jen"));
         answer = folder.resolve("again.jen");
         robot.interact(() -> editor.window().openDropped(List.of(mesh.toFile())));
@@ -320,7 +320,7 @@ class FilesTest extends EditorFixture {
         dim();
         answer = Files.writeString(folder.resolve("other.jen"), Files.readString(folder.resolve("desk.jen")));
         startCommand(Command.LOAD_FILE);
-        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Don't Save");
         waitFor("it is open", () -> model().editor().document().name().equals("other.jen"));
         assertThat(JenReader.read(folder.resolve("desk.jen")).scene().light("lamp").orElseThrow().intensity()).isEqualTo(1);
@@ -339,7 +339,7 @@ class FilesTest extends EditorFixture {
     void closing_withUnsavedEdits_asksAndCancelKeepsOpen() {
         dim();
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
-        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(stage.isShowing()).isTrue();
         assertThat(model().editor().document().isDirty()).isTrue();
@@ -363,7 +363,7 @@ class FilesTest extends EditorFixture {
             editor.files().load(other);
             model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25));
         });
-        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Cancel");
         assertThat(model().editor().document().name()).isEqualTo("desk.jen");
         assertThat(light("lamp").intensity()).isEqualTo(0.25);
@@ -407,7 +407,7 @@ class FilesTest extends EditorFixture {
     void saveOnClosing_writesTheScene() throws IOException, JenException {
         dim();
         Platform.runLater(() -> stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST)));
-        waitFor("it asks", () -> isMessageShown("Save the changes of desk.jen?"));
+        waitFor("it asks", () -> isMessageShown("Save changes to desk.jen?"));
         robot.clickOn("Save");
         waitFor("it is saved", () -> !model().editor().document().isDirty());
         Path file = folder.resolve("desk.jen");

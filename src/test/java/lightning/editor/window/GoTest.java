@@ -86,7 +86,7 @@ class GoTest extends EditorFixture {
         waitForPicture();
         assertThat(isEnabled(Command.GO)).isFalse();
         assertThat(isShown("pending")).isFalse();
-        assertThat(text("status")).matches("[0-9.]+ m?s, exact");
+        assertThat(text("status")).matches("Updated in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
         waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
         // Which of the two it is depends on the machine: the picture is tiny.
@@ -202,7 +202,7 @@ class GoTest extends EditorFixture {
 
     @Test
     void sceneSize_canBeRestored() {
-        assertThat(sizeItem("size-own").getText()).isEqualTo("The scene's own, 64 × 48");
+        assertThat(sizeItem("size-own").getText()).isEqualTo("Scene Default (64 × 48)");
         size(200, 200);
         robot.interact(sizeItem("size-own")::fire);
         waitForPicture();

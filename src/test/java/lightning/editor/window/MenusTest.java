@@ -141,7 +141,7 @@ class MenusTest extends EditorFixture {
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         robot.interact(() -> {
             for (MenuItem item : items()) {
-                boolean empty = "None yet".equals(item.getText());
+                boolean empty = "No Recent Scenes".equals(item.getText());
                 assertThat(item.isDisable()).as(item.getText())
                         .isEqualTo(empty || !model().commands().isEnabled(CommandMenuItems.command(item).orElseThrow()));
             }

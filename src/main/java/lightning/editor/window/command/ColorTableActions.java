@@ -13,7 +13,7 @@ import lightning.format.image.CubeLutReader;
 import lightning.render.image.CubeLut;
 import lightning.render.image.ViewTransform;
 
-/** The table of colors that the view shows through: chosen by its file, kept from one run to the next. */
+/** Command that applies a color lookup table (.cube) to the view. The choice is stored between sessions. */
 public final class ColorTableActions {
     private static final String KEY = "table";
 
@@ -29,7 +29,7 @@ public final class ColorTableActions {
         this.preferences = preferences;
     }
 
-    /** Does the command. */
+    /** Registers the command. */
     static void register(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences) {
         var actions = new ColorTableActions(model, prompt, notices, preferences);
         model.commands().setToggle(Command.COLOR_TABLE, model.picture().viewProperty().map(view -> view.lut().isPresent()),
@@ -45,8 +45,8 @@ public final class ColorTableActions {
                     .runConcurrently(() -> CubeLutReader.read(file), table -> {
                         setTable(Optional.of(table));
                         model.editor().message()
-                                .show(Messages.tr("Shown through {0}, {1}", Quote.path(file.getFileName()), table.sizeText()));
-                    }, failure -> notices.showFailure(Messages.tr("The table could not be read"), failure)));
+                                .show(Messages.tr("Loaded LUT {0}, {1}", Quote.path(file.getFileName()), table.sizeText()));
+                    }, failure -> notices.showFailure(Messages.tr("The LUT could not be read"), failure)));
         }
     }
 
@@ -61,12 +61,12 @@ public final class ColorTableActions {
         view.set(view.get().withLut(table));
     }
 
-    /** Whether the view was through a table in the run before. */
+    /** Returns true if the previous session used a lookup table. */
     public static boolean hasStoredTable(Preferences preferences) {
         return !preferences.hasValue(KEY, "");
     }
 
-    /** Reads the table of the run before, beside the window's thread. */
+    /** Reads the previous session's lookup table in the background and applies it. */
     public static void restore(EditorModel model, Preferences preferences) {
         if (hasStoredTable(preferences)) {
             String storedPath = preferences.text(KEY, "");
@@ -79,7 +79,7 @@ public final class ColorTableActions {
         try {
             return Path.of(text);
         } catch (InvalidPathException e) {
-            // Another system wrote it: there is no such file here.
+            // Path of another operating system: use a file that does not exist.
             return Path.of("table" + CubeLutReader.EXTENSION);
         }
     }

@@ -13,9 +13,10 @@ import lightning.editor.window.model.CommandRegistry;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
- * A button of a command, enabled exactly when there is something to do, with a tooltip that says why not; it stays down
- * where the command switches something on. The tooltip hangs on the frame around the button, for JavaFX shows none of a
- * disabled control.
+ * Button of a command. It is disabled, with the reason in its tooltip, while the command has nothing to do; a toggle command keeps it
+ * pressed.
+ *
+ * <p>The tooltip belongs to the surrounding pane, since JavaFX shows none on a disabled control.
  */
 public final class CommandButton extends StackPane {
     private static final Duration DELAY = Duration.millis(400);
@@ -55,22 +56,22 @@ public final class CommandButton extends StackPane {
         return button;
     }
 
-    /** With the command's icon alone. */
+    /** Creates a button with the command's icon only. */
     public static CommandButton iconButton(CommandRegistry commands, Command command) {
         return new CommandButton(commands, command).withStyle("", new FontIcon(command.icon()), "button-icon");
     }
 
-    /** With icon and title. */
+    /** Creates a button with icon and title. */
     public static CommandButton titledButton(CommandRegistry commands, Command command) {
         return new CommandButton(commands, command).withStyle(command.title(), new FontIcon(command.icon()), "titled-command");
     }
 
-    /** With a short text in place of the title, among the preview's views. */
+    /** Creates a button of the preview's view bar, with a short text in place of the title. */
     public static CommandButton viewButton(CommandRegistry commands, Command command, String text) {
         return new CommandButton(commands, command).withStyle(text, null, "view-button");
     }
 
-    /** With an icon, among the preview's views. */
+    /** Creates a button of the preview's view bar, with an icon. */
     public static CommandButton viewButton(CommandRegistry commands, Command command) {
         return new CommandButton(commands, command).withStyle("", new FontIcon(command.icon()), "view-button");
     }
@@ -87,13 +88,13 @@ public final class CommandButton extends StackPane {
     }
 
     /**
-     * What the tooltip says.
+     * Returns the tooltip's text.
      *
-     * @param key      the command's; empty where it has none
-     * @param disabledReason why the command is disabled; empty if it is enabled
+     * @param key  shortcut of the command; empty for none
+     * @param disabledReason  why the command is disabled; empty if it is enabled
      */
     static String help(Command command, String key, String disabledReason) {
         String description = command.plainTitle() + (key.isEmpty() ? "" : "  (" + key + ")") + "\n" + command.help() + ".";
-        return disabledReason.isEmpty() ? description : Messages.tr("{0}\nNot now: {1}.", description, disabledReason);
+        return disabledReason.isEmpty() ? description : Messages.tr("{0}\nUnavailable: {1}.", description, disabledReason);
     }
 }

@@ -7,11 +7,11 @@ import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.CommandRegistry;
 
-/** The commands' keys: in a window that has no menu bar all that no text and no control there takes for itself. */
+/** Keyboard shortcuts of the commands in a window. Text fields and controls handle their own keys first. */
 public final class CommandKeys {
     private CommandKeys() {}
 
-    /** Below a menu bar, which hears the keys of commands that are enabled: says of all others why they are not. */
+    /** Shows why a command is disabled when its shortcut is pressed. For windows with a menu bar, which handles enabled commands. */
     public static void explainDisabled(Node window, CommandRegistry commands) {
         window.addEventHandler(KeyEvent.KEY_PRESSED, e -> Stream.of(Command.values())
                 .filter(command -> commands.hasAction(command) && commands.keyBindings().matches(command, e)
@@ -19,7 +19,7 @@ public final class CommandKeys {
                 .forEach(commands::runOrExplain));
     }
 
-    /** Hears them, undo's before any part of the window does. */
+    /** Installs all shortcuts in a window without a menu bar. Undo and redo precede the keys of controls. */
     public static void install(Scene window, CommandRegistry commands) {
         UndoKeys.install(window, commands);
         commands.keyBindings().changesProperty().subscribe(_ -> {

@@ -16,8 +16,8 @@ import lightning.editor.window.model.KeyLabel;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
- * Makes the items of one menu. No item of the editor comes from elsewhere, so that each has the words, the key and the
- * obstacle of its command.
+ * Creates the items of a menu from commands. All menu items of the editor come from here, so that each has its command's title, shortcut
+ * and enablement.
  */
 public final class CommandMenuItems {
     private final CommandRegistry commands;
@@ -30,32 +30,32 @@ public final class CommandMenuItems {
         this.hasKeys = hasKeys;
     }
 
-    /** Of the menu bar, whose items hold the keys. Their ids begin with {@code menu-}. */
+    /** Returns a factory for the menu bar, whose items carry the shortcuts. Their ids begin with {@code menu-}. */
     public static CommandMenuItems forMenuBar(CommandRegistry commands) {
         return new CommandMenuItems(commands, "menu-", true);
     }
 
-    /** Of another menu; a key is heard once only. */
+    /** Returns a factory for other menus, without shortcuts: a shortcut must be registered once only. */
     public static CommandMenuItems forMenu(CommandRegistry commands) {
         return forMenu(commands, "");
     }
 
-    /** @param prefix of the items' ids */
+    /** @param prefix  prefix of the items' ids */
     public static CommandMenuItems forMenu(CommandRegistry commands, String prefix) {
         return new CommandMenuItems(commands, prefix, false);
     }
 
-    /** The command that an item was made of; empty for one that was made in another way. */
+    /** Returns the command of an item, or empty if this class did not create it. */
     public static Optional<Command> command(MenuItem item) {
         return item.getUserData() instanceof Command command ? Optional.of(command) : Optional.empty();
     }
 
-    /** Does the command; it has a mark where the command switches something. */
+    /** Creates an item that runs a command, with a check mark for toggle commands. */
     public MenuItem item(Command command) {
         Optional<ObservableValue<Boolean>> on = commands.toggleState(command);
         MenuItem item = on.isPresent() ? checkItem(on.get()) : new MenuItem();
         item.setUserData(command);
-        // An underscore in the name of what it acts on is one.
+        // Titles may contain names with underscores.
         item.setMnemonicParsing(false);
         item.setId(prefix + command.id());
         item.setGraphic(new FontIcon(command.icon()));
@@ -75,7 +75,7 @@ public final class CommandMenuItems {
         return item;
     }
 
-    /** Closes its menus, which would else be open until the action ends, over a question that this asks. */
+    /** Closes the item's menus, which would otherwise cover a dialog opened by the action. */
     private static void closeMenus(MenuItem item) {
         for (Menu parent = item.getParentMenu(); parent != null; parent = parent.getParentMenu()) {
             parent.hide();
@@ -91,14 +91,17 @@ public final class CommandMenuItems {
         return item;
     }
 
-    /** A click has switched the mark already, whatever came of the command. */
+    /** Restores the check mark, which the click has toggled regardless of the command's result. */
     private static void updateMark(MenuItem item, Optional<ObservableValue<Boolean>> on) {
         if (item instanceof CheckMenuItem check && on.isPresent()) {
             check.setSelected(on.get().getValue());
         }
     }
 
-    /** Does the command with a value of its own: one of the scenes opened before, say. For a menu that is filled anew when it opens. */
+    /**
+     * Creates an item that runs an action with a value of the command, for example a recent scene. For menus that are refilled each time
+     * they open.
+     */
     public MenuItem value(Command command, String title, Runnable action) {
         var item = new MenuItem(title, new FontIcon(command.icon()));
         item.setMnemonicParsing(false);
@@ -107,14 +110,14 @@ public final class CommandMenuItems {
         return item;
     }
 
-    /** As {@link #value}, for a menu that is filled once. */
+    /** Creates an item as {@link #value} does, for a menu that is filled once. */
     public MenuItem updatingValue(Command command, String title, Runnable action) {
         MenuItem item = value(command, title, action);
         commands.editorState().subscribe(state -> item.setDisable(!command.isEnabled(state)));
         return item;
     }
 
-    /** As {@link #value}, with a mark where it is the chosen one of several. */
+    /** Creates an item as {@link #value} does, with a radio mark. */
     public MenuItem radioValue(Command command, String title, boolean isChosen, Runnable action) {
         var item = new RadioMenuItem(title);
         item.setMnemonicParsing(false);
@@ -125,10 +128,10 @@ public final class CommandMenuItems {
     }
 
     /**
-     * As {@link #value}, a box to check in a menu that stays open, so that several can be checked one after the other.
+     * Creates a check box as {@link #value} does. The menu stays open, so that several boxes can be changed in turn.
      *
-     * @param indent pixels before it
-     * @param onChange  hears whether it is checked
+     * @param indent  left indent, pixels
+     * @param onChange  receives the new state
      */
     public MenuItem checkBoxValue(Command command, String title, boolean isChecked, double indent, Consumer<Boolean> onChange) {
         var box = new CheckBox(title);
@@ -146,7 +149,7 @@ public final class CommandMenuItems {
         return item;
     }
 
-    /** Stands where there is no value. */
+    /** Creates a disabled item for an empty list of values. */
     public static MenuItem placeholder(Command command, String title) {
         var item = new MenuItem(title);
         item.setUserData(command);
@@ -155,10 +158,10 @@ public final class CommandMenuItems {
     }
 
     /**
-     * One of several values of which one is chosen.
+     * Creates a radio item for one of several values.
      *
-     * @param id     follows the prefix
-     * @param chosen whether it is this one
+     * @param id  suffix of the item's id
+     * @param chosen  true if this value is selected
      */
     public MenuItem choice(Command command, String id, String title, ObservableValue<Boolean> chosen, Runnable action) {
         var item = new RadioMenuItem(title);
@@ -182,7 +185,7 @@ public final class CommandMenuItems {
         });
     }
 
-    /** The values of a command as a menu within a menu. */
+    /** Creates a submenu with the values of a command. */
     public Menu menu(Command command, MenuItem... values) {
         var menu = new Menu(command.title(), new FontIcon(command.icon()), values);
         menu.setId(prefix + command.id());

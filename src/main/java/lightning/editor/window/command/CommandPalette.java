@@ -25,7 +25,7 @@ import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.widget.ColorTheme;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** All commands by a few letters of their names: Enter does the first that fits, and one that has nothing to do says why. */
+/** Command palette: finds commands by letters of their titles. Enter runs the selected entry; a disabled one shows its reason. */
 public final class CommandPalette extends Stage {
     private static final double WIDTH = 560;
     private static final double HEIGHT = 420;
@@ -45,15 +45,15 @@ public final class CommandPalette extends Stage {
         initOwner(owner);
         setTitle(Messages.tr("Find Command"));
         query.setId("palette-query");
-        query.setAccessibleText(Messages.tr("Letters of a command's name"));
-        query.setPromptText(Messages.tr("Letters of a command's name"));
+        query.setAccessibleText(Messages.tr("Search commands"));
+        query.setPromptText(Messages.tr("Search commands"));
         query.textProperty().subscribe(this::search);
         query.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         matches.setId("palette-found");
         matches.setAccessibleText(Messages.tr("commands"));
         matches.setFocusTraversable(false);
         matches.getStyleClass().add("edge-to-edge");
-        matches.setPlaceholder(new Label(Messages.tr("No command has these letters")));
+        matches.setPlaceholder(new Label(Messages.tr("No matching commands")));
         matches.setCellFactory(_ -> new Row());
         matches.getSelectionModel().selectedItemProperty().subscribe(this::showDescription);
         VBox.setVgrow(matches, Priority.ALWAYS);
@@ -76,7 +76,7 @@ public final class CommandPalette extends Stage {
         });
     }
 
-    /** Opens over a window; it closes when something was done, or by Escape, or when it is left. */
+    /** Opens the palette over a window. It closes after running a command, on Escape, or when it loses focus. */
     public static void open(Window owner, MenuBar bar, CommandRegistry commands) {
         new CommandPalette(owner, bar, commands).show();
     }
@@ -90,7 +90,8 @@ public final class CommandPalette extends Stage {
     private void showDescription(PaletteEntry entry) {
         description.setText(
                 entry == null ? ""
-                        : entry.command().help() + "." + entry.disabledReason().map(r -> Messages.tr("\nNot now: {0}.", r)).orElse("\n"));
+                        : entry.command().help() + "."
+                                + entry.disabledReason().map(r -> Messages.tr("\nUnavailable: {0}.", r)).orElse("\n"));
     }
 
     private void press(KeyEvent e) {
@@ -126,7 +127,7 @@ public final class CommandPalette extends Stage {
         private final Label title = new Label();
         private final Label menuPath = new Label();
         private final Label key = new Label();
-        /** What stands in its middle gives way. */
+        /** The center shrinks first. */
         private final BorderPane row = new BorderPane(menuPath);
 
         Row() {
@@ -144,19 +145,19 @@ public final class CommandPalette extends Stage {
         }
 
         @Override
-        protected void updateItem(PaletteEntry offer, boolean empty) {
-            super.updateItem(offer, empty);
+        protected void updateItem(PaletteEntry entry, boolean empty) {
+            super.updateItem(entry, empty);
             setGraphic(empty ? null : row);
             if (!empty) {
-                icon.setIconLiteral(offer.command().icon());
-                title.setText(offer.title());
-                menuPath.setText(offer.menuPath());
-                key.setText(keys.text(offer.command()));
+                icon.setIconLiteral(entry.command().icon());
+                title.setText(entry.title());
+                menuPath.setText(entry.menuPath());
+                key.setText(keys.text(entry.command()));
                 key.setVisible(!key.getText().isEmpty());
                 key.setManaged(key.isVisible());
-                // As the notes are, which can be read; half as opaque it could not.
-                title.getStyleClass().setAll("label", offer.disabledReason().isEmpty() ? "palette-title" : "pane-note");
-                setAccessibleText(offer.title() + offer.disabledReason().map(r -> Messages.tr(", not now: {0}", r)).orElse(""));
+                // Note color rather than lower opacity, which would be unreadable.
+                title.getStyleClass().setAll("label", entry.disabledReason().isEmpty() ? "palette-title" : "pane-note");
+                setAccessibleText(entry.title() + entry.disabledReason().map(r -> Messages.tr(", unavailable: {0}", r)).orElse(""));
             }
         }
     }

@@ -31,21 +31,21 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignH;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 
-/** What the editor tells and asks in windows of their own. */
+/** Dialogs of the editor. */
 public final class EditorDialogs {
     static final ButtonType SAVE = new ButtonType(Messages.tr("Save"), ButtonData.YES);
     static final ButtonType DISCARD = new ButtonType(Messages.tr("Don't Save"), ButtonData.NO);
-    static final ButtonType GO_FIRST = new ButtonType(Messages.tr("Go First"), ButtonData.NO);
-    static final ButtonType SAVE_AS_IT_IS = new ButtonType(Messages.tr("Save As It Is"), ButtonData.YES);
+    static final ButtonType GO_FIRST = new ButtonType(Messages.tr("Render First"), ButtonData.NO);
+    static final ButtonType SAVE_AS_IT_IS = new ButtonType(Messages.tr("Save Anyway"), ButtonData.YES);
     public static final ButtonType RECOVER = new ButtonType(Messages.tr("Recover"), ButtonData.YES);
     public static final ButtonType FORGET = new ButtonType(Messages.tr("Discard"), ButtonData.NO);
     static final ButtonType OVERWRITE = new ButtonType(Messages.tr("Overwrite"), ButtonData.YES);
     static final ButtonType REPLACE = new ButtonType(Messages.tr("Replace"), ButtonData.YES);
     static final ButtonType SAVE_AS = new ButtonType(Messages.tr("Save As…"), ButtonData.OTHER);
-    static final ButtonType RELOAD = new ButtonType(Messages.tr("Take the File's"), ButtonData.NO);
-    private static final ButtonType LATER = new ButtonType(Messages.tr("Ask Later"), ButtonData.CANCEL_CLOSE);
+    static final ButtonType RELOAD = new ButtonType(Messages.tr("Reload File"), ButtonData.NO);
+    private static final ButtonType LATER = new ButtonType(Messages.tr("Not Now"), ButtonData.CANCEL_CLOSE);
     private static final double WIDTH = 560;
-    /** What a dialog's content has beside it, of the dialog and of its window, at most. */
+    /** Maximum total width of a dialog's padding and its window's frame, pixels. */
     private static final double FRAME_WIDTH = 40;
     private static final double LIST_HEIGHT = 320;
     private static final double ROW_HEIGHT = 36;
@@ -58,12 +58,12 @@ public final class EditorDialogs {
         this.owner = owner;
     }
 
-    /** Says that something failed; the window beside lives on. */
+    /** Shows an error dialog without blocking. */
     public void showFailure(String header, Throwable cause) {
         failureAlert(header, cause).show();
     }
 
-    /** The same, and goes on when it was read. */
+    /** Shows an error dialog and waits until it is closed. */
     public void showFailureAndWait(String header, Throwable cause) {
         failureAlert(header, cause).showAndWait();
     }
@@ -77,7 +77,7 @@ public final class EditorDialogs {
         Alert alert = alert(Alert.AlertType.ERROR, header, "", ButtonType.CLOSE);
         var list = new ListView<Problem>();
         list.setId("problems");
-        list.setAccessibleText(Messages.tr("What is wrong with the file"));
+        list.setAccessibleText(Messages.tr("Problems in the file"));
         list.getItems().setAll(problems);
         list.setCellFactory(_ -> new ProblemCell());
         list.setPrefSize(WIDTH, Math.min(LIST_HEIGHT, ROW_HEIGHT * (problems.size() + 1)));
@@ -86,25 +86,26 @@ public final class EditorDialogs {
     }
 
     Optional<ButtonType> askUnsaved(String name) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the changes of {0}?", name),
-                Messages.tr("The scene was edited since it was last saved."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save changes to {0}?", name),
+                Messages.tr("Unsaved changes are lost if you do not save them."), SAVE, DISCARD, ButtonType.CANCEL).showAndWait();
     }
 
-    /** @param message why the picture is not what the artist may expect: a clause */
+    /** @param message  clause that says why the picture is out of date */
     Optional<ButtonType> askPending(String message) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the picture as it is?"),
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Save the image anyway?"),
                 Character.toUpperCase(message.charAt(0)) + message.substring(1) + ".", SAVE_AS_IT_IS, GO_FIRST, ButtonType.CANCEL)
                 .showAndWait();
     }
 
     public Optional<ButtonType> askRecover(RecoveryFolder.RecoverableScene recoverable) {
         return alert(Alert.AlertType.CONFIRMATION,
-                Messages.tr("Recover unsaved edits of {0}?", Quote.path(recoverable.file().getFileName())),
-                Messages.tr("Lightning ended before they were saved to {0}.", Quote.path(recoverable.file())), RECOVER, FORGET, LATER)
+                Messages.tr("Recover unsaved changes to {0}?", Quote.path(recoverable.file().getFileName())),
+                Messages.tr("Lightning closed unexpectedly. There are unsaved changes to {0}.", Quote.path(recoverable.file())),
+                RECOVER, FORGET, LATER)
                 .showAndWait();
     }
 
-    /** @param comparison the open scene beside the file */
+    /** @param comparison  view of the differences between the open scene and the file */
     Optional<ButtonType> askChangedFile(String name, Node comparison) {
         Alert alert = alert(Alert.AlertType.CONFIRMATION, Messages.tr("{0} was changed by another program", name),
                 "", OVERWRITE, SAVE_AS, RELOAD, ButtonType.CANCEL);
@@ -114,14 +115,14 @@ public final class EditorDialogs {
     }
 
     /**
-     * Asks what the numbers of a file's lights are.
+     * Asks for the unit of an imported file's light intensities.
      *
-     * @param pictures what each choice makes of them
-     * @return empty where the artist thought better of it
+     * @param pictures  preview for each choice
+     * @return chosen unit; empty if canceled
      */
     Optional<LightUnits> askLightUnits(Path file, Map<LightUnits, Film> pictures) {
         Alert alert =
-                alert(Alert.AlertType.CONFIRMATION, Messages.tr("Which of these is {0}?", Quote.path(file.getFileName())), "",
+                alert(Alert.AlertType.CONFIRMATION, Messages.tr("Which looks right for {0}?", Quote.path(file.getFileName())), "",
                         ButtonType.CANCEL);
         var cards = new LightUnitChooser(pictures, WindowPlacement.screenBounds(owner).getWidth() - FRAME_WIDTH, alert::close);
         alert.getDialogPane().setContent(cards);
@@ -130,16 +131,16 @@ public final class EditorDialogs {
     }
 
     Optional<ButtonType> askReadOnly(Path file) {
-        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace {0}, which is read-only?", Quote.path(file.getFileName())),
-                Messages.tr("Somebody wanted it to stay as it is. If you replace it, it is read-only again."), REPLACE, SAVE_AS,
+        return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace the read-only file {0}?", Quote.path(file.getFileName())),
+                Messages.tr("This file is read-only. The new file will be read-only too."), REPLACE, SAVE_AS,
                 ButtonType.CANCEL).showAndWait();
     }
 
     /**
-     * Adds the ending of a kind of files to a chosen name that lacks it. Asks before a file of the longer name is replaced: the system's
-     * dialog asked about the name as it was typed only.
+     * Adds a missing extension to a chosen file name. Confirms before replacing a file of the longer name, since the system's dialog
+     * checked only the typed one.
      *
-     * @param action gets the file, unless the artist wants to keep the one that exists
+     * @param action  receives the file, unless the user keeps the existing one
      */
     void withExtension(FileThread files, Path chosen, String extension, Consumer<Path> action) {
         if (chosen.getFileName().toString().endsWith(extension)) {
@@ -151,12 +152,12 @@ public final class EditorDialogs {
             if (!exists || askReplace(file)) {
                 action.accept(file);
             }
-        }, cause -> showFailure(Messages.tr("{0} could not be looked at", Quote.path(file)), cause));
+        }, cause -> showFailure(Messages.tr("{0} could not be accessed", Quote.path(file)), cause));
     }
 
     private boolean askReplace(Path file) {
         return alert(Alert.AlertType.CONFIRMATION, Messages.tr("Replace {0}?", Quote.path(file.getFileName())),
-                Messages.tr("{0} is there already.", Quote.path(file)), REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals)
+                Messages.tr("{0} already exists.", Quote.path(file)), REPLACE, ButtonType.CANCEL).showAndWait().filter(REPLACE::equals)
                 .isPresent();
     }
 
@@ -181,7 +182,7 @@ public final class EditorDialogs {
         return alert;
     }
 
-    /** Lines that are no longer than can be read, also where a dialog asks how wide they are to set itself in the middle of its window. */
+    /** Wrapping label of limited width, also when the dialog computes its preferred size. */
     private static final class WrappedLabel extends Label {
         WrappedLabel(String text) {
             super(text);
@@ -194,7 +195,7 @@ public final class EditorDialogs {
         }
     }
 
-    /** Line and column, then what is wrong. */
+    /** Cell that shows the position and message of a problem. */
     private static final class ProblemCell extends ListCell<Problem> {
         @Override
         protected void updateItem(Problem problem, boolean empty) {

@@ -3,13 +3,13 @@ package lightning.editor.window.command;
 import lightning.base.text.Messages;
 import lightning.format.image.ImageFormat;
 
-/** What a picture can be exported as. */
+/** File format for exporting the picture. */
 enum ExportFormat {
-    LAYERS_HALF(Messages.key("Layers as OpenEXR, Half…"), ImageFormat.EXR, 16, true),
-    LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32 Bits…"), ImageFormat.EXR, 32, true),
-    EXR(Messages.key("Picture as OpenEXR, 32 Bits…"), ImageFormat.EXR, 32, false),
-    HDR(Messages.key("Picture as Radiance HDR…"), ImageFormat.HDR, 8, false),
-    PNG(Messages.key("Picture as PNG, 16 Bits…"), ImageFormat.PNG, 16, false);
+    LAYERS_HALF(Messages.key("Layers as OpenEXR, 16-bit Half…"), ImageFormat.EXR, 16, true),
+    LAYERS_FLOAT(Messages.key("Layers as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, true),
+    EXR(Messages.key("Image as OpenEXR, 32-bit Float…"), ImageFormat.EXR, 32, false),
+    HDR(Messages.key("Image as Radiance HDR…"), ImageFormat.HDR, 8, false),
+    PNG(Messages.key("Image as PNG, 16-bit…"), ImageFormat.PNG, 16, false);
 
     private final String title;
     private final ImageFormat format;
@@ -23,7 +23,7 @@ enum ExportFormat {
         this.hasLayers = layers;
     }
 
-    /** As a menu has it. */
+    /** Returns the title for menus. */
     String title() {
         return Messages.tr(title);
     }
@@ -32,7 +32,7 @@ enum ExportFormat {
         return format;
     }
 
-    /** Of a number. */
+    /** Returns the bits per channel. */
     int bits() {
         return bits;
     }

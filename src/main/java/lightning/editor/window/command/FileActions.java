@@ -32,9 +32,9 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 
-/** The commands about files. Files are read and written beside the window's thread. */
+/** Actions of the file commands. Files are read and written in the background. */
 public final class FileActions {
-    /** Of the pictures that ask for units; pixels of the longer side. */
+    /** Longer side of the previews for choosing light units, pixels. */
     private static final int UNIT_PICTURE_SIZE = 280;
 
     private final EditorModel model;
@@ -47,7 +47,7 @@ public final class FileActions {
     private final PictureExport export;
     private List<Path> recent = List.of();
 
-    /** @param quit closes the window, which then asks about unsaved edits */
+    /** @param quit  closes the window, which then asks about unsaved edits */
     public FileActions(EditorModel model, FilePrompt prompt, EditorDialogs notices, Preferences preferences, Runnable quit) {
         this.model = model;
         editor = model.editor();
@@ -71,12 +71,12 @@ public final class FileActions {
         refreshRecent();
     }
 
-    /** Opens a scene; the open one stays where it cannot be read, and until it is read. Asks about unsaved edits first. */
+    /** Opens or imports a scene file. Asks about unsaved edits first; the open scene stays until the file is read, and if that fails. */
     public void load(Path file) {
         confirmClose(() -> openOrImport(file));
     }
 
-    /** Asks where, and begins a scene there; one that was there was asked about by the dialog. */
+    /** Prompts for a file and creates a scene there. The system's dialog confirms overwriting. */
     private void newScene() {
         prompt.sceneToWrite(editor.document().file().resolveSibling("untitled" + JenFile.EXTENSION))
                 .ifPresent(chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, this::newScene));
@@ -97,7 +97,7 @@ public final class FileActions {
         }
     }
 
-    /** Makes a scene beside a file of another program and opens it; asks where if one is there already. */
+    /** Converts a file of another format to a scene next to it and opens that. Prompts for another place if the scene exists. */
     private void importScene(Path file) {
         String name = file.getFileName().toString();
         Path proposal = file.resolveSibling(name.substring(0, name.lastIndexOf('.')) + JenFile.EXTENSION);
@@ -111,7 +111,7 @@ public final class FileActions {
         }, failure -> notices.showFailure(Messages.tr("{0} could not be imported", Quote.path(file.getFileName())), failure));
     }
 
-    /** What was read of a file of another program, and what it looks like in all units, where it does not say which are right. */
+    /** Imported scene with previews in each light unit, or no previews if the file states its unit. */
     private record ImportPreview(ImportedScene imported, Map<LightUnits, Film> pictures) {}
 
     private void importScene(Path file, Path to) {
@@ -126,7 +126,7 @@ public final class FileActions {
             if (preview.pictures().isEmpty()) {
                 write(file, preview.imported());
             } else {
-                // The line says no longer that it is read.
+                // Clears the progress message.
                 message.clear();
                 notices.askLightUnits(file, preview.pictures()).ifPresent(units -> write(file, preview.imported().inUnits(units)));
             }
@@ -138,7 +138,7 @@ public final class FileActions {
             imported.write();
             int noteCount = imported.notes().size();
             String text = Messages.tr("Imported {0}", Quote.path(file.getFileName())) + (noteCount == 0 ? "" : Messages.count(noteCount,
-                    "; {0} kind of thing is left out or not the same: {1}", "; {0} kinds of things are left out or not the same: {1}",
+                    "; {0} import note: {1}", "; {0} import notes: {1}",
                     noteCount, String.join(", ", imported.notes().keySet().stream().sorted().toList())));
             model.files().windowExecutor().execute(() -> message.show(text));
             return OpenDocument.open(imported.sceneFile());
@@ -151,7 +151,7 @@ public final class FileActions {
             if (editor.document().scene() == editedScene) {
                 showDocument(opened);
             } else {
-                // It was edited while the other was read.
+                // Edited while the file was read.
                 confirmClose(() -> showDocument(opened));
             }
         });
@@ -178,16 +178,13 @@ public final class FileActions {
         refreshRecent();
     }
 
-    /** Opens what a crash left unsaved, which is deleted where the artist does not want it. */
+    /** Opens edits recovered after a crash. */
     public void recover(RecoveryFolder.RecoverableScene recoverable) {
         model.files().runConcurrently(() -> OpenDocument.recover(recoverable), recovered -> model.recover(recoverable, recovered),
                 failure -> notices.showFailure(Messages.tr("The edits could not be recovered"), failure));
     }
 
-    /**
-     * Goes on when the open document may be left: it is saved, or the artist does not want it. What is being saved is written
-     * first.
-     */
+    /** Continues once the open document is saved or the user discards its edits. Waits for a save in progress first. */
     public void confirmClose(Runnable next) {
         if (model.workbench().isSaving()) {
             model.files().runInOrder(() -> null, _ -> confirmClose(next), _ -> {});
@@ -208,10 +205,10 @@ public final class FileActions {
         model.workbench()
                 .reload(failure -> failure.ifPresentOrElse(
                         cause -> notices.showFailure(Messages.tr("{0} could not be reloaded", name), cause),
-                        () -> message.show(Messages.tr("Reloaded; Undo brings the edits back"))));
+                        () -> message.show(Messages.tr("Reverted to the saved file; Undo restores the edits"))));
     }
 
-    /** Shows the open scene beside its file, which somebody else changed, and asks which it shall be. */
+    /** Shows the differences between the open scene and its externally changed file, and asks which to keep. */
     public void compareWithDisk() {
         saver.resolveConflict();
     }
@@ -257,26 +254,26 @@ public final class FileActions {
                         ? " (" + view.description() + ")" : "")),
                 failure -> {
                     message.clear();
-                    notices.showFailure(Messages.tr("The picture could not be saved"), failure);
+                    notices.showFailure(Messages.tr("The image could not be saved"), failure);
                 });
     }
 
-    /** Which of the scenes opened before are still there. */
+    /** Updates the recent scenes with those that still exist. */
     private void refreshRecent() {
         List<Path> all = preferences.recent();
         model.files().runConcurrently(() -> all.stream().filter(Files::isRegularFile).toList(), existing -> recent = existing, _ -> {});
     }
 
-    /** One for each kind of file that the picture can be exported as. */
+    /** Returns a menu item for each export format. */
     public List<MenuItem> exportItems() {
         return export.items();
     }
 
-    /** One for each scene opened before that is still there, as was seen last. */
+    /** Returns a menu item for each recent scene that existed at the last check. */
     public List<MenuItem> recentItems() {
         List<MenuItem> items = recent.stream()
                 .map(file -> CommandMenuItems.forMenu(model.commands()).value(Command.LOAD_RECENT, Quote.path(file), () -> load(file)))
                 .toList();
-        return items.isEmpty() ? List.of(CommandMenuItems.placeholder(Command.LOAD_RECENT, Messages.tr("None yet"))) : items;
+        return items.isEmpty() ? List.of(CommandMenuItems.placeholder(Command.LOAD_RECENT, Messages.tr("No Recent Scenes"))) : items;
     }
 }

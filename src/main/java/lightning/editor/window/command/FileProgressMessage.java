@@ -8,7 +8,7 @@ import lightning.base.work.Progress;
 import lightning.editor.window.model.FileActivity;
 import lightning.editor.window.model.StatusMessage;
 
-/** Tells in the status line how much of a file is read or written; stops that when nobody waits for it any more. Any thread may call. */
+/** Shows the progress of reading or writing a file in the status line, and cancels the work with its activity. Thread-safe. */
 final class FileProgressMessage implements Progress {
     private final FileActivity activity;
     private final Executor window;
@@ -16,7 +16,7 @@ final class FileProgressMessage implements Progress {
     private final Path file;
     private final AtomicInteger lastPercent = new AtomicInteger(-1);
 
-    /** @param window runs tasks in turn on the window's thread */
+    /** @param window  runs tasks in order on the window's thread */
     FileProgressMessage(Path file, FileActivity activity, Executor window, StatusMessage message) {
         this.activity = activity;
         this.window = window;

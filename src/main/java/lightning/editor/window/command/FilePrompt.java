@@ -16,47 +16,47 @@ import lightning.format.image.ImageFormat;
 import lightning.format.jen.FileKind;
 import lightning.format.jen.JenFile;
 
-/** Asks which file. */
+/** Prompts for files; an empty result means that the user canceled. */
 public interface FilePrompt {
-    /** A scene, or a file of which one can be made, to open; empty where the artist thought better of it. */
+    /** Prompts for a scene to open, or a file to import. */
     Optional<Path> sceneToOpen(Path folder);
 
-    /** Where to write a scene. */
+    /** Prompts for a file to write a scene to. */
     Optional<Path> sceneToWrite(Path proposal);
 
-    /** Where to write a picture. */
+    /** Prompts for a file to write a picture to. */
     Optional<Path> pictureToWrite(Path proposal);
 
-    /** A file of lights to read. */
+    /** Prompts for a light rig to read. */
     default Optional<Path> rigToOpen(Path folder) {
         return sceneToOpen(folder);
     }
 
-    /** Where to write lights. */
+    /** Prompts for a file to write a light rig to. */
     default Optional<Path> rigToWrite(Path proposal) {
         return sceneToWrite(proposal);
     }
 
-    /** A table of colors to read. */
+    /** Prompts for a color lookup table to read. */
     default Optional<Path> tableToOpen(Path folder) {
         return sceneToOpen(folder);
     }
 
-    /** A file that a scene is to have beside it. */
+    /** Prompts for an asset to copy next to the scene. */
     default Optional<Path> assetToOpen(String title, FileKind kind, Path folder) {
         return sceneToOpen(folder);
     }
 
-    /** The system's own windows. */
+    /** Returns a prompt that uses the system's file dialogs. */
     static FilePrompt ofSystem(Window owner) {
         var scenes = filter("Scenes", JenFile.EXTENSION);
         var files = new FileChooser.ExtensionFilter(Messages.tr("Scenes, glTF, OBJ, PLY, NFF"),
                 Stream.concat(Stream.of(JenFile.EXTENSION), MeshFormat.allExtensions().stream()).map(ending -> "*" + ending).toList());
-        var tables = filter("Tables", CubeLutReader.EXTENSION);
+        var tables = filter("LUTs", CubeLutReader.EXTENSION);
         return new FilePrompt() {
             @Override
             public Optional<Path> sceneToOpen(Path folder) {
-                return path(chooser(Messages.tr("Load File"), folder, files), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Open"), folder, files), c -> c.showOpenDialog(owner));
             }
 
             @Override
@@ -68,12 +68,12 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> rigToOpen(Path folder) {
-                return path(chooser(Messages.tr("Load Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Import Light Rig"), folder, scenes), c -> c.showOpenDialog(owner));
             }
 
             @Override
             public Optional<Path> tableToOpen(Path folder) {
-                return path(chooser(Messages.tr("Color Table"), folder, tables), c -> c.showOpenDialog(owner));
+                return path(chooser(Messages.tr("Load LUT"), folder, tables), c -> c.showOpenDialog(owner));
             }
 
             @Override
@@ -84,7 +84,7 @@ public interface FilePrompt {
 
             @Override
             public Optional<Path> rigToWrite(Path proposal) {
-                var chooser = chooser(Messages.tr("Save Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
+                var chooser = chooser(Messages.tr("Export Light Rig"), proposal.toAbsolutePath().getParent(), scenes);
                 chooser.setInitialFileName(proposal.getFileName().toString());
                 return path(chooser, c -> c.showSaveDialog(owner));
             }

@@ -7,11 +7,11 @@ import javafx.util.Subscription;
 import lightning.editor.document.EditorState;
 import lightning.editor.window.model.SceneEditor;
 
-/** Edits that are in the traced picture as soon as that can be, with or without Live: those of the mixer and of cues. */
+/** Renders edits of the mixer and of cues immediately, also while Live is off. */
 public final class ForcedLiveUpdate {
     private ForcedLiveUpdate() {}
 
-    /** Renders the scene as edited, unless it is rendered already or there was no picture yet. */
+    /** Renders the scene as edited, unless it is already rendered or there is no picture yet. */
     public static void render(SceneEditor editor) {
         EditorState state = editor.editorStateProperty().get();
         if (!editor.liveProperty().get() && state.frame().isPresent() && state.hasPendingEdits()) {
@@ -20,12 +20,12 @@ public final class ForcedLiveUpdate {
     }
 
     /**
-     * Renders each edit that comes while a pane's window has the keyboard, undo's and redo's too.
+     * Renders every edit, including undo and redo, while the window of a pane has focus.
      *
-     * @param window runs tasks in turn on the window's thread
+     * @param window  runs tasks in order on the window's thread
      */
     public static Subscription renderWhileFocused(Node pane, SceneEditor editor, Executor window) {
-        // Whether the picture lacks the edit is known only when all have heard of it.
+        // Deferred: the pending state is known only after all listeners have run.
         return editor.sceneProperty().subscribe((_, _) -> window.execute(() -> {
             if (isFocused(pane)) {
                 render(editor);

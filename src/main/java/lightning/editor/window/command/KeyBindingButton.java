@@ -15,8 +15,10 @@ import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.model.KeyLabel;
 
 /**
- * The key of a command. A click, and the next key is taken: at once where it is free, at a second press where another command has it.
- * Delete takes the key away, Home brings the program's own back, Escape ends it.
+ * Button that shows and records the shortcut of a command. A click starts recording; the next key is assigned, after a second press if
+ * another command has it.
+ *
+ * <p>Delete clears the shortcut, Home restores the default, Escape cancels.
  */
 public final class KeyBindingButton extends Button {
     private static final PseudoClass CHANGED = PseudoClass.getPseudoClass("changed");
@@ -25,10 +27,10 @@ public final class KeyBindingButton extends Button {
     private final Command command;
     private final Label message;
     private boolean isRecording;
-    /** Another command has it: pressed again, it is taken. */
+    /** Key of another command, reassigned when pressed again. */
     private Optional<KeyCodeCombination> conflictingKey = Optional.empty();
 
-    /** @param message says what comes of a press */
+    /** @param message  shows the result of a key press */
     public KeyBindingButton(KeyBindings keyBindings, Command command, Label message) {
         this.keyBindings = keyBindings;
         this.command = command;
@@ -36,7 +38,7 @@ public final class KeyBindingButton extends Button {
         setId("key-" + command.id());
         getStyleClass().addAll("small", "key-button");
         setMinWidth(USE_PREF_SIZE);
-        setTooltip(new Tooltip(Messages.tr("Click, then press another key.\nDelete: no key. Home: the program's own. Escape: as it was.")));
+        setTooltip(new Tooltip(Messages.tr("Click, then press the new shortcut.\nDelete: none. Home: default. Escape: cancel.")));
         setOnAction(_ -> startRecording());
         addEventFilter(KeyEvent.KEY_PRESSED, this::press);
         focusedProperty().subscribe(is -> {
@@ -50,7 +52,7 @@ public final class KeyBindingButton extends Button {
     private void startRecording() {
         isRecording = true;
         conflictingKey = Optional.empty();
-        setText(Messages.tr("press a key …"));
+        setText(Messages.tr("press a key…"));
         message.setText("");
     }
 
@@ -77,7 +79,8 @@ public final class KeyBindingButton extends Button {
             message.setText(invalidReason.get());
         } else if (owner.isPresent() && !conflictingKey.equals(Optional.of(key))) {
             conflictingKey = Optional.of(key);
-            message.setText(Messages.tr("{0} is {1}'s: press again to take it", KeyLabel.text(key), owner.get().plainTitle()));
+            message.setText(Messages.tr("{0} is assigned to {1}; press it again to reassign it", KeyLabel.text(key),
+                    owner.get().plainTitle()));
         } else {
             set(Optional.of(key));
         }
@@ -99,7 +102,7 @@ public final class KeyBindingButton extends Button {
         if (!isRecording) {
             String key = keyBindings.text(command);
             setText(key.isEmpty() ? Messages.tr("none") : key);
-            setAccessibleText(Messages.tr("Key of {0}: {1}", command.plainTitle(), getText()));
+            setAccessibleText(Messages.tr("Shortcut of {0}: {1}", command.plainTitle(), getText()));
             pseudoClassStateChanged(CHANGED, keyBindings.isChanged(command));
         }
     }

@@ -17,28 +17,27 @@ import lightning.format.exchange.LightUnits;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** A button for each thing that the numbers of a file's lights may be, with the picture that it makes. */
+/** Buttons for the possible units of a file's light intensities, each with a preview. */
 final class LightUnitChooser extends VBox {
     private static final double GAP = 12;
 
     private Optional<LightUnits> chosen = Optional.empty();
 
     /**
-     * @param maxWidth in pixels of the screen's own scale: pictures become smaller where all of them would be wider
-     * @param onChosen   runs when one was chosen
+     * @param maxWidth  maximum width in logical pixels; the previews shrink to fit
+     * @param onChosen  runs after a choice
      */
     LightUnitChooser(Map<LightUnits, Film> pictures, double maxWidth, Runnable onChosen) {
         super(GAP);
         var explanation =
                 new Label(
-                        Messages.tr("The file has numbers for its lights and does not say what they are: exporters write one or the other. "
-                                + "Textures are left out in these pictures."));
+                        Messages.tr("The file does not state the unit of its light intensities. These previews leave out textures."));
         explanation.setWrapText(true);
         var cards = new HBox(GAP);
         pictures.forEach((units, film) -> {
             var picture = new ImageView(image(film));
             picture.setPreserveRatio(true);
-            // Half a gap and more lies between a card's edge and its picture.
+            // Leaves more than half a gap between a card's edge and its picture.
             picture.setFitWidth(Math.min(film.width(), (maxWidth - GAP) / pictures.size() - 3 * GAP));
             var card = new Button(title(units), picture);
             card.setPrefWidth(picture.getFitWidth() + 2 * GAP);
@@ -46,27 +45,27 @@ final class LightUnitChooser extends VBox {
             card.setTextAlignment(TextAlignment.CENTER);
             card.setId("units-" + units.name().toLowerCase(Locale.ROOT));
             card.setContentDisplay(ContentDisplay.TOP);
-            card.setAccessibleText(Messages.tr("Take the numbers as {0}", units.description()));
+            card.setAccessibleText(Messages.tr("Read intensities as {0}", units.description()));
             card.setOnAction(_ -> {
                 chosen = Optional.of(units);
                 onChosen.run();
             });
             cards.getChildren().add(card);
         });
-        // The line is as wide as the pictures.
+        // The text wraps at the width of the cards.
         explanation.prefWidthProperty().bind(cards.widthProperty());
         explanation.setMaxWidth(USE_PREF_SIZE);
         getChildren().setAll(explanation, cards);
     }
 
-    /** What was chosen; empty where nothing was. */
+    /** Returns the chosen unit, or empty. */
     Optional<LightUnits> chosen() {
         return chosen;
     }
 
     private static String title(LightUnits units) {
         return switch (units) {
-            case CANDELA -> Messages.tr("Candela and lux, as the format says");
+            case CANDELA -> Messages.tr("Candela and lux (per the format)");
             case UNITLESS -> Messages.tr("Watts per steradian (unitless)");
             case WATTS -> Messages.tr("Watts");
         };

@@ -4,14 +4,14 @@ import java.io.File;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Lets a window of the system open elsewhere where the folder that it should open at is gone. */
+/** Opens a system file dialog at its default folder if the initial folder no longer exists. */
 final class MissingFolderFallback {
     private MissingFolderFallback() {}
 
     /**
-     * What the artist chooses; null where nothing.
+     * Returns the chosen file, or null if canceled.
      *
-     * @param folder sets where the window opens; null is the system's choice
+     * @param folder  sets the initial folder; null for the system's choice
      */
     static File show(Consumer<File> folder, Supplier<File> show) {
         try {

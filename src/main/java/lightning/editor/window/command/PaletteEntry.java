@@ -16,17 +16,17 @@ import lightning.editor.document.Command;
 import lightning.editor.window.model.CommandRegistry;
 
 /**
- * One thing that the editor can do now, as the palette of commands lists it.
+ * Entry of the command palette.
  *
- * @param command what it is, or what it is a value of
- * @param title   as its menu has it
- * @param menuPath   the menu that it is in; empty where it is in none
- * @param disabledReason  why it has nothing to do; empty where it has
- * @param action  does it
+ * @param command  command, or the command that the entry is a value of
+ * @param title  title as in its menu
+ * @param menuPath  path of its menu; empty for none
+ * @param disabledReason  why it is disabled; empty if it is enabled
+ * @param action  runs it
  */
 record PaletteEntry(Command command, String title, String menuPath, Optional<String> disabledReason, Runnable action) {
 
-    /** All that a menu bar offers, in its order, and then what stands elsewhere. */
+    /** Returns the entries of a menu bar in order, followed by commands that are in no menu. */
     static List<PaletteEntry> all(MenuBar bar, CommandRegistry commands) {
         List<PaletteEntry> all = new ArrayList<>();
         bar.getMenus().forEach(menu -> collect(menu, menu.getText(), commands, all));
@@ -38,7 +38,7 @@ record PaletteEntry(Command command, String title, String menuPath, Optional<Str
     }
 
     private static void collect(Menu menu, String menuPath, CommandRegistry commands, List<PaletteEntry> all) {
-        // Some are filled when they open.
+        // Some menus are filled when they open.
         Event.fireEvent(menu, new Event(Menu.ON_SHOWING));
         for (MenuItem item : menu.getItems()) {
             if (item instanceof Menu inner) {
@@ -51,18 +51,18 @@ record PaletteEntry(Command command, String title, String menuPath, Optional<Str
     }
 
     private static Optional<String> reason(MenuItem item, Command command, CommandRegistry commands) {
-        return item.isDisable() ? commands.disabledReason(command).or(() -> Optional.of(Messages.tr("there is nothing to choose")))
+        return item.isDisable() ? commands.disabledReason(command).or(() -> Optional.of(Messages.tr("nothing to choose")))
                 : Optional.empty();
     }
 
-    /** Those that fit a few letters, the best first; all in their order for none. */
+    /** Returns the entries that match a query, best first; all in order for an empty query. */
     static List<PaletteEntry> matching(List<PaletteEntry> all, String query) {
-        record Fit(PaletteEntry offer, int by) {}
-        return all.stream().flatMap(o -> score(o, query).stream().mapToObj(by -> new Fit(o, by)))
-                .sorted(Comparator.comparingInt(Fit::by).reversed()).map(Fit::offer).toList();
+        record Fit(PaletteEntry entry, int score) {}
+        return all.stream().flatMap(o -> score(o, query).stream().mapToObj(score -> new Fit(o, score)))
+                .sorted(Comparator.comparingInt(Fit::score).reversed()).map(Fit::entry).toList();
     }
 
-    /** What fits the title goes before what fits only with its menu or its help. */
+    /** Scores an entry. Matches of the title rank above matches of menu path or help. */
     private static OptionalInt score(PaletteEntry entry, String query) {
         OptionalInt titleScore = FuzzyMatch.score(query, entry.title());
         if (titleScore.isPresent()) {

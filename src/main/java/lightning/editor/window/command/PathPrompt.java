@@ -9,19 +9,19 @@ import javafx.stage.FileChooser;
 import javafx.stage.Window;
 import lightning.base.text.Messages;
 
-/** Asks the artist where a file is or should be; empty where the question was canceled. */
+/** Prompts for files and folders; an empty result means that the user canceled. */
 public interface PathPrompt {
     Optional<Path> fileToOpen(String title, String extension);
 
-    /** @param name what the file is called unless the artist says otherwise */
+    /** @param name  initial file name */
     Optional<Path> fileToSave(String title, String name, String extension);
 
     Optional<Path> folder(String title);
 
     /**
-     * Asks with the windows of the system.
+     * Returns a prompt that uses the system's dialogs.
      *
-     * @param initialFolder the folder where they open
+     * @param initialFolder  initial folder of the dialogs
      */
     static PathPrompt ofSystem(Window owner, Path initialFolder) {
         return new PathPrompt() {
@@ -51,7 +51,7 @@ public interface PathPrompt {
         };
     }
 
-    /** A window that asks for a folder, and opens at one. */
+    /** Creates a folder dialog that opens at a folder. */
     static DirectoryChooser folderChooser(String title, Path initialFolder) {
         var chooser = new DirectoryChooser();
         chooser.setTitle(title);
@@ -59,7 +59,7 @@ public interface PathPrompt {
         return chooser;
     }
 
-    /** A window that asks for a file, and opens at a folder. */
+    /** Creates a file dialog that opens at a folder. */
     static FileChooser fileChooser(String title, String extension, Path initialFolder) {
         FileChooser chooser = new FileChooser();
         chooser.setTitle(title);

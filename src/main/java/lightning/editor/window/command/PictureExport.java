@@ -23,7 +23,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.MemoryEstimate;
 import lightning.render.relight.tile.RenderOptions;
 
-/** Writes the traced picture for other programs, beside the window's thread: its layers, or all that its film holds. */
+/** Exports the traced picture or its layers in the background. */
 final class PictureExport {
     private final EditorModel model;
     private final StatusMessage message;
@@ -37,7 +37,7 @@ final class PictureExport {
         this.notices = notices;
     }
 
-    /** One for each kind. */
+    /** Returns a menu item for each format. */
     List<MenuItem> items() {
         return Arrays.stream(ExportFormat.values())
                 .map(kind -> CommandMenuItems.forMenu(model.commands()).updatingValue(Command.EXPORT, kind.title(),
@@ -55,7 +55,7 @@ final class PictureExport {
         PixelCache cache = model.workbench().cache().orElse(null);
         Frame frame = model.picture().frame();
         if (model.fileActivity().file() != null || cache == null || frame == null) {
-            message.show(Messages.tr("Nothing is exported while a file is read or a picture is begun"));
+            message.show(Messages.tr("Wait until the file is loaded and rendering has started"));
             return;
         }
         ViewTransform view = model.picture().viewProperty().get().forOutput();
@@ -67,7 +67,7 @@ final class PictureExport {
         }, _ -> end(file, Messages.tr("Exported {0}", name)), failure -> {
             end(file, failure instanceof CancellationException ? Messages.tr("Export of {0} canceled", name) : "");
             if (!(failure instanceof CancellationException)) {
-                notices.showFailure(Messages.tr("The picture could not be exported"), failure);
+                notices.showFailure(Messages.tr("The image could not be exported"), failure);
             }
         });
     }

@@ -23,7 +23,7 @@ import lightning.format.jen.JenFile;
 import lightning.format.jen.JenLimits;
 import lightning.scene.shot.AnimatedScene;
 
-/** Saves the scene, and asks where something would be lost that the artist does not know of. */
+/** Saves the scene, and confirms before overwriting changes that the user may not have seen. */
 final class SceneSaver {
     private final EditorModel model;
     private final SceneEditor editor;
@@ -32,7 +32,7 @@ final class SceneSaver {
     private final EditorDialogs notices;
     private final Runnable saveListener;
 
-    /** @param saveListener hears that the scene was written */
+    /** @param saveListener  runs after the scene was written */
     SceneSaver(EditorModel model, FilePrompt prompt, EditorDialogs notices, Runnable saveListener) {
         this.model = model;
         editor = model.editor();
@@ -42,12 +42,12 @@ final class SceneSaver {
         this.saveListener = saveListener;
     }
 
-    /** Saves to the document's file; {@code onSaved} runs when the scene was written, there or where the artist chose instead. */
+    /** Saves to the document's file. {@code onSaved} runs after the scene was written, there or to another file that the user chose. */
     void save(Runnable onSaved) {
         write(editor.document().file(), Set.of(), onSaved);
     }
 
-    /** Asks where to; {@code onSaved} runs when the scene was written. */
+    /** Prompts for a file and saves to it. {@code onSaved} runs after the scene was written. */
     void saveAs(Runnable onSaved) {
         prompt.sceneToWrite(editor.document().file()).ifPresent(
                 chosen -> notices.withExtension(model.files(), chosen, JenFile.EXTENSION, file -> write(file, Set.of(), onSaved)));
@@ -79,7 +79,7 @@ final class SceneSaver {
         }
     }
 
-    /** Shows the open scene beside what the file holds by now, and does what the artist then wants. */
+    /** Shows the differences between the open scene and its file, and lets the user choose. */
     void resolveConflict() {
         resolveConflict(Set.of(), () -> {});
     }

@@ -4,11 +4,11 @@ import javafx.scene.input.KeyEvent;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.CommandRegistry;
 
-/** The keys of a selected shape or group, in the list of shapes and in the preview. */
+/** Keyboard shortcuts for the selected shape or group, in the list of shapes and in the preview. */
 public final class ShapeKeys {
     private ShapeKeys() {}
 
-    /** Does what the key asks for; returns false where it asks for nothing, or no shape is selected. */
+    /** Runs the command of a key. Returns false if the key has none or no shape is selected. */
     public static boolean handle(CommandRegistry commands, KeyEvent event) {
         Command command = switch (event.getCode()) {
             case DELETE, BACK_SPACE -> Command.DELETE_SHAPE;

@@ -9,7 +9,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.MaterialSelection;
 import lightning.editor.window.model.SceneEditor;
 
-/** What a right click on a shape offers, in the preview and in the traced picture. */
+/** Context menu of a shape, in the preview and in the traced picture. */
 public final class ShapeMenu {
     private final SceneEditor editor;
     private final MaterialSelection materials;
@@ -22,7 +22,7 @@ public final class ShapeMenu {
         this.commands = commands;
     }
 
-    /** @param x of the screen; likewise {@code y} */
+    /** @param x  screen position; see also {@code y} */
     public void show(Node owner, String shape, double x, double y) {
         hide();
         MaterialEdits.ofShape(editor.scene(), shape).ifPresent(material -> {

@@ -20,16 +20,16 @@ import lightning.editor.window.widget.CanvasSize;
 import lightning.scene.PictureSettings;
 import lightning.scene.SceneLimits;
 
-/** The sizes of the two canvases (paper §3.6). */
+/** Menus for the sizes of the two canvases (paper §3.6). */
 public final class SizeMenu {
     private static final Pattern SIZE = Pattern.compile("\\s*(\\d{1,6})\\s*[x×*, ]\\s*(\\d{1,6})\\s*");
 
     private SizeMenu() {}
 
     /**
-     * Sizes of the traced picture; another size traces it anew.
+     * Returns the sizes of the traced picture. Choosing one traces the picture again.
      *
-     * @param items make the menu's items
+     * @param items  factory of the menu's items
      */
     public static List<MenuItem> pictureSizeItems(SceneEditor editor, CommandMenuItems items) {
         List<MenuItem> all = new ArrayList<>();
@@ -41,7 +41,7 @@ public final class SizeMenu {
                     () -> setSizeAndTrace(editor, size)));
         }
         all.add(new SeparatorMenuItem());
-        MenuItem other = items.value(Command.PICTURE_SIZE, Messages.tr("Other…"), () -> promptSize(editor));
+        MenuItem other = items.value(Command.PICTURE_SIZE, Messages.tr("Custom…"), () -> promptSize(editor));
         other.setId("size-other");
         all.add(other);
         return all;
@@ -51,14 +51,15 @@ public final class SizeMenu {
         showSizeDialog(editor.scene().picture().width() + " × " + editor.scene().picture().height())
                 .ifPresent(typed -> parse(typed).ifPresentOrElse(size -> setSizeAndTrace(editor, size),
                         () -> editor.message()
-                                .show(Messages.tr("A size is two numbers as in 640 × 480, was {0}", Quote.of(typed.strip())))));
+                                .show(Messages.tr("Resolution: expected width × height such as 640 × 480, found {0}",
+                                        Quote.of(typed.strip())))));
     }
 
-    /** The size that the scene's file says. */
+    /** Creates the item for the size stored in the scene file. */
     private static MenuItem sceneSizeItem(SceneEditor editor, CommandMenuItems items) {
         MenuItem item = items.value(Command.PICTURE_SIZE, "", () -> setSizeAndTrace(editor, fileSize(editor)));
         item.setId("size-own");
-        editor.editorStateProperty().subscribe(_ -> item.setText(Messages.tr("The scene's own, {0}", fileSize(editor).title())));
+        editor.editorStateProperty().subscribe(_ -> item.setText(Messages.tr("Scene Default ({0})", fileSize(editor).title())));
         return item;
     }
 
@@ -67,7 +68,7 @@ public final class SizeMenu {
         return CanvasSize.of(picture.width(), picture.height());
     }
 
-    /** Sizes of the preview. */
+    /** Returns the sizes of the preview. */
     public static List<MenuItem> previewSizeItems(CommandRegistry commands, ObjectProperty<CanvasSize> chosen) {
         CommandMenuItems items = CommandMenuItems.forMenu(commands, "preview-");
         return Stream.concat(Stream.of(CanvasSize.PICTURE_ASPECT, CanvasSize.FREE), CanvasSize.FIXED.stream())
@@ -85,14 +86,14 @@ public final class SizeMenu {
 
     private static Optional<String> showSizeDialog(String currentSize) {
         var dialog = new TextInputDialog(currentSize);
-        dialog.setTitle(Messages.tr("Size of the picture"));
+        dialog.setTitle(Messages.tr("Resolution"));
         dialog.setHeaderText(Messages.tr("Width × height in pixels, each 1 to {0}", SceneLimits.MAX_SIZE));
         dialog.setGraphic(null);
         dialog.setContentText(Messages.tr("Size"));
         return dialog.showAndWait();
     }
 
-    /** {@code 640 x 480}; empty where it is no size. */
+    /** Parses a size such as {@code 640 x 480}; empty if invalid. */
     public static Optional<CanvasSize> parse(String text) {
         Matcher matcher = SIZE.matcher(text);
         return matcher.matches() ? Optional.of(CanvasSize.of(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2))))

@@ -10,21 +10,21 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.editor.document.TextDifference;
 
-/** Two texts side by side; lines that differ are marked and colored. */
+/** Side-by-side view of two texts with marked and colored differences. */
 final class TextDifferenceView extends VBox {
     private static final double WIDTH = 780;
     private static final double HEIGHT = 240;
     private static final double GAP = 12;
-    /** Rows before the first difference. */
+    /** Rows shown before the first difference. */
     private static final int CONTEXT_ROWS = 2;
-    /** No line of a scene needs more to be recognized, and a label of millions would hold up the window. */
+    /** Maximum displayed line length. Labels of millions of characters would block the window. */
     private static final int MAX_CHARACTERS = 300;
 
     TextDifferenceView(List<TextDifference.Row> rows) {
         getStyleClass().add("differences");
         var list = new ListView<TextDifference.Row>();
         list.setId("differences");
-        list.setAccessibleText(Messages.tr("The lines of both texts"));
+        list.setAccessibleText(Messages.tr("Line-by-line comparison"));
         list.getItems().setAll(rows);
         list.setCellFactory(_ -> new RowCell());
         list.setPrefSize(WIDTH, HEIGHT);

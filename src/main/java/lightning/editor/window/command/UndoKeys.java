@@ -8,15 +8,14 @@ import lightning.editor.document.Command;
 import lightning.editor.window.model.CommandRegistry;
 
 /**
- * The keys of undo and redo wherever the keyboard is. A text has an undo of its own, which would swallow the keys: it
- * comes first as long as something is typed there that is not set yet, and the document's when nothing is.
+ * Shortcuts of undo and redo for a whole window. A text field's own undo comes first while it has uncommitted input, then the document's.
  */
 public final class UndoKeys {
     private static final KeyCombination ALTERNATIVE_REDO = KeyCombination.valueOf("Shortcut+Y");
 
     private UndoKeys() {}
 
-    /** Takes the keys before any part of a window does. */
+    /** Installs the shortcuts so that they precede all controls of a window. */
     public static void install(EventTarget window, CommandRegistry commands) {
         window.addEventFilter(KeyEvent.KEY_PRESSED, e -> {
             if (commands.keyBindings().matches(Command.UNDO, e)) {

@@ -1,4 +1,2 @@
-/**
- * What an artist can ask for: how commands look, the menus and buttons that carry them, and the questions that files raise.
- */
+/** Commands of the editor: their menus, buttons, shortcuts and dialogs. */
 package lightning.editor.window.command;

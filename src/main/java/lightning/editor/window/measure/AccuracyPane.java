@@ -28,31 +28,31 @@ import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** What accuracy costs: each grade's time and error for the edit made last, measured when the artist asks for it. */
+/** Pane that compares accuracy settings: time and error of each for the last edit, measured on request. */
 public final class AccuracyPane extends BorderPane {
     private static final int REPETITIONS = 5;
     private static final double TIMEOUT_MS = 10_000;
 
     private final Workbench workbench;
-    private final ObservableValue<EditorState> situation;
+    private final ObservableValue<EditorState> editorState;
     private final ObservableValue<ViewTransform> view;
     private final Label editLabel = new Label();
     private final Label note = new Label();
     private final MeasureBar bar = new MeasureBar("",
-            Messages.tr("Make the edit at each grade in the background, again and again, and compare"));
+            Messages.tr("Measure the last edit at each accuracy setting in the background"));
     private final ToggleButton difference = new ToggleButton(Messages.tr("Difference"));
     private final AccuracyTable table = new AccuracyTable();
     private final AccuracyPlot chart = new AccuracyPlot();
     private final PictureView picture = new PictureView();
     private AccuracySweep sweep;
-    /** The edit that was measured last, and what came of it. */
+    /** Last measured edit, and the text of its result. */
     private Optional<LastEdit> measuredEdit = Optional.empty();
     private String outcome = "";
 
-    /** @param view how linear light becomes display pixels */
-    public AccuracyPane(Workbench workbench, ObservableValue<EditorState> situation, ObservableValue<ViewTransform> view) {
+    /** @param view  conversion from linear light to display pixels */
+    public AccuracyPane(Workbench workbench, ObservableValue<EditorState> editorState, ObservableValue<ViewTransform> view) {
         this.workbench = workbench;
-        this.situation = situation;
+        this.editorState = editorState;
         this.view = view;
         bar.setOnMeasure(this::startMeasuring);
         setId("accuracy");
@@ -80,7 +80,7 @@ public final class AccuracyPane extends BorderPane {
         difference.setAccessibleText(Messages.tr("Show the difference from the full trace"));
         difference.selectedProperty().subscribe(_ -> updatePicture());
         table.getSelectionModel().selectedItemProperty().subscribe(_ -> updatePicture());
-        VisibilityListener.attach(this, () -> Subscription.combine(situation.subscribe(_ -> update()),
+        VisibilityListener.attach(this, () -> Subscription.combine(editorState.subscribe(_ -> update()),
                 view.subscribe(_ -> updatePicture())));
     }
 
@@ -103,13 +103,13 @@ public final class AccuracyPane extends BorderPane {
     }
 
     private Optional<LastEdit> lastEdit() {
-        return situation.getValue().animating() ? Optional.empty() : workbench.lastEdit();
+        return editorState.getValue().animating() ? Optional.empty() : workbench.lastEdit();
     }
 
     private void update() {
         Optional<LastEdit> last = lastEdit();
         bar.setDisabledReason(
-                last.isEmpty() ? Optional.of(Messages.tr("there is no edit of a light yet that the picture could show"))
+                last.isEmpty() ? Optional.of(Messages.tr("no light has been edited yet"))
                         : Optional.empty());
         editLabel.setText(bar.isBusy() ? Messages.tr("Measuring …") : title(last));
     }
@@ -119,9 +119,9 @@ public final class AccuracyPane extends BorderPane {
             return outcome;
         }
         String description =
-                last.map(e -> e.isPending() ? Messages.tr("The edits that are not rendered yet") : Messages.tr("The edits of the last Go"))
+                last.map(e -> e.isPending() ? Messages.tr("Edits not rendered yet") : Messages.tr("Edits of the last render"))
                         .orElse(Messages.tr("Edit a light first."));
-        return sweep == null ? description : Messages.tr("{0}. The table is still of: {1}", description, text(sweep));
+        return sweep == null ? description : Messages.tr("{0}. The table still shows: {1}", description, text(sweep));
     }
 
     private static String text(AccuracySweep sweep) {
@@ -133,7 +133,7 @@ public final class AccuracyPane extends BorderPane {
     private void startMeasuring() {
         measuredEdit = lastEdit();
         LastEdit edit = measuredEdit.orElseThrow();
-        bar.start("lightning-ladder", progress -> measure(edit, progress), this::showResult, this::showOutcome);
+        bar.start("lightning-accuracy", progress -> measure(edit, progress), this::showResult, this::showOutcome);
         update();
     }
 
@@ -148,7 +148,7 @@ public final class AccuracyPane extends BorderPane {
         table.show(newSweep);
         chart.show(newSweep);
         table.getSelectionModel().select(newSweep.point(AccuracySetting.EXACT));
-        showOutcome(text(newSweep) + (newSweep.isWarm() ? "" : Messages.tr(". The times did not come to rest, so no savings are told")));
+        showOutcome(text(newSweep) + (newSweep.isWarm() ? "" : Messages.tr(". Timing too noisy to report savings")));
     }
 
     private void showOutcome(String text) {

@@ -15,22 +15,19 @@ import lightning.base.text.Messages;
 import lightning.bench.accuracy.AccuracySweep;
 import lightning.bench.accuracy.SweepPoint;
 
-/**
- * Error against time: each grade is a number, the one that it has in the table, and stands on its place. The best are low
- * and at the left. Grades that would hide each other share one label.
- */
+/** Plot of error against time. Each accuracy setting is labeled with its row number in the table; overlapping labels are merged. */
 final class AccuracyPlot extends ScatterChart<Number, Number> {
-    /** Grades nearer than this share of the chart hide each other. */
+    /** Labels nearer than this fraction of the plot are merged. */
     private static final double GROUP_DISTANCE = 0.1;
-    /** The part of the chart, beyond the largest values, that is left free. */
+    /** Factor from the largest values to the ends of the axes. */
     private static final double AXIS_MARGIN = 1.12;
-    /** How far a label stands above its place, pixels. */
+    /** Vertical offset of a label from its point, pixels. */
     private static final double LABEL_OFFSET = -9;
 
     AccuracyPlot() {
         super(axis("milliseconds"), axis(Messages.tr("root mean square error, linear")));
         setId("ladder-chart");
-        setAccessibleText(Messages.tr("Error of each grade against its time"));
+        setAccessibleText(Messages.tr("Error against time of each setting"));
         setLegendVisible(false);
         setAnimated(false);
         getStyleClass().add("ladder-chart");
@@ -42,7 +39,7 @@ final class AccuracyPlot extends ScatterChart<Number, Number> {
         axis.setForceZeroInRange(true);
         axis.setAnimated(false);
         axis.setMinorTickVisible(false);
-        // The axis's own would write in the default locale.
+        // The default formatter uses the default locale.
         axis.setTickLabelFormatter(new NumberStringConverter(Locale.ROOT, "#,##0.######"));
         return axis;
     }
@@ -55,7 +52,7 @@ final class AccuracyPlot extends ScatterChart<Number, Number> {
             var label = new Label(group.stream().map(r -> String.valueOf(r.setting().ordinal() + 1)).collect(Collectors.joining(" ")));
             label.setMinWidth(Region.USE_PREF_SIZE);
             label.setTranslateY(LABEL_OFFSET);
-            // The chart cuts what is left of its axis off.
+            // Keeps labels right of the axis, where the chart clips.
             label.translateXProperty().bind(label.layoutXProperty().map(x -> Math.max(0, -x.doubleValue())));
             points.getData().add(point(mean(group, AccuracyPlot::time), mean(group, AccuracyPlot::error), label));
         }
@@ -71,7 +68,7 @@ final class AccuracyPlot extends ScatterChart<Number, Number> {
         return point;
     }
 
-    /** Each grade with those that are as near to the first of them. */
+    /** Groups each setting with the settings near the first of its group. */
     static List<List<SweepPoint>> groups(List<SweepPoint> points, double nearTime, double nearError) {
         List<List<SweepPoint>> groups = new ArrayList<>();
         for (SweepPoint point : points) {

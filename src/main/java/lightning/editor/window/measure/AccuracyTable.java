@@ -9,7 +9,7 @@ import lightning.base.text.Messages;
 import lightning.bench.accuracy.AccuracySweep;
 import lightning.bench.accuracy.SweepPoint;
 
-/** The grades of accuracy, a row each: time, saving and errors. */
+/** Table of accuracy settings with time, saving and errors. */
 final class AccuracyTable extends TableView<SweepPoint> {
     private static final double NUMBER_WIDTH = 116;
     private static final double SHARE_WIDTH = 170;
@@ -20,16 +20,16 @@ final class AccuracyTable extends TableView<SweepPoint> {
 
     AccuracyTable() {
         setId("ladder");
-        setAccessibleText(Messages.tr("Grades of accuracy"));
+        setAccessibleText(Messages.tr("Accuracy settings"));
         getStyleClass().add("dense");
-        setPlaceholder(new Label(Messages.tr("Measure shows what each grade costs for the last edit, and how far it is off.")));
+        setPlaceholder(new Label(Messages.tr("Click Measure to compare the time and error of each setting for the last edit.")));
         setColumnResizePolicy(CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         setFixedCellSize(ROW_HEIGHT);
-        addColumn(Messages.tr("Grade"), SETTING_WIDTH, r -> (r.setting().ordinal() + 1) + "  " + r.setting().label());
+        addColumn(Messages.tr("Setting"), SETTING_WIDTH, r -> (r.setting().ordinal() + 1) + "  " + r.setting().label());
         addColumn(Messages.tr("Time"), NUMBER_WIDTH, AccuracyText::time);
-        addColumn(Messages.tr("Of a full trace"), SHARE_WIDTH, r -> AccuracyText.saving(sweep, r));
+        addColumn(Messages.tr("Compared to full trace"), SHARE_WIDTH, r -> AccuracyText.saving(sweep, r));
         addColumn(Messages.tr("Largest error"), NUMBER_WIDTH, r -> AccuracyText.largest(r.error()));
-        addColumn(Messages.tr("Values off"), NUMBER_WIDTH, r -> AccuracyText.values(r.error()));
+        addColumn(Messages.tr("Values changed"), NUMBER_WIDTH, r -> AccuracyText.values(r.error()));
         addColumn("PSNR", NUMBER_WIDTH, r -> AccuracyText.psnr(r.error()));
         addColumn("SSIM", NUMBER_WIDTH, r -> AccuracyText.ssim(r.error()));
     }

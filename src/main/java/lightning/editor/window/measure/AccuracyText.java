@@ -7,7 +7,7 @@ import lightning.bench.accuracy.PictureError;
 import lightning.bench.accuracy.SweepPoint;
 import lightning.editor.window.model.StatusText;
 
-/** What a grade of the ladder costs and how far it is off, in the words of a table. */
+/** Formats the time and error of an accuracy setting. */
 final class AccuracyText {
     private AccuracyText() {}
 
@@ -15,18 +15,18 @@ final class AccuracyText {
         return StatusText.milliseconds(point.time().median());
     }
 
-    /** Of the full trace's time; empty where Java was not warm to both. */
+    /** Returns the saving compared to a full trace; empty if the JVM was not warm for both. */
     static String saving(AccuracySweep sweep, SweepPoint point) {
         return point.setting() == AccuracySetting.FULL_TRACE || !sweep.isWarm() ? ""
                 : StatusText.savingText(sweep.saving(point.setting()) / 100);
     }
 
-    /** The largest error of a value, linear. */
+    /** Returns the largest absolute error of a value, linear. */
     static String largest(PictureError error) {
         return error.values() == 0 ? Messages.tr("none") : String.format(Messages.locale(), "%.2g", error.maxAbsolute());
     }
 
-    /** The share of values with other bits. */
+    /** Returns the share of values that differ in any bit. */
     static String values(PictureError error) {
         if (error.values() == 0) {
             return Messages.tr("none");
@@ -35,7 +35,7 @@ final class AccuracyText {
         return percent < 0.1 ? "< 0.1 %" : String.format(Messages.locale(), "%.1f %%", percent);
     }
 
-    /** As displayed in 8 bits. */
+    /** Returns the PSNR of the displayed 8-bit values. */
     static String psnr(PictureError error) {
         return Double.isInfinite(error.displayPsnr()) ? "∞" : String.format(Messages.locale(), "%.1f dB", error.displayPsnr());
     }

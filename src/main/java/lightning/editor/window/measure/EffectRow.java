@@ -11,9 +11,9 @@ import lightning.base.text.Messages;
 import lightning.bench.accuracy.EffectCost;
 import lightning.scene.effects.RenderEffect;
 
-/** One effect: whether it is shown, what it costs where that was measured, and who calls for it. */
+/** Row of an effect: visibility, measured cost, and the scene elements that use it. */
 final class EffectRow extends HBox {
-    /** What stands where nothing could be measured. */
+    /** Placeholder for a value that could not be measured. */
     private static final String NONE = "–";
     private static final double UNIT = 1000;
 
@@ -55,9 +55,9 @@ final class EffectRow extends HBox {
         numbers().forEach(n -> n.setVisible(true));
     }
 
-    /** The heads of the columns. */
+    /** Creates the header row. */
     static EffectRow header(String title, String callers) {
-        return new EffectRow(title, Messages.tr("First pass"), Messages.tr("Update"), Messages.tr("Memory"), callers);
+        return new EffectRow(title, Messages.tr("Full render"), Messages.tr("Update"), Messages.tr("Memory"), callers);
     }
 
     private static Label number() {
@@ -77,7 +77,7 @@ final class EffectRow extends HBox {
         return visibleBox;
     }
 
-    /** Only an effect in use can be hidden. */
+    /** Shows a check box for an effect in use, else a label. Only effects in use can be hidden. */
     void setInUse(boolean inUse) {
         getChildren().setAll(inUse ? visibleBox : unusedTitle, first, update, bytes, callers);
     }
@@ -86,7 +86,7 @@ final class EffectRow extends HBox {
         callers.setText(text);
     }
 
-    /** Shows what it costs, or what its absence saves. */
+    /** Shows the cost of the effect, or the saving of an unused one. */
     void show(EffectCost cost) {
         numbers().forEach(n -> n.setVisible(true));
         first.setText(cost.measured() ? milliseconds(cost.firstMs(), cost.firstNoise()) : NONE);
@@ -94,7 +94,7 @@ final class EffectRow extends HBox {
         bytes.setText(cost.measured() ? bytes(cost.bytes()) : NONE);
     }
 
-    /** @param noise a difference of so much or less may be none, milliseconds */
+    /** @param noise  absolute values up to this are within noise, milliseconds */
     static String milliseconds(double v, double noise) {
         String text = String.format(Messages.locale(), Math.abs(v) < UNIT / 100 ? "%.2f ms" : "%.0f ms", v + 0.0);
         return (Math.abs(v) <= noise ? "≈ " : "") + (text.startsWith("-0.00") ? text.substring(1) : text).replace('-', '−');

@@ -35,21 +35,21 @@ import lightning.scene.effects.SceneEffects;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * The effects that the scene calls for, who calls for each, and what each costs, measured when the artist asks for it; one
- * click hides one from the view.
+ * Pane of the rendering effects that a scene uses. Lists the elements that use each effect, measures costs on request, and hides effects in
+ * the view.
  */
 public final class EffectsPane extends VBox {
     private static final int REPETITIONS = 5;
 
     private final SceneEditor editor;
     private final Workbench workbench;
-    private final ObservableValue<AccuracyMode> precision;
+    private final ObservableValue<AccuracyMode> accuracyMode;
     private final ObjectProperty<ViewEffects> view;
     private final Map<RenderEffect, EffectRow> rows = new LinkedHashMap<>();
     private final Label summary = new Label();
     private final Label outcome = new Label();
     private final MeasureBar bar = new MeasureBar("-effects",
-            Messages.tr("Render the scene and its last edit with and without each effect in the background, in turns"));
+            Messages.tr("Measure the scene and its last edit with and without each effect in the background"));
     private final VBox usedBox = new VBox();
     private final Label absentLabel = new Label();
     private final VBox unusedBox = new VBox();
@@ -58,15 +58,16 @@ public final class EffectsPane extends VBox {
     private Scene costsScene;
     private String costsText = "";
     private Scene shownScene;
-    /** The effects that are listed as absent, and the costs beside them. */
+    /** Listed unused effects and costs. */
     private Set<RenderEffect> listedEffects;
     private EffectCosts listedCosts;
 
-    /** @param view which effects the traced picture shows */
-    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> precision, ObjectProperty<ViewEffects> view) {
+    /** @param view  effects shown in the traced picture */
+    public EffectsPane(SceneEditor editor, Workbench workbench, ObservableValue<AccuracyMode> accuracyMode,
+            ObjectProperty<ViewEffects> view) {
         this.editor = editor;
         this.workbench = workbench;
-        this.precision = precision;
+        this.accuracyMode = accuracyMode;
         this.view = view;
         setId("effects");
         getStyleClass().add("effects");
@@ -79,7 +80,7 @@ public final class EffectsPane extends VBox {
         outcome.setId("effects-outcome");
         outcome.getStyleClass().add("pane-note");
         outcome.setWrapText(true);
-        outcome.setText(Messages.tr("Measure tells what each effect costs in time and memory, and what the absence of the others saves."));
+        outcome.setText(Messages.tr("Click Measure to see the time and memory of each effect, and what unused effects save."));
         var heading = new VBox(summary, outcome);
         HBox.setHgrow(heading, Priority.ALWAYS);
         bar.setMinWidth(Region.USE_PREF_SIZE);
@@ -100,7 +101,7 @@ public final class EffectsPane extends VBox {
         showAll.setMinWidth(Region.USE_PREF_SIZE);
         showAll.setOnAction(_ -> view.set(ViewEffects.ALL));
         var allBox = new StackPane(showAll);
-        showAllReason = new DisabledReason(allBox, showAll, Messages.tr("Show the picture with everything that the scene calls for"));
+        showAllReason = new DisabledReason(allBox, showAll, Messages.tr("Show all effects of the scene"));
         var bottom = new HBox(hint(), allBox);
         bottom.getStyleClass().add("effects-bottom");
         getChildren().addAll(head, scroll, bottom);
@@ -109,7 +110,7 @@ public final class EffectsPane extends VBox {
     }
 
     private static Node hint() {
-        var hint = new Label(Messages.tr("A hidden effect is hidden from the view alone: Save Image and Verify take the picture itself."));
+        var hint = new Label(Messages.tr("Hiding an effect changes only the view. Save Image and Verify use the full image."));
         hint.getStyleClass().add("pane-note");
         hint.setWrapText(true);
         HBox.setHgrow(hint, Priority.ALWAYS);
@@ -143,8 +144,8 @@ public final class EffectsPane extends VBox {
             row.setInUse(effects.has(effect));
             row.setCallers(effects.reason(effect));
         });
-        summary.setText(Messages.tr("{0} calls for {1} of {2} effects", editor.document().name(), effects.users().size(), rows.size()));
-        // While a light is dragged, the rows stay where they are, and the keyboard with them.
+        summary.setText(Messages.tr("{0} uses {1} of {2} effects", editor.document().name(), effects.users().size(), rows.size()));
+        // Unchanged rows stay in place, so that they keep the focus while a light is dragged.
         if (!effects.unused().equals(listedEffects) || costs != listedCosts) {
             listedEffects = effects.unused();
             listedCosts = costs;
@@ -156,25 +157,24 @@ public final class EffectsPane extends VBox {
         List<Node> usedRows = new ArrayList<>(effects.users().keySet().stream().map(rows::get).toList());
         List<Node> unusedRows = new ArrayList<>(effects.unused().stream().map(rows::get).toList());
         absentLabel.setText(
-                unusedRows.isEmpty() || costs != null ? "" : Messages.tr("Not in the scene, and no work and memory spent on them: {0}.",
+                unusedRows.isEmpty() || costs != null ? "" : Messages.tr("Not used (no cost): {0}.",
                         String.join(", ", effects.unused().stream().map(e -> Messages.tr(e.title())).toList())));
         if (costs == null) {
             unusedRows.clear();
         } else {
             if (!unusedRows.isEmpty()) {
-                unusedRows.addFirst(EffectRow.header(Messages.tr("Not in the scene, saves"), ""));
+                unusedRows.addFirst(EffectRow.header(Messages.tr("Not used, saves"), ""));
             }
-            usedRows.addFirst(EffectRow.header(Messages.tr("In the scene"), Messages.tr("Called for by")));
+            usedRows.addFirst(EffectRow.header(Messages.tr("Used"), Messages.tr("Used by")));
         }
-        // A row must not be in two places at a time.
+        // A node must have one parent only.
         usedBox.getChildren().clear();
         unusedBox.getChildren().setAll(unusedRows);
         usedBox.getChildren().setAll(usedRows);
     }
 
     /**
-     * The edit to measure: the last one, unless it brought or took an effect; or else the first light moved, or else whatever
-     * edit the scene allows.
+     * Returns the edit to measure: the last one if it changed no effect, else moving the first light, else any edit that the scene allows.
      */
     private Optional<LastEdit> editToMeasure() {
         return (editor.isAnimating() ? Optional.<LastEdit>empty() : workbench.lastEdit())
@@ -186,7 +186,7 @@ public final class EffectsPane extends VBox {
     private void measure() {
         Scene scene = editor.scene();
         editToMeasure().ifPresent(edit -> {
-            RenderOptions options = precision.getValue().options();
+            RenderOptions options = accuracyMode.getValue().options();
             bar.start("lightning-effects",
                     progress -> EffectCosts.of(edit.before(), edit.after(), options, REPETITIONS, progress),
                     result -> showCosts(result, scene), outcome::setText);
@@ -198,7 +198,7 @@ public final class EffectsPane extends VBox {
         costs = newCosts;
         costsScene = scene;
         costsText =
-                Messages.tr("First pass {0} · update {1} ({2}) · {3}. ≈: within the noise",
+                Messages.tr("Full render {0} · update {1} ({2}) · {3}. ≈: within noise",
                         StatusText.milliseconds(newCosts.first().median()),
                         StatusText.milliseconds(newCosts.update().median()), newCosts.plan(), EffectRow.bytes(newCosts.bytes()));
         showOutcome();

@@ -18,7 +18,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
-/** The buttons that measure something beside the editor and cancel it, and how far that is. */
+/** Buttons to start and cancel a background measurement, with a progress bar. */
 final class MeasureBar extends HBox {
     private static final double SPACING = 8;
 
@@ -31,8 +31,8 @@ final class MeasureBar extends HBox {
     private MeasureTask<?> task;
 
     /**
-     * @param suffix of the buttons' ids, {@code measure} and {@code cancel-measure}
-     * @param hint   what measuring does, a sentence without a full stop
+     * @param suffix  suffix of the buttons' ids, {@code measure} and {@code cancel-measure}
+     * @param hint  tooltip without a full stop
      */
     MeasureBar(String suffix, String hint) {
         super(SPACING);
@@ -43,23 +43,23 @@ final class MeasureBar extends HBox {
         cancel.setId("cancel-measure" + suffix);
         cancel.setMinWidth(Region.USE_PREF_SIZE);
         cancel.setOnAction(_ -> cancelTask());
-        bar.setAccessibleText(Messages.tr("Progress of measuring"));
+        bar.setAccessibleText(Messages.tr("Measurement progress"));
         var measureBox = new StackPane(measure);
         var cancelBox = new StackPane(cancel);
         measureReason = new DisabledReason(measureBox, measure, hint);
         cancelReason = new DisabledReason(cancelBox, cancel, Messages.tr("Stop measuring"));
         getChildren().addAll(bar, measureBox, cancelBox);
         update();
-        // Nothing is measured for a window that is closed.
+        // Closing the window cancels the measurement.
         VisibilityListener.attach(this, () -> this::cancelTask);
     }
 
-    /** Says what begins when the artist asks to measure. */
+    /** Sets the action of the Measure button. */
     void setOnMeasure(Runnable action) {
         measure.setOnAction(_ -> action.run());
     }
 
-    /** Why there is nothing to measure, a clause; empty where there is. */
+    /** Sets why measuring is disabled, as a clause; empty to enable it. */
     void setDisabledReason(Optional<String> reason) {
         disabledReason = reason;
         update();
@@ -70,10 +70,11 @@ final class MeasureBar extends HBox {
     }
 
     /**
-     * Begins to measure; what follows is called on the window's thread.
+     * Starts a measurement. The callbacks run on the window's thread.
      *
-     * @param onFinished hears what came of it
-     * @param onFailed    hears why nothing came of it
+     * @param thread  name of the measurement's thread
+     * @param onFinished  receives the result
+     * @param onFailed  receives the message of a failure or cancellation
      */
     <T> void start(String thread, Function<Progress, T> work, Consumer<T> onFinished, Consumer<String> onFailed) {
         var newTask = new MeasureTask<>(thread, work);
@@ -102,15 +103,15 @@ final class MeasureBar extends HBox {
     }
 
     private void update() {
-        measureReason.set(isBusy() ? Optional.of(Messages.tr("it is being measured")) : disabledReason);
-        cancelReason.set(isBusy() ? Optional.empty() : Optional.of(Messages.tr("nothing is being measured")));
+        measureReason.set(isBusy() ? Optional.of(Messages.tr("a measurement is running")) : disabledReason);
+        cancelReason.set(isBusy() ? Optional.empty() : Optional.of(Messages.tr("no measurement is running")));
         bar.setVisible(isBusy());
     }
 
-    /** Gives up what is being measured. */
+    /** Cancels the measurement. */
     private void cancelTask() {
         if (task != null) {
-            // Without an interrupt, which would break the workers' waiting.
+            // No interrupt, which would break the waits of the workers.
             task.cancel(false);
         }
     }

@@ -5,14 +5,14 @@ import javafx.concurrent.Task;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 
-/** Measures something on a thread of its own. */
+/** Background measurement on a dedicated thread. */
 final class MeasureTask<T> extends Task<T> {
     private final String thread;
     private final Function<Progress, T> work;
 
     /**
-     * @param thread the thread's name
-     * @param work   stops where its progress asks for it
+     * @param thread  name of the thread
+     * @param work  measurement; stops when its progress is canceled
      */
     MeasureTask(String thread, Function<Progress, T> work) {
         this.thread = thread;

@@ -15,24 +15,24 @@ import lightning.editor.window.widget.VisibilityListener;
 import lightning.render.image.Scopes;
 import lightning.render.image.ViewTransform;
 
-/** Histogram and waveform of the traced picture as it is shown, counted on a thread of its own; of many pictures the newest. */
+/** Histogram and waveform of the displayed picture, computed on a dedicated thread. Only the newest picture is computed. */
 public final class ScopesPane extends VBox {
     private static final int HEIGHT = 160;
     private static final int WIDTH = 512;
 
     private final TracedPicture picture;
     private final PaneUpdater<ScopeImages> feed;
-    private final ImageView histogram = view("histogram", Messages.tr("How many pixels have each code, red, green and blue"));
-    private final ImageView waveform = view("waveform", Messages.tr("Which codes the pixels of each column have"));
+    private final ImageView histogram = view("histogram", Messages.tr("Histogram of red, green and blue values"));
+    private final ImageView waveform = view("waveform", Messages.tr("Waveform of the values in each column"));
     private final Label clippingLabel = new Label();
     private volatile Frame frame;
     private volatile ViewTransform shownView = ViewTransform.DEFAULT;
 
     private record ScopeImages(Scopes scopes, int[] histogramPixels, int[] waveformPixels) {
-        // Arrays in a record: written once by their maker, never after.
+        // The arrays are never written after construction.
     }
 
-    /** @param window runs tasks in turn on the window's thread */
+    /** @param window  runs tasks in order on the window's thread */
     public ScopesPane(TracedPicture picture, Executor window) {
         this.picture = picture;
         feed = new PaneUpdater<>("lightning-scopes", window, this::computeImages, this::show);
@@ -53,7 +53,7 @@ public final class ScopesPane extends VBox {
         return view;
     }
 
-    /** Follows the picture. */
+    /** Subscribes to changes of the picture and the view. */
     private Subscription subscribe() {
         return Subscription.combine(picture.renderStateProperty().subscribe(_ -> update()), picture.viewProperty().subscribe(_ -> update()),
                 () -> frame = null, feed::close);
@@ -80,7 +80,7 @@ public final class ScopesPane extends VBox {
         histogram.setImage(PixelImage.of(Scopes.CODES, HEIGHT, images.histogramPixels()));
         waveform.setImage(PixelImage.of(scopes.columns(), Scopes.CODES, images.waveformPixels()));
         clippingLabel.setText(
-                String.format(Messages.locale(), Messages.tr("%.1f %% of a channel at black, %.1f %% at white"), 100 * scopes.pixelShare(0),
+                String.format(Messages.locale(), Messages.tr("Clipped: %.1f %% black, %.1f %% white"), 100 * scopes.pixelShare(0),
                         100 * scopes.pixelShare(Scopes.CODES - 1)));
     }
 }

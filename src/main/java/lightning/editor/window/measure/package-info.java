@@ -1,4 +1,2 @@
-/**
- * What accuracy and effects cost, measured when the artist asks.
- */
+/** Panes that measure the cost of accuracy settings and effects, and scopes of the picture. */
 package lightning.editor.window.measure;

@@ -5,15 +5,15 @@ import lightning.render.relight.plan.Accuracy;
 import lightning.render.relight.plan.ReflectionMode;
 import lightning.render.relight.tile.RenderOptions;
 
-/** What the artist chooses between speed and exactness. */
+/** Accuracy setting of the editor: the accuracy of updates and the handling of reflections. */
 public enum AccuracyMode {
-    EXACT(Messages.key("Exact"), Messages.key("Equal to a full trace in every bit of every pixel, mirrors too"),
+    EXACT(Messages.key("Exact"), Messages.key("Bit-identical to a full trace, reflections included"),
             Accuracy.EXACT, ReflectionMode.CURRENT),
-    ON_DEMAND(Messages.key("As in 1998: mirrors on demand"),
-            Messages.key("Equal to a full trace in every bit, but mirrors show older lights until Update Reflections"),
+    ON_DEMAND(Messages.key("Exact, reflections on request"),
+            Messages.key("Bit-identical to a full trace, but reflections stay out of date until Update Reflections"),
             Accuracy.EXACT, ReflectionMode.STALE),
-    RATIO(Messages.key("As in 1998: ratio"),
-            Messages.key("The paper's own update, which multiplies what is stored, with an error bound that is shown; mirrors on demand"),
+    RATIO(Messages.key("Fast, approximate (1998 method)"),
+            Messages.key("The paper's ratio update, with a displayed error bound and reflections on request"),
             Accuracy.RATIO, ReflectionMode.STALE);
 
     private final String title;

@@ -9,7 +9,7 @@ import javafx.beans.value.ObservableValue;
 import lightning.editor.document.Command;
 import lightning.editor.document.EditorState;
 
-/** What the commands do and switch, and which of them have something to do as things are. */
+/** Actions, toggle states and enablement of the editor's commands. */
 public final class CommandRegistry {
     private final Map<Command, Runnable> actions = new EnumMap<>(Command.class);
     private final Map<Command, ObservableValue<Boolean>> toggleStates = new EnumMap<>(Command.class);
@@ -17,49 +17,49 @@ public final class CommandRegistry {
     private final ObservableObjectValue<EditorState> editorState;
     private final StatusMessage message;
 
-    /** @param message says why a command has nothing to do whose key was pressed */
+    /** @param message  shows why a command is disabled when its key is pressed */
     CommandRegistry(ObservableObjectValue<EditorState> editorState, StatusMessage message) {
         this.editorState = editorState;
         this.message = message;
     }
 
-    /** Everything that decides which commands are enabled. */
+    /** Returns the state that decides which commands are enabled. */
     public ObservableObjectValue<EditorState> editorState() {
         return editorState;
     }
 
-    /** The keys of the commands. */
+    /**  */
     public KeyBindings keyBindings() {
         return keyBindings;
     }
 
-    /** Says what a command does; a pane that asks the artist something first says so for its commands. */
+    /** Sets the action of a command. A pane that prompts the user first registers its commands itself. */
     public void setAction(Command command, Runnable action) {
         actions.put(command, action);
     }
 
-    /** Says that a command switches something, which is seen on its items and buttons. */
+    /** Makes a command toggle a property, whose value its items and buttons show. */
     public void setToggle(Command command, Property<Boolean> state) {
         setToggle(command, state, () -> state.setValue(!state.getValue()));
     }
 
-    /** The same of something that is switched in another way. */
+    /** Makes a command a toggle with an action of its own. */
     public void setToggle(Command command, ObservableValue<Boolean> state, Runnable action) {
         toggleStates.put(command, state);
         actions.put(command, action);
     }
 
-    /** What a command switches; empty for one that does something else. */
+    /** Returns the state that a command toggles, or empty if it toggles none. */
     public Optional<ObservableValue<Boolean>> toggleState(Command command) {
         return Optional.ofNullable(toggleStates.get(command));
     }
 
-    /** Whether anybody does the command; else it stands for a choice among values. */
+    /** Returns true if the command has an action. A command without one stands for a choice among values. */
     public boolean hasAction(Command command) {
         return actions.containsKey(command);
     }
 
-    /** Does the command if it is enabled, and anybody does it. */
+    /** Runs the command if it is enabled and has an action. */
     public void run(Command command) {
         Runnable action = actions.get(command);
         if (action != null && isEnabled(command)) {
@@ -67,7 +67,7 @@ public final class CommandRegistry {
         }
     }
 
-    /** A command's key was pressed: does it, or says why there is nothing to do; to cancel nothing needs no words. */
+    /** Runs a command whose key was pressed, or shows why it is disabled. {@link Command#CANCEL} shows nothing. */
     public void runOrExplain(Command command) {
         if (isEnabled(command)) {
             run(command);
@@ -80,7 +80,7 @@ public final class CommandRegistry {
         return command.isEnabled(editorState.get());
     }
 
-    /** Why the command is disabled; empty if it is enabled. */
+    /** Returns why the command is disabled, or empty if it is enabled. */
     public Optional<String> disabledReason(Command command) {
         return command.disabledReason(editorState.get());
     }

@@ -12,8 +12,9 @@ import lightning.editor.document.Workbench;
 import lightning.render.image.ViewTransform;
 
 /**
- * Makes the objects that a window's panes work on, connects them, and opens documents in them. Panes take those that they need. All of them
- * belong to the window's thread, and none of their methods waits.
+ * Model of an editor window: creates and connects the objects that the panes share, and opens documents in them.
+ *
+ * <p>All objects belong to the window's thread. No method blocks.
  */
 public final class EditorModel implements AutoCloseable {
     private final FileThread files;
@@ -35,19 +36,19 @@ public final class EditorModel implements AutoCloseable {
     private final UpdateLog updates;
 
     /**
-     * Takes a document and starts to trace it.
+     * Opens a document and starts tracing it.
      *
-     * @param recovery keeps unsaved edits for the case of a crash
-     * @param files    reads and writes beside the window's thread
+     * @param recovery  stores unsaved edits in case of a crash
+     * @param files  reads and writes files off the window's thread
      */
     public EditorModel(OpenDocument document, RecoveryFolder recovery, FileThread files) {
         this(document, StartupPreview.none(ViewTransform.DEFAULT), recovery, files);
     }
 
     /**
-     * The same where the scene is looked at already.
+     * Opens a document that a startup preview already shows.
      *
-     * @param preview of the document's scene
+     * @param preview  preview of the document's scene
      */
     public EditorModel(OpenDocument document, StartupPreview preview, RecoveryFolder recovery, FileThread files) {
         this.files = files;
@@ -69,7 +70,7 @@ public final class EditorModel implements AutoCloseable {
     }
 
     private void reportAutosaveFailure(Throwable failure) {
-        editor.message().show(Messages.tr("The last edits could not be kept for the case of a crash: {0}", ErrorMessage.of(failure)));
+        editor.message().show(Messages.tr("Autosave failed: {0}", ErrorMessage.of(failure)));
     }
 
     private void addCommands() {
@@ -95,7 +96,7 @@ public final class EditorModel implements AutoCloseable {
         commands.setToggle(Command.GLOWING_TEXTURES, previewSettings.glowingTexturesProperty());
     }
 
-    /** Takes another document in place of the open one, and traces it. Unsaved edits are lost: ask before. */
+    /** Replaces the open document and traces the new one. Discards unsaved edits; the caller confirms first. */
     public void open(OpenDocument other) {
         editor.dropAnimation();
         workbench.open(other);
@@ -103,7 +104,7 @@ public final class EditorModel implements AutoCloseable {
         documentOpened();
     }
 
-    /** Takes what a crash left unsaved in place of the open document, and traces it. */
+    /** Replaces the open document with edits recovered after a crash, and traces them. */
     public void recover(RecoveryFolder.RecoverableScene recoverable, OpenDocument recovered) {
         editor.dropAnimation();
         workbench.recover(recoverable, recovered);
@@ -119,10 +120,10 @@ public final class EditorModel implements AutoCloseable {
         refresh();
     }
 
-    /** Stops what runs, and waits no longer for what is read. */
+    /** Cancels the running render and the pending file read. */
     private void cancel() {
         if (fileActivity.cancel()) {
-            // How far it was.
+            // Clears the progress message.
             editor.message().clear();
         }
         workbench.cancel();
@@ -137,37 +138,37 @@ public final class EditorModel implements AutoCloseable {
         picture.update();
     }
 
-    /** The open document's scene, its selection, and the edits of both. */
+    /** Returns the editor of the open document's scene and its selection. */
     public SceneEditor editor() {
         return editor;
     }
 
-    /** The traced picture, and how far the next one is. */
+    /** Returns the traced picture and its render progress. */
     public TracedPicture picture() {
         return picture;
     }
 
-    /** What of the traced picture is shown. */
+    /** Returns the display settings of the traced picture. */
     public PictureDisplay pictureDisplay() {
         return pictureDisplay;
     }
 
-    /** Which part of the traced picture the artist points at. */
+    /** Returns the pointer position and region requests in the traced picture. */
     public PicturePointer picturePointer() {
         return picturePointer;
     }
 
-    /** How the preview looks, and from where. */
+    /** Returns the settings and the camera of the preview. */
     public PreviewSettings previewSettings() {
         return previewSettings;
     }
 
-    /** What the commands do, their keys, and which of them have something to do. */
+    /** Returns the registry of commands, with their actions, keys and enablement. */
     public CommandRegistry commands() {
         return commands;
     }
 
-    /** What the commands act on. */
+    /** Returns the workbench that the commands act on. */
     public Workbench workbench() {
         return workbench;
     }
@@ -176,52 +177,52 @@ public final class EditorModel implements AutoCloseable {
         return accuracyMode;
     }
 
-    /** Which material is edited. */
+    /** Returns the material being edited. */
     public MaterialSelection materials() {
         return materials;
     }
 
-    /** Which keys of the shot are chosen. */
+    /** Returns the selected keyframes of the shot. */
     public KeySelection keySelection() {
         return keySelection;
     }
 
-    /** What the last updates of the picture did. */
+    /** Returns the log of recent updates. */
     public UpdateLog updates() {
         return updates;
     }
 
-    /** Reads and writes files beside the window's thread. */
+    /** Returns the thread that reads and writes files. */
     public FileThread files() {
         return files;
     }
 
-    /** The file that is read or written, which may be given up. */
+    /** Returns the file being read or written, which can be canceled. */
     public FileActivity fileActivity() {
         return fileActivity;
     }
 
-    /** Brings files from elsewhere beside the scene. */
+    /** Returns the importer that copies files next to the scene. */
     public FileImporter fileImporter() {
         return fileImporter;
     }
 
-    /** How the window's room is shared. */
+    /** Returns the layout of the window. */
     public WindowLayout layout() {
         return layout;
     }
 
-    /** Which other machines hold frames, where the artist wants that. */
+    /** Returns the machines used for rendering frames. */
     public RenderMachines renderMachines() {
         return renderMachines;
     }
 
-    /** What the editor speaks from its next start on; titles and labels that stand on the screen stay as they are. */
+    /** Interface language, effective after a restart. */
     public ObjectProperty<UiLanguage> languageProperty() {
         return language;
     }
 
-    /** Stops the threads; nothing is saved. */
+    /** Stops the threads without saving. */
     @Override
     public void close() {
         workbench.close();

@@ -6,17 +6,17 @@ import lightning.base.text.Messages;
 import lightning.base.text.UserFacingException;
 import lightning.render.relight.PictureTooLargeException;
 
-/** What went wrong, as a sentence for the artist. */
+/** Converts an exception to a message for the user. */
 public final class ErrorMessage {
     private ErrorMessage() {}
 
     public static String of(Throwable problem) {
         return switch (problem) {
-            case UserFacingException told -> told.getMessage();
+            case UserFacingException e -> e.getMessage();
             case IOException e -> FileErrorMessage.of(e);
-            case PictureTooLargeException e -> Messages.tr("This is too large: {0}", e.getMessage());
-            case OutOfMemoryError _ -> Messages.tr("There is not enough memory for this picture; choose a smaller size");
-            default -> Messages.tr("An error of the program itself, not of your input: {0}; please report it with the scene", problem);
+            case PictureTooLargeException e -> Messages.tr("Too large: {0}", e.getMessage());
+            case OutOfMemoryError _ -> Messages.tr("Not enough memory for this resolution; choose a smaller one");
+            default -> Messages.tr("Internal error: {0}; please report it with the scene", problem);
         };
     }
 }

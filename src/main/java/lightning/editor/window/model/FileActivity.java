@@ -3,7 +3,7 @@ package lightning.editor.window.model;
 import java.nio.file.Path;
 import lightning.base.text.Messages;
 
-/** The one file that is read or written beside the window's thread and may be given up. Files are told by identity. */
+/** File being read or written in the background, which the user can cancel. Files are compared by identity. */
 public final class FileActivity {
     private final Runnable changeListener;
     private volatile Path file;
@@ -13,12 +13,12 @@ public final class FileActivity {
         this.changeListener = changeListener;
     }
 
-    /** A scene file is being read, which may take its place here. */
+    /** Starts reading a scene file. A previous activity is replaced. */
     public void beginReading(Path file) {
         begin(file, false);
     }
 
-    /** A file is being written that may be given up, as one that is read may. */
+    /** Starts writing a file. A previous activity is replaced. */
     public void beginWriting(Path file) {
         begin(file, true);
     }
@@ -29,7 +29,7 @@ public final class FileActivity {
         changeListener.run();
     }
 
-    /** The work on a file is over, well or not; returns whether it was still wanted. */
+    /** Ends the activity on a file, successful or not. Returns true if it was still active. */
     public boolean end(Path file) {
         boolean wasActive = isActive(file);
         if (wasActive) {
@@ -39,22 +39,22 @@ public final class FileActivity {
         return wasActive;
     }
 
-    /** Whether nobody has given it up. Any thread may ask. */
+    /** Returns true unless the activity on the file was canceled. Callable from any thread. */
     public boolean isActive(Path file) {
         return this.file == file;
     }
 
-    /** What is read or written; null where nothing is, or it is not wanted any more. */
+    /** Returns the active file, or null if there is none or it was canceled. */
     public Path file() {
         return file;
     }
 
-    /** What is done with {@link #file()}, as in "Reading". */
+    /** Returns the activity's title, for example "Reading". */
     public String title() {
         return isWriting ? Messages.tr("Writing") : Messages.tr("Reading");
     }
 
-    /** Returns whether there was any. */
+    /** Cancels the activity. Returns true if there was one. */
     boolean cancel() {
         boolean wasActive = file != null;
         file = null;

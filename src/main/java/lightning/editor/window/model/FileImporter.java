@@ -10,12 +10,12 @@ import lightning.editor.document.FileThread;
 import lightning.format.jen.FileCopy;
 import lightning.format.jen.FileKind;
 
-/** Brings files from elsewhere to where the open scene finds them; over another of that name only if one is chosen twice. */
+/** Copies external files to where the open scene finds them. Overwrites an existing file only if it is chosen twice. */
 public final class FileImporter {
     private final SceneEditor editor;
     private final FileThread files;
     private BiFunction<String, FileKind, Optional<Path>> filePrompt = (_, _) -> Optional.empty();
-    /** A file that was chosen, whose name another has; null where there is none. */
+    /** Last chosen file whose name is already in use, or null. */
     private Path rejectedFile;
 
     FileImporter(SceneEditor editor, FileThread files) {
@@ -23,27 +23,27 @@ public final class FileImporter {
         this.files = files;
     }
 
-    /** The folder that the open scene lies in. */
+    /** Returns the folder of the open scene. */
     public Path folder() {
         return editor.document().file().toAbsolutePath().getParent();
     }
 
-    /** Reads the files that the scene finds there. */
+    /** Returns the thread that reads the scene's files. */
     public FileThread files() {
         return files;
     }
 
-    /** Says who asks for a file; it gets the title of the question. */
+    /** Sets the prompt that chooses a file; it receives the prompt's title. */
     public void setFilePrompt(BiFunction<String, FileKind, Optional<Path>> prompt) {
         filePrompt = prompt;
     }
 
     /**
-     * Asks for a file from anywhere and brings it, unless the artist thinks better of it.
+     * Prompts for a file and imports it, unless the user cancels.
      *
-     * @param title   of the question
-     * @param onImported hears the name by which the scene finds it
-     * @param onRefused hears why it was not brought
+     * @param title  title of the prompt
+     * @param onImported  receives the name by which the scene finds the file
+     * @param onRefused  receives the reason for a failed import
      */
     public void promptAndImport(String title, FileKind kind, Consumer<String> onImported, Consumer<String> onRefused) {
         filePrompt.apply(title, kind).ifPresent(file -> importFile(kind, file, onImported, onRefused));
@@ -57,7 +57,7 @@ public final class FileImporter {
             switch (outcome) {
                 case FileCopy.Copied(String name) -> onImported.accept(name);
                 case FileCopy.NameConflict(String name) -> onRefused.accept(
-                        Messages.tr("Another file {0} is among the textures: choose it again to write over it", Quote.of(name)));
+                        Messages.tr("The textures folder has another file {0}. Choose the file again to overwrite it", Quote.of(name)));
             }
         }, failure -> onRefused.accept(ErrorMessage.of(failure)));
     }

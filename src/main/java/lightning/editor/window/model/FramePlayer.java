@@ -7,7 +7,7 @@ import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import lightning.scene.Scene;
 
-/** Plays frames: shows the next one when the traced picture of the one before is finished. Stops where a picture fails. */
+/** Plays frames: shows the next frame once the traced picture of the current one is finished. Stops if a picture fails. */
 public final class FramePlayer {
     private final SceneEditor editor;
     private final TracedPicture picture;
@@ -23,8 +23,8 @@ public final class FramePlayer {
     private Scene awaitedScene;
 
     /**
-     * @param stopCondition whether to stop playing
-     * @param showNextFrame shows another frame if one is due at a time in nanoseconds; returns whether one was
+     * @param stopCondition  returns true to stop playing
+     * @param showNextFrame  shows the next frame if it is due at a time in nanoseconds; returns true if it did
      */
     public FramePlayer(SceneEditor editor, TracedPicture picture, BooleanSupplier stopCondition, LongPredicate showNextFrame) {
         this.editor = editor;
@@ -41,14 +41,14 @@ public final class FramePlayer {
         return playing.get();
     }
 
-    /** Starts when the picture of the scene that is shown now is finished. */
+    /** Starts playing once the picture of the current scene is finished. */
     public void play() {
         awaitedScene = editor.scene();
         playing.set(true);
         timer.start();
     }
 
-    /** Stays at the frame that is shown. */
+    /** Stops playing at the current frame. */
     public void stop() {
         timer.stop();
         playing.set(false);

@@ -4,11 +4,15 @@ import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import lightning.editor.document.LightDrag;
 
-/** What the mouse does with the gizmo that it presses, in either picture. */
+/** Mouse bindings for dragging light gizmos in the preview and the traced picture. */
 public final class GizmoMouseBinding {
     private GizmoMouseBinding() {}
 
-    /** Left turns, with Ctrl it carries about the aim; right moves across the view; middle, or any with Alt, moves along it. */
+    /**
+     * Returns the drag for a mouse press.
+     *
+     * <p>Left rotates, Ctrl+left orbits the target, right translates across the view. The middle button, or any button with Alt, dollies.
+     */
     public static LightDrag lightDrag(MouseEvent press) {
         if (press.isAltDown() || press.getButton() == MouseButton.MIDDLE) {
             return LightDrag.DOLLY;

@@ -8,15 +8,17 @@ import lightning.editor.document.NodeGizmo;
 import lightning.editor.document.PreviewCamera;
 import lightning.editor.document.Viewport;
 
-/** How gizmos look over either picture: their colors, and thin lines with a dark edge, so that they are seen before bright surfaces too. */
+/**
+ * Paints gizmos over the preview and the traced picture. Lines are thin with a dark outline, so that they stay visible on bright surfaces.
+ */
 public final class GizmoPainter {
     public static final Color SELECTED = Color.web("#FFD60A");
-    /** Of lights that are not selected, and shine. */
+    /** Color of unselected lights that are on. */
     public static final Color UNSELECTED = Color.web("#E8EAF0");
-    /** Of lights that are not selected, and do not shine. */
+    /** Color of unselected lights that are off. */
     public static final Color UNLIT = Color.web("#E8EAF0", 0.4);
     public static final Color OUTLINE = Color.gray(0, 0.65);
-    /** Of line and edge together, pixels. */
+    /** Width of a line and its outline together, pixels. */
     public static final double OUTLINE_WIDTH = 3;
     private static final List<Color> AXES = List.of(Color.web("#FF6B5E"), Color.web("#7ADB5C"), Color.web("#5CA8FF"));
     private static final double LINE_WIDTH = 1.25;
@@ -24,27 +26,27 @@ public final class GizmoPainter {
 
     private GizmoPainter() {}
 
-    /** A light's wireframe, or those of several. */
+    /** Draws the wireframes of one or more lights. */
     public static void drawWireframe(GraphicsContext g, List<LightGizmo.Stroke> strokes, Color color) {
         drawLines(g, strokes, color, LINE_WIDTH, OUTLINE_WIDTH);
     }
 
-    /** What is dragged beside a light or a shape, as thick as their handles. */
+    /** Draws a drag handle of a light or a shape, as thick as node handles. */
     public static void drawMark(GraphicsContext g, List<LightGizmo.Stroke> strokes) {
         drawLines(g, strokes, SELECTED, HANDLE_WIDTH, OUTLINE_WIDTH);
     }
 
     /**
-     * All handles of a shape or a group.
+     * Draws all handles of a shape or a group.
      *
-     * @param outlineWidth of line and edge together, pixels
+     * @param outlineWidth  width of a line and its outline together, pixels
      */
     public static void drawHandles(GraphicsContext g, NodeGizmo gizmo, PreviewCamera camera, Viewport canvas, double outlineWidth) {
         gizmo.handles()
                 .forEach(handle -> drawLines(g, NodeGizmo.strokes(handle, camera, canvas), color(handle), HANDLE_WIDTH, outlineWidth));
     }
 
-    /** Red, green and blue for x, y and z, as the axes have everywhere. */
+    /**  */
     private static Color color(NodeGizmo.Handle handle) {
         return switch (handle.action()) {
             case MOVE, ROTATE -> AXES.get(handle.axis());

@@ -2,7 +2,7 @@ package lightning.editor.window.model;
 
 import lightning.base.text.Messages;
 
-/** How large the lights' wireframes are drawn. */
+/** Display size of the lights' wireframes. */
 public enum GizmoSize {
     SMALL(Messages.key("Small"), 0.6), NORMAL(Messages.key("Normal"), 1), LARGE(Messages.key("Large"), 1.6);
 
@@ -14,7 +14,7 @@ public enum GizmoSize {
         this.factor = factor;
     }
 
-    /** What multiplies the normal size. */
+    /** Returns the factor relative to the normal size. */
     public double factor() {
         return factor;
     }

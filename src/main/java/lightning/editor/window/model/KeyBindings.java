@@ -13,20 +13,20 @@ import javafx.scene.input.KeyEvent;
 import lightning.base.text.Messages;
 import lightning.editor.document.Command;
 
-/** The keys of the commands: those that the program gives them, until the artist gives them others. No two have the same. */
+/** Keyboard shortcuts of the commands: defaults and the user's changes. No two commands share a shortcut. */
 public final class KeyBindings {
     private static final String NONE = "none";
 
-    /** What the artist chose; null for a command that shall have no key. */
+    /** The user's changes; null values mark commands without a shortcut. */
     private final Map<Command, KeyCombination> customBindings = new EnumMap<>(Command.class);
     private final ReadOnlyLongWrapper changes = new ReadOnlyLongWrapper();
 
-    /** Changes whenever a key has. */
+    /** Counter that increases with every change of a shortcut. */
     public ReadOnlyLongProperty changesProperty() {
         return changes.getReadOnlyProperty();
     }
 
-    /** The key of a command; empty where it has none. */
+    /** Returns the shortcut of a command, or empty if it has none. */
     public Optional<KeyCombination> binding(Command command) {
         return customBindings.containsKey(command) ? Optional.ofNullable(customBindings.get(command)) : defaultBinding(command);
     }
@@ -35,39 +35,39 @@ public final class KeyBindings {
         return command.shortcut().isEmpty() ? Optional.empty() : Optional.of(KeyCombination.valueOf(command.shortcut()));
     }
 
-    /** As {@link KeyLabel} writes it; empty where there is none. */
+    /** Returns the shortcut's {@link KeyLabel} text, or an empty string if there is none. */
     public String text(Command command) {
         return binding(command).map(KeyLabel::text).orElse("");
     }
 
-    /** Whether a key is a command's. */
+    /** Returns true if a key event matches a command's shortcut. */
     public boolean matches(Command command, KeyEvent event) {
         return binding(command).filter(k -> k.match(event)).isPresent();
     }
 
-    /** Whether the artist changed it. */
+    /** Returns true if a command's shortcut differs from its default. */
     public boolean isChanged(Command command) {
         return !binding(command).equals(defaultBinding(command));
     }
 
-    /** Who has a key; empty if it is free. */
+    /** Returns the command that a shortcut is assigned to, or empty if it is free. */
     public Optional<Command> owner(KeyCombination key) {
         return Stream.of(Command.values()).filter(c -> binding(c).filter(key::equals).isPresent()).findFirst();
     }
 
-    /** Gives a command a key, which is taken from whoever has it; or none, for an empty one. */
+    /** Assigns a shortcut to a command and removes it from any other; an empty one clears it. */
     public void set(Command command, Optional<KeyCombination> key) {
         key.flatMap(this::owner).ifPresent(owner -> put(owner, Optional.empty()));
         put(command, key);
         changes.set(changes.get() + 1);
     }
 
-    /** Gives a command the program's own key again, which is taken from whoever has it. */
+    /** Restores the default shortcut of a command and removes it from any other. */
     public void reset(Command command) {
         set(command, defaultBinding(command));
     }
 
-    /** Gives all commands the program's own keys again. */
+    /** Restores the default shortcuts of all commands. */
     public void reset() {
         customBindings.clear();
         changes.set(changes.get() + 1);
@@ -81,7 +81,7 @@ public final class KeyBindings {
         }
     }
 
-    /** The key that was pressed, as a command may have it; empty for a modifier alone. */
+    /** Returns the shortcut of a key event, or empty for a modifier alone. */
     public static Optional<KeyCodeCombination> fromEvent(KeyEvent event) {
         KeyCode code = event.getCode();
         return code.isModifierKey() || code == KeyCode.UNDEFINED ? Optional.empty() : Optional.of(new KeyCodeCombination(code,
@@ -93,22 +93,22 @@ public final class KeyBindings {
         return down ? KeyCombination.ModifierValue.DOWN : KeyCombination.ModifierValue.UP;
     }
 
-    /** Why no command may have a key, a clause; empty if one may. */
+    /** Returns why a key cannot be a shortcut, as a clause, or empty if it can. */
     public static Optional<String> invalidReason(KeyCodeCombination key) {
         boolean hasModifier = key.getShortcut() == KeyCombination.ModifierValue.DOWN || key.getAlt() == KeyCombination.ModifierValue.DOWN;
         if (!hasModifier && !key.getCode().isFunctionKey()) {
             return Optional
-                    .of(Messages.tr("{0} alone types or moves; hold Ctrl or Alt with it, or take a function key", KeyLabel.text(key)));
+                    .of(Messages.tr("{0} needs Ctrl or Alt; only function keys work alone", KeyLabel.text(key)));
         }
         boolean hasShortcutOnly = key.getShift() == KeyCombination.ModifierValue.UP && key.getAlt() == KeyCombination.ModifierValue.UP;
         boolean isTextKey =
                 key.getCode() == KeyCode.C || key.getCode() == KeyCode.V || key.getCode() == KeyCode.X || key.getCode() == KeyCode.A;
         return hasShortcutOnly && hasModifier && isTextKey
-                ? Optional.of(Messages.tr("{0} is for texts: it copies, pastes, cuts or selects all", KeyLabel.text(key)))
+                ? Optional.of(Messages.tr("{0} is reserved for editing text", KeyLabel.text(key)))
                 : Optional.empty();
     }
 
-    /** Takes what was remembered; a key that is damaged counts as not changed. */
+    /** Restores stored shortcuts. Ignores invalid ones. */
     public void restore(Preferences preferences) {
         for (Command command : Command.values()) {
             String text = preferences.text("key." + command.name(), "");
@@ -117,12 +117,12 @@ public final class KeyBindings {
                     set(command, text.equals(NONE) ? Optional.empty() : Optional.of(KeyCombination.valueOf(text)));
                 }
             } catch (IllegalArgumentException e) {
-                // It stays as it was.
+                // Keeps the current shortcut.
             }
         }
     }
 
-    /** Keeps what was changed. */
+    /** Stores the changed shortcuts. */
     public void save(Preferences preferences) {
         for (Command command : Command.values()) {
             preferences.set("key." + command.name(),

@@ -5,10 +5,7 @@ import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
 import lightning.base.text.Messages;
 
-/**
- * A key as the editor calls it wherever it speaks of it: the window toolkit writes {@code Ctrl} in menus whatever language is spoken,
- * and where texts say {@code Strg} nobody should have to know that this is the same.
- */
+/** Key combination with a localized display text, for example {@code Strg+Umschalt+P}. JavaFX always writes {@code Ctrl} in menus. */
 public final class KeyLabel extends KeyCombination {
     private static final Set<String> MODIFIERS = Set.of(Messages.key("Ctrl"), Messages.key("Shift"), Messages.key("Alt"));
     private static final Set<String> NAMED_KEYS =
@@ -17,13 +14,13 @@ public final class KeyLabel extends KeyCombination {
 
     private final KeyCombination key;
 
-    /** The same key. */
+    /**  */
     public KeyLabel(KeyCombination key) {
         super(key.getShift(), key.getControl(), key.getAlt(), key.getMeta(), key.getShortcut());
         this.key = key;
     }
 
-    /** How a key is called: {@code Strg+Umschalt+P}. */
+    /** Returns the localized text of a key combination, for example {@code Strg+Umschalt+P}. */
     public static String text(KeyCombination key) {
         var text = new StringBuilder();
         String rest = key.getDisplayText();

@@ -7,7 +7,7 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import lightning.editor.document.KeyId;
 import lightning.scene.shot.AnimatedScene;
 
-/** Which keys of the shot the artist has chosen: what the commands about keys act on. */
+/** Selected keyframes of the shot, which keyframe commands act on. */
 public final class KeySelection {
     private final ReadOnlyObjectWrapper<Set<KeyId>> keys = new ReadOnlyObjectWrapper<>(Set.of());
     private final Runnable changeListener;
@@ -24,13 +24,13 @@ public final class KeySelection {
         return keys.get();
     }
 
-    /** Chooses these, and no others. */
+    /** Replaces the selection. */
     public void set(Set<KeyId> v) {
         keys.set(Set.copyOf(v));
         changeListener.run();
     }
 
-    /** Forgets those that are gone; returns how many are left. */
+    /** Deselects keyframes that no longer exist. Returns the number of selected keyframes. */
     int retainExisting(AnimatedScene scene) {
         if (!keys.get().isEmpty()) {
             Set<KeyId> remaining = keys.get().stream().filter(k -> scene.shot().flatMap(s -> s.track(k.target(), k.attribute()))

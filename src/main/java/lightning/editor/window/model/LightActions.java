@@ -14,7 +14,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
-/** What the commands do to the selected light and its bank. */
+/** Actions of the commands for the selected light and its light group. */
 final class LightActions {
     private final SceneEditor editor;
     private final SceneSelection selection;
@@ -46,14 +46,14 @@ final class LightActions {
         editor.editOrReport(scene -> edit.apply(scene, light));
     }
 
-    /** The new light is the last of the scene, and selected. */
+    /** Adds a light at the end of the scene and selects it. */
     private void add(LightType type) {
         if (editor.editOrReport(scene -> LightEdits.add(scene, type)).isEmpty()) {
             selection.selectLight(editor.scene().lights().getLast().name());
         }
     }
 
-    /** The copy stands behind its original, and is selected. */
+    /** Duplicates the selected light and selects the copy, which follows the original in the scene. */
     private void duplicate() {
         Light original = selection.light();
         if (editor.editOrReport(scene -> LightEdits.duplicate(scene, original.name())).isEmpty()) {
@@ -64,10 +64,10 @@ final class LightActions {
         }
     }
 
-    /** Tells where a copy stands. */
+    /** Shows the offset of a copy in the status line. */
     static void reportDuplicateOffset(SceneEditor editor, String copy, String original) {
         editor.message()
-                .show(Messages.tr("{0} stands {1} beside {2}, along x", copy, DecimalNumber.format(DuplicateOffset.length(editor.scene())),
-                        original));
+                .show(Messages.tr("Duplicated {2} as {0}, offset by {1} along x", copy,
+                        DecimalNumber.format(DuplicateOffset.length(editor.scene())), original));
     }
 }

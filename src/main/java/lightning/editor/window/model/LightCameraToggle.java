@@ -8,8 +8,8 @@ import lightning.editor.document.PreviewCamera;
 import lightning.scene.Light;
 
 /**
- * Whether the preview's camera is the selected light's. It follows the light and the selection as long as it is; any other
- * camera ends it.
+ * Toggle that makes the preview look through the selected light. It follows the light and the selection; any other camera change switches
+ * it off.
  */
 final class LightCameraToggle {
     private final SceneEditor editor;
@@ -33,13 +33,13 @@ final class LightCameraToggle {
         });
     }
 
-    /** Does the command. */
+    /** Registers the toggle's command. */
     static void register(CommandRegistry commands, SceneEditor editor, ObjectProperty<PreviewCamera> camera) {
         var cameraToggle = new LightCameraToggle(editor, camera);
         commands.setToggle(Command.LOOK_THROUGH_LIGHT, cameraToggle.isOn, cameraToggle::toggle);
     }
 
-    /** Looks through the selected light, or again as before. */
+    /** Looks through the selected light, or restores the previous camera. */
     private void toggle() {
         if (isOn.get()) {
             camera.set(previousCamera);

@@ -12,7 +12,7 @@ import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.Shape;
 
-/** Which material is being edited, and whether it is in front of the selected light's properties. */
+/** Material being edited, and whether its pane is shown in place of the selected light's. */
 public final class MaterialSelection {
     private final ReadOnlyObjectWrapper<Material> material = new ReadOnlyObjectWrapper<>();
     private final SceneEditor editor;
@@ -28,7 +28,7 @@ public final class MaterialSelection {
         });
     }
 
-    /** The material as it is now; null where no shape and no line of the scene has one. */
+    /** Current material; null if no shape uses one and the scene declares none. */
     public ReadOnlyObjectProperty<Material> materialProperty() {
         return material.getReadOnlyProperty();
     }
@@ -37,18 +37,18 @@ public final class MaterialSelection {
         return material.get();
     }
 
-    /** Edits the material of that name; one that does not exist is the scene's first. */
+    /** Selects the material of a name, or the scene's first if none has it. */
     public void choose(String name) {
         selectedName = name;
         refresh();
     }
 
-    /** Edits the material of a shape and shows it. */
+    /** Selects the material of a shape and shows its pane. */
     public void chooseForShape(String shape) {
         MaterialEdits.ofShape(editor.scene(), shape).ifPresentOrElse(m -> {
             choose(m.name());
             editor.materialShownProperty().set(true);
-        }, () -> editor.message().show(Messages.tr("The scene has no shape {0} any more", Quote.of(shape))));
+        }, () -> editor.message().show(Messages.tr("The scene no longer has object {0}", Quote.of(shape))));
     }
 
     private void refresh() {
@@ -59,19 +59,21 @@ public final class MaterialSelection {
         material.set(names.isEmpty() ? null : scene.materialsByName().get(name));
     }
 
-    /** Whether the same shapes have the same materials for sure: lights' edits share both lists. */
+    /**
+     * Returns true if both scenes certainly have equal shapes and materials, by identity of their lists. Edits of lights share both lists.
+     */
     public static boolean haveSameMaterials(Scene a, Scene b) {
         return a.nodes() == b.nodes() && a.materials() == b.materials();
     }
 
-    /** The scene's materials in its order, and the one of shapes that name none. */
+    /** Returns the names of the scene's materials in order, including the default material if shapes use it. */
     public static List<String> names(Scene scene) {
         Set<String> names = new LinkedHashSet<>(scene.materials().stream().map(Material::name).toList());
         names.addAll(scene.stage().usedMaterials());
         return List.copyOf(names);
     }
 
-    /** The names of the shapes that have a material, in the order of the scene. */
+    /** Returns the names of the shapes with a material, in scene order. */
     public static List<String> shapesWith(Scene scene, String material) {
         return scene.stage().shapes().stream().filter(s -> s.material().equals(material)).map(Shape::name).toList();
     }

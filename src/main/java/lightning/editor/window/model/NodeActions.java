@@ -4,7 +4,7 @@ import lightning.editor.document.Command;
 import lightning.editor.document.NodeEdits;
 import lightning.scene.SceneNode;
 
-/** What the commands do to the selected shape or group. */
+/** Actions of the commands for the selected shape or group. */
 final class NodeActions {
     private NodeActions() {}
 
@@ -16,7 +16,7 @@ final class NodeActions {
                 .ifPresent(n -> editor.editOrReport(scene -> NodeEdits.delete(scene, n.name()))));
     }
 
-    /** The copy is selected. */
+    /** Duplicates a shape or group and selects the copy. */
     private static void duplicate(SceneEditor editor, SceneNode original) {
         String copy = NodeEdits.copyName(editor.scene(), original.name());
         if (editor.editAndSelect(scene -> NodeEdits.duplicate(scene, original.name()), copy).isEmpty()) {

@@ -9,8 +9,8 @@ import java.util.function.Supplier;
 import lightning.base.work.DedicatedThread;
 
 /**
- * Computes what a pane shows on a thread of its own, which exists from the first request until the pane closes. Of requests that come
- * faster than they are answered, only the newest is answered. Belongs to the window's thread.
+ * Computes a pane's content on a dedicated thread, which exists from the first request until the pane closes. Coalesces requests: only the
+ * newest is computed. Belongs to the window's thread.
  */
 public final class PaneUpdater<T> implements AutoCloseable {
     private final String name;
@@ -20,14 +20,14 @@ public final class PaneUpdater<T> implements AutoCloseable {
     /** Null while the pane is closed. */
     private ThreadRun run;
 
-    /** From a first request until the pane closes. */
+    /** Lifetime of the thread, from the first request until the pane closes. */
     private record ThreadRun(ExecutorService thread, AtomicBoolean requested) {}
 
     /**
-     * @param name    of the thread
-     * @param window  runs tasks in turn on the window's thread
-     * @param compute runs on the thread; empty where there is nothing to show
-     * @param show    runs on the window's thread, unless the pane closed
+     * @param name  name of the thread
+     * @param window  runs tasks in order on the window's thread
+     * @param compute  computes the value on the thread; empty if there is nothing to show
+     * @param show  shows the value on the window's thread, unless the pane was closed
      */
     public PaneUpdater(String name, Executor window, Supplier<Optional<T>> compute, Consumer<T> show) {
         this.name = name;
@@ -36,7 +36,7 @@ public final class PaneUpdater<T> implements AutoCloseable {
         this.show = show;
     }
 
-    /** Computes and shows the value again. */
+    /** Requests that the value is computed again and shown. */
     public void request() {
         if (run == null) {
             run = new ThreadRun(DedicatedThread.sequentialExecutor(name), new AtomicBoolean());
@@ -56,7 +56,7 @@ public final class PaneUpdater<T> implements AutoCloseable {
         }));
     }
 
-    /** Ends the thread; what it computes is not shown. A later request starts another. */
+    /** Stops the thread and drops its pending result. A later request starts a new thread. */
     @Override
     public void close() {
         if (run != null) {

@@ -16,7 +16,7 @@ import lightning.scene.Light;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
-/** What of the traced picture the artist wants to look at: the share of the selected light alone, or less than all effects. */
+/** Display settings of the traced picture: the contribution of the selected light alone, or a subset of the effects. */
 public final class PictureDisplay {
     private final SceneEditor editor;
     private final Workbench workbench;
@@ -42,12 +42,12 @@ public final class PictureDisplay {
                 () -> effects.set(withShown.apply(effects.get(), !isShown.test(effects.get()))));
     }
 
-    /** Whether all of the picture is looked at. */
+    /** Returns true if the complete picture is shown. */
     public boolean isFullPicture() {
         return mode.isFullPicture();
     }
 
-    /** Whether the selected light's share alone is shown, whichever light that is. */
+    /** True if only the contribution of the selected light is shown. */
     public BooleanProperty onlySelectedProperty() {
         return onlySelected;
     }
@@ -67,7 +67,7 @@ public final class PictureDisplay {
         }
     }
 
-    /** A light may have been renamed since the picture was rendered; its place among the lights then tells. */
+    /** Returns the light's name in the rendered frame. A light renamed since then is found by its index. */
     private String renderedName(Light light) {
         Frame frame = editor.editorStateProperty().get().frame().orElse(null);
         List<Light> lights = editor.scene().lights();

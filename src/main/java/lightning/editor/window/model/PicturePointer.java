@@ -5,28 +5,28 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.render.relight.LightContributions.Region;
 
-/** Which part of the traced picture the artist points at, for panes that are not the picture's. */
+/** Pointer position and region requests in the traced picture, shared with other panes. */
 public final class PicturePointer {
-    /** A pixel, from the left and from the top. */
+    /** Pixel position, from the top left. */
     public record Pixel(int x, int y) {}
 
     /**
-     * A wish for a frame.
+     * Request to drag a region in the picture.
      *
-     * @param hint   what the artist shall do: it stands over the picture
-     * @param onPicked hears of the frame that was dragged
+     * @param hint  instruction shown over the picture
+     * @param onPicked  receives the dragged region
      */
     public record RegionRequest(String hint, Consumer<Region> onPicked) {}
 
     private final ObjectProperty<Pixel> pixel = new SimpleObjectProperty<>();
     private final ObjectProperty<RegionRequest> regionRequest = new SimpleObjectProperty<>();
 
-    /** The pixel under the mouse; null where there is none. */
+    /** Pixel under the mouse, or null. */
     public ObjectProperty<Pixel> pixelProperty() {
         return pixel;
     }
 
-    /** What the next drag in the picture is for; null where it is for nothing. */
+    /** Request that the next drag in the picture fulfills, or null. */
     public ObjectProperty<RegionRequest> regionRequestProperty() {
         return regionRequest;
     }

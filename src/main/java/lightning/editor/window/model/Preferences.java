@@ -18,13 +18,14 @@ import lightning.base.file.AtomicFile;
 import lightning.base.file.PrivateFolder;
 
 /**
- * What the editor remembers from one run to the next. A value that is damaged, or beyond what its reader can use, counts
- * as absent, and so does all of a file that cannot be read; the other values stay.
+ * Editor settings stored between sessions.
+ *
+ * <p>An invalid or out-of-range value counts as absent, and so does every value of an unreadable file. Other values are kept.
  */
 public final class Preferences {
     private static final int MAX_RECENT = 10;
     private static final int MAX_BYTES = 1 << 20;
-    /** A Unicode escape without its four digits, which the reader of properties throws at. */
+    /** Unicode escape without its four digits, which makes {@link Properties#load} throw. */
     private static final Pattern INVALID_ESCAPE = Pattern.compile("(?<!\\\\)(?:\\\\\\\\)*+\\\\u(?![0-9a-fA-F]{4})");
 
     private final Path file;
@@ -32,9 +33,9 @@ public final class Preferences {
     private final Properties values = new Properties();
 
     /**
-     * Reads them from a folder.
+     * Reads the preferences of a folder.
      *
-     * @param writeExecutor does what takes a file, in turn
+     * @param writeExecutor  runs file writes in order
      */
     public Preferences(Path folder, Executor writeExecutor) {
         this.writeExecutor = writeExecutor;
@@ -42,7 +43,7 @@ public final class Preferences {
         if (Files.isRegularFile(file)) {
             try (InputStream in = Files.newInputStream(file)) {
                 String text = new String(in.readNBytes(MAX_BYTES), StandardCharsets.UTF_8);
-                // Together, as each call takes 18 kB.
+                // One call for all lines: each call allocates 18 kB.
                 values.load(new StringReader(
                         text.lines().filter(line -> !INVALID_ESCAPE.matcher(line).find()).map(Preferences::withoutContinuation)
                                 .collect(Collectors.joining("\n"))));
@@ -52,7 +53,7 @@ public final class Preferences {
         }
     }
 
-    /** A line that does not go on in the next one: each value has a line, and what is wrong with one is no reason to lose another. */
+    /** Removes a trailing line continuation. Each value has one line, so that an invalid line does not affect others. */
     private static String withoutContinuation(String line) {
         int end = line.length();
         while (end > 0 && line.charAt(end - 1) == '\\') {
@@ -65,28 +66,28 @@ public final class Preferences {
         return text(key, "");
     }
 
-    /** A text; {@code defaultValue} where there is none. */
+    /** Returns a text, or {@code defaultValue} if absent. */
     public String text(String key, String defaultValue) {
         return values.getProperty(key, defaultValue);
     }
 
-    /** Whether a value is this one. */
+    /** Returns true if a key has the given value. */
     public boolean hasValue(String key, String value) {
         return text(key).equals(value);
     }
 
-    /** A number from {@code min} to {@code max}; {@code defaultValue} where there is none. */
+    /** Returns a number between {@code min} and {@code max}, or {@code defaultValue} if absent. */
     public double number(String key, double min, double max, double defaultValue) {
         try {
             double value = Double.parseDouble(text(key));
-            // NaN is not between any two numbers.
+            // NaN fails both comparisons.
             return value >= min && value <= max ? value : defaultValue;
         } catch (NumberFormatException e) {
             return defaultValue;
         }
     }
 
-    /** One of the values of {@code defaultValue}'s type, by its name; {@code defaultValue} where there is none. */
+    /** Returns the enum constant of the stored name, or {@code defaultValue} if absent. */
     public <E extends Enum<E>> E enumValue(String key, E defaultValue) {
         return Stream.of(defaultValue.getDeclaringClass().getEnumConstants()).filter(e -> e.name().equals(text(key)))
                 .findFirst().orElse(defaultValue);
@@ -96,7 +97,7 @@ public final class Preferences {
         values.setProperty(key, value.toString());
     }
 
-    /** The scenes opened last, the latest first. */
+    /** Returns the recently opened scenes, latest first. */
     public List<Path> recent() {
         List<Path> files = new ArrayList<>();
         for (int i = 0; i < MAX_RECENT; i++) {
@@ -106,13 +107,13 @@ public final class Preferences {
                     files.add(Path.of(path));
                 }
             } catch (InvalidPathException e) {
-                // Another system wrote it.
+                // Path of another operating system.
             }
         }
         return files;
     }
 
-    /** A scene was opened or saved. */
+    /** Adds an opened or saved scene to the recent ones, and stores the preferences. */
     public void addRecent(Path scene) {
         List<Path> files = new ArrayList<>(recent());
         Path absolute = scene.toAbsolutePath().normalize();
@@ -124,7 +125,7 @@ public final class Preferences {
         save();
     }
 
-    /** Writes them as they are now. Preferences that cannot be kept are no reason to disturb anybody. */
+    /** Writes the preferences in the background. Ignores write failures. */
     public void save() {
         var snapshot = (Properties) values.clone();
         writeExecutor.execute(() -> {
@@ -132,7 +133,7 @@ public final class Preferences {
                 PrivateFolder.create(file.toAbsolutePath().getParent());
                 AtomicFile.of(file).forOwnerOnly().write(out -> snapshot.store(out, "Lightning"));
             } catch (IOException e) {
-                // The next run starts without them.
+                // Preferences are optional.
             }
         });
     }

@@ -8,7 +8,7 @@ import javafx.beans.property.SimpleLongProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.editor.document.PreviewCamera;
 
-/** How the preview looks, which is no part of the scene. */
+/** Display settings and camera of the preview, which are not part of the scene. */
 public final class PreviewSettings {
     private static final String GLOWING_TEXTURES = "glowing textures";
 
@@ -22,17 +22,17 @@ public final class PreviewSettings {
         return camera;
     }
 
-    /** Counts the frames that the preview has drawn. */
+    /** Number of frames that the preview has drawn. */
     public LongProperty framesProperty() {
         return frames;
     }
 
-    /** Whether textures glow, as in 1998; else lights fall on them. */
+    /** True if textures are emissive, as in 1998; false if lights shade them. */
     public BooleanProperty glowingTexturesProperty() {
         return glowingTextures;
     }
 
-    /** Whether the lights' wireframes and markers are hidden; what is hidden cannot be taken by the mouse. */
+    /** True if the lights' wireframes and markers are hidden and cannot be picked. */
     public BooleanProperty gizmosHiddenProperty() {
         return gizmosHidden;
     }
@@ -41,7 +41,7 @@ public final class PreviewSettings {
         return gizmoSize;
     }
 
-    /** As it was left. Gizmos are shown in any case: without them nobody would find the lights. */
+    /** Restores the settings, except that gizmos are always shown at startup. */
     public void restore(Preferences preferences) {
         glowingTextures.set(preferences.hasValue("preview", GLOWING_TEXTURES));
         gizmoSize.set(preferences.enumValue("gizmos", GizmoSize.NORMAL));

@@ -2,9 +2,9 @@ package lightning.editor.window.model;
 
 import lightning.base.text.Messages;
 
-/** How long a work will still take, from how long it took so far; nothing while that would be a guess. */
+/** Estimates the remaining time of a task from its elapsed time and progress. */
 public final class RemainingTime {
-    /** Before that, nanoseconds, the first tiles tell too little. */
+    /** Elapsed time before the first estimate, nanoseconds. */
     private static final long MIN_ELAPSED_NS = 1_000_000_000;
     private static final double MIN_SHARE = 0.04;
     private static final double SECOND = 1e9;
@@ -13,11 +13,12 @@ public final class RemainingTime {
     private long startNs;
 
     /**
-     * What is told of a work, {@code Tracing · 12 s left}.
+     * Returns the task's text with its remaining time, for example {@code Tracing · 12 s left}; without the time while the estimate is
+     * unreliable.
      *
-     * @param currentTask  the work; empty where there is none
-     * @param share how much of it is done, 0…1
-     * @param now   nanoseconds of any clock
+     * @param currentTask  title of the task; empty for none
+     * @param share  progress, 0…1
+     * @param now  time in nanoseconds of any monotonic clock
      */
     public String describe(String currentTask, double share, long now) {
         if (!currentTask.equals(task)) {
@@ -29,7 +30,7 @@ public final class RemainingTime {
                 : Messages.tr("{0} · {1} left", currentTask, text(elapsedNs / SECOND * (1 - share) / share));
     }
 
-    /** Seconds as a person would say them: what follows is none. */
+    /** Formats a duration in seconds, rounded up. */
     private static String text(double seconds) {
         if (seconds < 10) {
             return String.format(Messages.locale(), "%.0f s", Math.max(1, Math.ceil(seconds)));

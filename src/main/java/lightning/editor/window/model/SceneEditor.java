@@ -18,10 +18,7 @@ import lightning.editor.document.Workbench;
 import lightning.scene.Scene;
 import lightning.scene.shot.AnimatedScene;
 
-/**
- * The scene that the panes show and edit: the open document's, or the frame that an open animation shows. Every edit clears the message of
- * the edit before.
- */
+/** Shows and edits the current scene: the open document's, or the frame of an open animation. Every edit clears the previous message. */
 public final class SceneEditor {
     private final ReadOnlyObjectWrapper<OpenDocument> document = new ReadOnlyObjectWrapper<>();
     private final ReadOnlyObjectWrapper<Scene> scene = new ReadOnlyObjectWrapper<>();
@@ -34,10 +31,10 @@ public final class SceneEditor {
     private final ObjectProperty<PreviewCamera> previewCamera;
     private final FileActivity fileActivity;
     private final KeySelection keySelection;
-    /** What an open animation shows in place of the document; null where none is open. */
+    /** Scene of the open animation; null if none is open. */
     private Scene animationScene;
 
-    /** @param previewCamera follows the scene's camera from frame to frame while it is the same */
+    /** @param previewCamera  camera of the preview; follows the scene's camera between frames while both are equal */
     SceneEditor(Workbench workbench, ObjectProperty<PreviewCamera> previewCamera, FileActivity fileActivity, KeySelection keySelection) {
         this.workbench = workbench;
         this.previewCamera = previewCamera;
@@ -54,22 +51,22 @@ public final class SceneEditor {
         return document.getReadOnlyProperty();
     }
 
-    /** The scene as edited: the document's, or what an open animation shows. */
+    /** Scene as edited: the document's, or that of the open animation. */
     public ReadOnlyObjectProperty<Scene> sceneProperty() {
         return scene.getReadOnlyProperty();
     }
 
-    /** Everything that decides which commands are enabled. */
+    /** State that decides which commands are enabled. */
     public ReadOnlyObjectProperty<EditorState> editorStateProperty() {
         return editorState.getReadOnlyProperty();
     }
 
-    /** Whether edits are rendered as they are made, without Go. */
+    /** True if edits are rendered immediately, without Go. */
     public BooleanProperty liveProperty() {
         return live;
     }
 
-    /** Whether the properties of the material are shown in place of those of the selection. */
+    /** True if the material's properties are shown in place of the selection's. */
     public BooleanProperty materialShownProperty() {
         return materialShown;
     }
@@ -91,18 +88,18 @@ public final class SceneEditor {
     }
 
     /**
-     * Makes an edit, of the document or of the animation that is open.
+     * Applies an edit to the document or to the open animation.
      *
-     * @return why it was refused; empty if it was made
+     * @return why the edit was refused; empty if it was applied
      */
     public Optional<String> edit(Function<Scene, EditOutcome> edit) {
         return edit(edit, null);
     }
 
     /**
-     * The same as part of a gesture, all of which is one step to undo.
+     * Applies an edit as part of a gesture, which is one undo step.
      *
-     * @param gesture any object that stands for one drag, told by identity; null for a step of its own
+     * @param gesture  object that identifies one drag; null for a separate undo step
      */
     public Optional<String> edit(Function<Scene, EditOutcome> edit, Object gesture) {
         message.clear();
@@ -114,37 +111,37 @@ public final class SceneEditor {
         return change.refusal();
     }
 
-    /** Makes an edit as {@link #edit(Function)} does, and shows a refusal in the status line. */
+    /** Applies an edit as {@link #edit(Function)} does, and shows a refusal in the status line. */
     public Optional<String> editOrReport(Function<Scene, EditOutcome> edit) {
         return editOrReport(edit, null);
     }
 
-    /** Makes an edit as {@link #edit(Function, Object)} does, and shows a refusal in the status line. */
+    /** Applies an edit as {@link #edit(Function, Object)} does, and shows a refusal in the status line. */
     public Optional<String> editOrReport(Function<Scene, EditOutcome> edit, Object gesture) {
         return reportRefusal(edit(edit, gesture));
     }
 
     /**
-     * Makes an edit of the scene with its shot: of keys, or of what is the same at all frames.
+     * Applies an edit to the scene with its shot: to keyframes or to static values.
      *
-     * @param edit    throws an {@link IllegalArgumentException} that says why it cannot be made
-     * @param gesture as in {@link #edit(Function, Object)}
-     * @return why it was refused; empty if it was made
+     * @param edit  throws an {@link IllegalArgumentException} with the reason if the edit is invalid
+     * @param gesture  gesture as in {@link #edit(Function, Object)}
+     * @return why the edit was refused; empty if it was applied
      */
     public Optional<String> editShot(UnaryOperator<AnimatedScene> edit, Object gesture) {
         message.clear();
         if (animationScene != null) {
-            return Optional.of(Messages.tr("an animation is open; close it first"));
+            return Optional.of(Messages.tr("close the open animation first"));
         }
         return workbench.editShot(() -> edit.apply(document().content()), gesture);
     }
 
-    /** Makes an edit as {@link #editShot} does, and shows a refusal in the status line. */
+    /** Applies an edit as {@link #editShot} does, and shows a refusal in the status line. */
     public Optional<String> editShotOrReport(UnaryOperator<AnimatedScene> edit, Object gesture) {
         return reportRefusal(editShot(edit, gesture));
     }
 
-    /** Makes an edit of the document, shows a refusal in the status line, and selects the shape or the group of a name if it was made. */
+    /** Applies an edit to the document and then selects a shape or group by name. Shows a refusal in the status line. */
     Optional<String> editAndSelect(Function<Scene, EditOutcome> edit, String node) {
         message.clear();
         materialShown.set(false);
@@ -156,7 +153,7 @@ public final class SceneEditor {
         return refusal;
     }
 
-    /** Shows a frame of the shot in both pictures; edits are made at it from then on. */
+    /** Shows a frame of the shot in the preview and the traced picture. Later edits apply at this frame. */
     public void showFrame(int frame) {
         PreviewCamera before = PreviewCamera.of(scene());
         message.show(workbench.showFrame(frame).orElse(""));
@@ -174,7 +171,7 @@ public final class SceneEditor {
         }
     }
 
-    /** Whether an animation is open: edits then are no edits of the document, and are gone when it is closed. */
+    /** Returns true if an animation is open. Edits of an animation do not change the document and are discarded when it closes. */
     public boolean isAnimating() {
         return animationScene != null;
     }
@@ -198,7 +195,7 @@ public final class SceneEditor {
         }
     }
 
-    /** Restores the document's scene, in the picture too. */
+    /** Closes the animation and shows the document's scene again, also in the traced picture. */
     public void endAnimation() {
         dropAnimation();
         workbench.setAnimating(false);
@@ -207,12 +204,12 @@ public final class SceneEditor {
         }
     }
 
-    /** Ends an animation whose document is about to be closed. */
+    /** Closes the animation of a document that is about to close, without rendering. */
     void dropAnimation() {
         animationScene = null;
     }
 
-    /** Takes over what the workbench has now. */
+    /** Updates all properties from the workbench. */
     void refresh() {
         document.set(document());
         scene.set(scene());

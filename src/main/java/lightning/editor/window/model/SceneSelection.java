@@ -12,21 +12,21 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 
-/** The light, shape or group that the artist selected, as the shown scene has it. */
+/** Selected light, shape or group in the displayed scene. */
 public final class SceneSelection {
     private final ReadOnlyObjectWrapper<Light> light = new ReadOnlyObjectWrapper<>();
     private final Workbench workbench;
     private final ObservableObjectValue<EditorState> editorState;
     private final BooleanProperty materialShown;
 
-    /** @param materialShown whether a material's properties cover those of the selection: set to false by a selection */
+    /** @param materialShown  true if a material's properties replace those of the selection; a selection sets it to false */
     SceneSelection(Workbench workbench, ObservableObjectValue<EditorState> editorState, BooleanProperty materialShown) {
         this.workbench = workbench;
         this.editorState = editorState;
         this.materialShown = materialShown;
     }
 
-    /** The selected light; null if none is selected. */
+    /** Selected light, or null. */
     public ReadOnlyObjectProperty<Light> lightProperty() {
         return light.getReadOnlyProperty();
     }
@@ -35,17 +35,17 @@ public final class SceneSelection {
         return light.get();
     }
 
-    /** The name of the selected light; empty if none is selected. */
+    /** Returns the name of the selected light, or an empty string. */
     public String lightName() {
         return light.get() == null ? "" : light.get().name();
     }
 
-    /** The selected shape or group; empty while a light is selected. */
+    /** Returns the selected shape or group; empty while a light is selected. */
     public Optional<SceneNode> node() {
         return editorState.get().selectedNode();
     }
 
-    /** Selects the light of that name; nothing where there is none, or for null. */
+    /** Selects a light by name; null or an unknown name clears the selection. */
     public void selectLight(String name) {
         if (name == null) {
             workbench.select(Selection.NONE);
@@ -55,13 +55,13 @@ public final class SceneSelection {
         }
     }
 
-    /** Selects the shape or the group of that name in place of a light; nothing where there is none. */
+    /** Selects a shape or group by name; an unknown name clears the selection. */
     public void selectNode(String name) {
         workbench.select(new Selection.OfNode(name));
         materialShown.set(false);
     }
 
-    /** Takes the selected light from the scene that is shown now. */
+    /** Looks up the selected light in the displayed scene. */
     void refresh(Scene scene) {
         light.set(workbench.document().selectedLight().flatMap(l -> scene.light(l.name())).orElse(null));
     }

@@ -10,7 +10,7 @@ import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Interpolation;
 import lightning.scene.shot.Track;
 
-/** What the commands do to the shot and to the keys that are chosen. */
+/** Actions of the commands for the shot and its selected keyframes. */
 final class ShotActions {
     private final SceneEditor editor;
     private final KeySelection keySelection;
@@ -48,7 +48,7 @@ final class ShotActions {
         editor.editShotOrReport(edit, null);
     }
 
-    /** The frame that is shown; empty where the scene has no shot. */
+    /** Returns the displayed frame, or empty if the scene has no shot. */
     private Optional<ShotFrame> shotFrame() {
         return editor.document().shotFrame();
     }
@@ -57,7 +57,7 @@ final class ShotActions {
         edit(scene -> KeyEdits.setInterpolation(scene, keySelection.keys(), interpolation));
     }
 
-    /** Of all that is selected and has keys. */
+    /** Sets a keyframe on every animated attribute of the selection. */
     private void setKeys(ShotFrame frame) {
         Scene shownScene = editor.scene();
         edit(scene -> {

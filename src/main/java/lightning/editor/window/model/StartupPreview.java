@@ -14,7 +14,7 @@ import lightning.render.image.ViewTransform;
 import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
-/** What a window shows of a scene before there is an editor of it: a coarse picture, traced while the window is made. */
+/** Coarse picture of a scene, traced while the window is being created. */
 public final class StartupPreview {
     private final TracedRaster raster = new TracedRaster();
     private final Future<Optional<CoarsePicture>> coarse;
@@ -25,9 +25,9 @@ public final class StartupPreview {
     }
 
     /**
-     * Begins to trace it, on a thread of its own.
+     * Starts tracing the coarse picture on a dedicated thread.
      *
-     * @param view how linear light becomes display pixels
+     * @param view  conversion from linear light to display pixels
      */
     public static StartupPreview start(Scene scene, ViewTransform view) {
         return new StartupPreview(view, raster -> {
@@ -36,32 +36,32 @@ public final class StartupPreview {
                 first.ifPresent(picture -> raster.coarseRendered(picture.film(), scene));
                 return first;
             });
-            DedicatedThread.create("lightning-glimpse", trace).start();
+            DedicatedThread.create("lightning-startup-preview", trace).start();
             return trace;
         });
     }
 
-    /** Leaves all to the editor. */
+    /** Returns an empty preview, which leaves all rendering to the editor. */
     public static StartupPreview none(ViewTransform view) {
         return new StartupPreview(view, _ -> CompletableFuture.completedFuture(Optional.empty()));
     }
 
-    /** Shows it when it is there, and what the editor traces after that. */
+    /** Returns the raster that receives the coarse picture and then the editor's renders. */
     public TracedRaster raster() {
         return raster;
     }
 
-    /** What is traced: empty where the picture itself is there as soon, or too large to be made. */
+    /** Returns the coarse picture; empty if a full picture is as fast, or if the picture is too large. */
     Future<Optional<CoarsePicture>> coarse() {
         return coarse;
     }
 
-    /** Waits for it, but not for long. */
+    /** Waits for the coarse picture with a timeout, milliseconds. */
     public void await(long milliseconds) throws InterruptedException {
         try {
             coarse.get(milliseconds, TimeUnit.MILLISECONDS);
         } catch (ExecutionException | TimeoutException e) {
-            // The editor's own picture comes, or says why it cannot.
+            // The editor's own render follows or reports the failure.
         }
     }
 }

@@ -3,7 +3,7 @@ package lightning.editor.window.model;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 
-/** The message in the status line: why an edit was refused, what was saved; empty where there is nothing to read. */
+/** Message in the status line, for example a refused edit or a saved file; empty for none. */
 public final class StatusMessage {
     private final ReadOnlyStringWrapper text = new ReadOnlyStringWrapper("");
 
@@ -11,7 +11,7 @@ public final class StatusMessage {
         return text.getReadOnlyProperty();
     }
 
-    /** Shows a sentence until the next edit. */
+    /** Shows a message until the next edit. */
     public void show(String sentence) {
         text.set(sentence);
     }

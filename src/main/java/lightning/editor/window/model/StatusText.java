@@ -9,48 +9,49 @@ import lightning.editor.loop.Frame;
 import lightning.render.relight.UpdateResult;
 import lightning.render.relight.plan.UpdatePlan;
 
-/** What the status line tells of an update and of a verification: what accuracy costs. */
+/** Formats updates and verifications for the status line. */
 public final class StatusText {
     private StatusText() {}
 
     /**
-     * {@code key: full recompute · 5,021 rows touched · 4,811 shadow rays · 8.3 ms · made again 2.1 ms of 31 ms for a full trace ·
-     * 93.2 % saved · exact}.
+     * Formats an update: {@code key: full recompute · 5,021 shading points updated · 4,811 shadow rays · 8.3 ms · median 2.1 ms, full trace
+     * 31 ms · 93.2 % saved · exact}.
      *
-     * @param saving of the frame's update; empty while that is not known
+     * @param saving  saving of the frame's update; empty while it is not measured
      */
     public static String of(Frame frame, Optional<WarmSaving> saving) {
         return of(frame.update(), frame.isFinished(), frame.guarantee().text(frame.update()), saving);
     }
 
     /**
-     * The same of an update whose picture may be gone.
+     * Formats an update whose picture may no longer exist.
      *
-     * @param accuracyText what the picture is: {@code exact}
+     * @param accuracyText  guarantee of the picture, for example {@code exact}
      */
     static String of(UpdateResult update, boolean isFinished, String accuracyText, Optional<WarmSaving> saving) {
         String text =
-                Messages.tr("{0} · {1} rows touched · {2} shadow rays · {3}", update.plan().description(), number(update.rowsTouched()),
-                        number(update.rays().shadow()), milliseconds(update.milliseconds()));
+                Messages.tr("{0} · {1} shading points updated · {2} shadow rays · {3}", update.plan().description(),
+                        number(update.rowsTouched()), number(update.rays().shadow()), milliseconds(update.milliseconds()));
         if (!isFinished) {
-            return Messages.tr("{0} · without finer samples yet", text);
+            return Messages.tr("{0} · not anti-aliased yet", text);
         }
         if (update.plan() instanceof UpdatePlan.Relight) {
-            text += saving.map(StatusText::savingText).orElse(Messages.tr(" (what it saves is being measured)"));
+            text += saving.map(StatusText::savingText).orElse(Messages.tr(" (measuring the saving…)"));
         }
         return text + " · " + accuracyText;
     }
 
-    /** In words of the work: {@code 0.8 ms, exact}. */
+    /** Formats an update briefly: {@code Updated in 0.8 ms, exact}. */
     public static String shortText(Frame frame) {
         UpdateResult update = frame.update();
         String time = time(update.milliseconds());
-        String what = update.plan() instanceof UpdatePlan.Relight ? time : Messages.tr("Traced in {0}", time);
-        return what + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("without finer samples yet"));
+        String prefix =
+                update.plan() instanceof UpdatePlan.Relight ? Messages.tr("Updated in {0}", time) : Messages.tr("Traced in {0}", time);
+        return prefix + ", " + (frame.isFinished() ? frame.guarantee().text(update) : Messages.tr("not anti-aliased yet"));
     }
 
     private static String savingText(WarmSaving measured) {
-        return Messages.tr(" · made again {0} of {1} for a full trace · {2}", milliseconds(measured.update().median()),
+        return Messages.tr(" · median {0}, full trace {1} · {2}", milliseconds(measured.update().median()),
                 milliseconds(measured.full().median()), savingText(measured.percent() / 100));
     }
 
@@ -60,13 +61,13 @@ public final class StatusText {
     }
 
     /**
-     * {@code Verified: equal to a full trace in every bit (full trace 31 ms)}; without a time where that would tell of a
-     * process that is not warm yet.
+     * Formats a verification: {@code Verified: equal to a full trace in every bit (full trace 31 ms)}. Leaves out the time while the
+     * process is not warm.
      *
-     * @param frame the picture shown; where the verdict is of another, it says so
+     * @param frame  displayed picture; a result of another picture is marked as such
      */
     public static String of(Verification verification, Frame frame) {
-        String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("The picture before: ");
+        String prefix = frame != null && verification.appliesTo(frame.guarantee()) ? "" : Messages.tr("Previous image: ");
         OptionalDouble full = verification.fullTraceMs();
         return prefix + verification.text() + (full.isPresent() ? Messages.tr(" (full trace {0})", milliseconds(full.getAsDouble())) : "");
     }
@@ -75,12 +76,12 @@ public final class StatusText {
         return String.format(Messages.locale(), v < 10 ? "%.1f ms" : "%.0f ms", v);
     }
 
-    /** {@code 0.8 ms}, {@code 1.3 s}. */
+    /** Formats a duration: {@code 0.8 ms}, {@code 1.3 s}. */
     public static String time(double milliseconds) {
         return milliseconds < 1000 ? milliseconds(milliseconds) : String.format(Messages.locale(), "%.1f s", milliseconds / 1000);
     }
 
-    /** {@code 5,021}. */
+    /** Formats an integer: {@code 5,021}. */
     public static String number(long v) {
         return String.format(Messages.locale(), "%,d", v);
     }

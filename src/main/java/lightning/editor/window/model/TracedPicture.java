@@ -13,7 +13,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 
-/** The traced picture: its pixels, the progress of the next one, and how linear light becomes display pixels. */
+/** Traced picture: pixels, render progress and view transform. */
 public final class TracedPicture {
     private final ReadOnlyObjectWrapper<RenderState> renderState = new ReadOnlyObjectWrapper<>(RenderState.NONE);
     private final LongProperty repaints = new SimpleLongProperty();
@@ -21,7 +21,7 @@ public final class TracedPicture {
     private final Workbench workbench;
     private final TracedRaster raster;
 
-    /** @param raster receives what the workbench renders */
+    /** @param raster  raster that the workbench renders into */
     TracedPicture(Workbench workbench, TracedRaster raster) {
         this.workbench = workbench;
         this.raster = raster;
@@ -34,17 +34,17 @@ public final class TracedPicture {
         });
     }
 
-    /** The last picture, and the progress of the next one. */
+    /** Last picture and the progress of the next one. */
     public ReadOnlyObjectProperty<RenderState> renderStateProperty() {
         return renderState.getReadOnlyProperty();
     }
 
-    /** The last picture; null before the first. */
+    /** Returns the last picture, or null before the first. */
     public Frame frame() {
         return renderState.get().frame();
     }
 
-    /** How linear light becomes display pixels. */
+    /** Conversion from linear light to display pixels. */
     public ObjectProperty<ViewTransform> viewProperty() {
         return view;
     }
@@ -53,7 +53,7 @@ public final class TracedPicture {
         return raster;
     }
 
-    /** Changes whenever the raster may have. */
+    /** Counter that increases whenever the raster may have changed. */
     public LongProperty repaintsProperty() {
         return repaints;
     }
@@ -63,20 +63,20 @@ public final class TracedPicture {
         repaints.set(repaints.get() + 1);
     }
 
-    /** Shows a film of the scene that is being rendered, made by another machine, until its own picture is there. */
+    /** Shows a film rendered on another machine until the local render of the scene is finished. */
     public void showRemote(Film film, Scene scene) {
         raster.showRemote(film, scene);
         repaint();
     }
 
-    /** Shows what the workbench renders now, where that is another picture or further. */
+    /** Updates the picture if the workbench's render state changed. */
     void refresh() {
         if (renderState.get() != workbench.renderState()) {
             update();
         }
     }
 
-    /** Shows what the workbench renders now; the raster may have changed without it. */
+    /** Updates the picture, also if only the raster changed. */
     void update() {
         renderState.set(workbench.renderState());
         repaint();

@@ -9,14 +9,15 @@ import lightning.render.image.ViewTransform;
 import lightning.scene.Scene;
 
 /**
- * The traced picture as display pixels, packed tile by tile where the film changed. A new size makes new pixels. Safe for
- * several threads; readers may see tiles of the next picture a moment early, never half a pixel.
+ * Display pixels of the traced picture. Packs only the tiles whose film changed; a new size allocates new pixels.
+ *
+ * <p>Thread-safe. Readers may see tiles of the next picture early, but never a torn pixel.
  */
 public final class TracedRaster implements RenderListener {
-    /** @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first */
+    /** @param pixels  {@code int[width * height]}, opaque 0xFFRRGGBB, top row first */
     public record Pixels(int width, int height, int[] pixels) {}
 
-    /** The columns and rows that changed, [left, right) and [top, bottom). */
+    /** Changed columns and rows, [left, right) and [top, bottom). */
     public record DirtyRect(int left, int top, int right, int bottom) {
         public static final DirtyRect NONE = new DirtyRect(Integer.MAX_VALUE, Integer.MAX_VALUE, 0, 0);
 
@@ -29,26 +30,26 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    /** Tiles of an unfinished picture are told of together, so that a window does not draw all the time, nanoseconds. */
+    /** Minimum interval between reports of new tiles, nanoseconds. Limits repainting. */
     private static final long REPORT_INTERVAL_NS = 40_000_000;
 
     private Pixels pixels;
     private Film shownFilm;
     private Film coarseFilm;
-    /** What another machine made of the scene that is being traced; null where that shows none. Likewise the scene. */
+    /** Film that another machine rendered of the scene being traced, and that scene; null if none is shown. */
     private Film remoteFilm;
     private Scene remoteScene;
-    /** The scene whose picture is shown last, with all its samples; null where it lacks some. */
+    /** Scene of the last displayed picture if it has all samples, else null. */
     private Scene finishedScene;
     private ViewTransform view = ViewTransform.DEFAULT;
     private DirtyRect dirty = DirtyRect.NONE;
     private DirtyRect patch = DirtyRect.NONE;
-    /** Tiles of a picture that is not whole yet: whether there are any, what of them was not told, and when the last was. */
+    /** State of an unfinished picture: whether tiles were shown, which tiles are not reported yet, and the time of the last report. */
     private boolean isUnfinished;
     private DirtyRect unreported = DirtyRect.NONE;
     private long lastReportNs;
 
-    /** The pixels now; null before the first picture. */
+    /** Returns the current pixels, or null before the first picture. */
     public synchronized Pixels pixels() {
         return pixels;
     }
@@ -56,7 +57,7 @@ public final class TracedRaster implements RenderListener {
     @Override
     public synchronized void rendered(Frame frame) {
         finishedScene = frame.isFinished() ? frame.scene() : null;
-        // What it lacks is seen already.
+        // The remote film already has all samples.
         if (frame.isFinished() || frame.scene() != remoteScene || !frame.displayMode().isFullPicture()) {
             show(frame.displayed());
         } else {
@@ -72,7 +73,7 @@ public final class TracedRaster implements RenderListener {
         showCoarse(film, scene.picture().width(), scene.picture().height());
     }
 
-    /** A tile comes into what a coarse picture shows; where none did, the whole picture is there soon. */
+    /** Packs a tile over the coarse picture. Ignored without one, since the whole picture follows soon. */
     @Override
     public synchronized void tileRendered(Scene scene, int tile, float[][] film) {
         int width = scene.picture().width();
@@ -94,7 +95,7 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    /** Goes back from a picture that was given up to the one before. */
+    /** Restores the previous picture after a canceled render. */
     @Override
     public synchronized void idle() {
         if (coarseFilm == null && !isUnfinished) {
@@ -107,10 +108,7 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    /**
-     * Shows the picture of a scene that is being traced, as it was made elsewhere, until it is finished here or given up; nothing where it is
-     * finished.
-     */
+    /** Shows a remote film of the scene being traced until the local render is finished or canceled. Ignored if it is finished. */
     public synchronized void showRemote(Film film, Scene scene) {
         if (scene == finishedScene) {
             return;
@@ -131,7 +129,7 @@ public final class TracedRaster implements RenderListener {
         remoteScene = null;
     }
 
-    /** The picture of another document is none of this one. */
+    /** Clears the raster when another document is opened. */
     @Override
     public synchronized void pictureDropped(long number) {
         clear();
@@ -149,14 +147,14 @@ public final class TracedRaster implements RenderListener {
         patch = DirtyRect.NONE;
     }
 
-    /** What changed since the last call. */
+    /** Returns the area that changed since the last call. */
     public synchronized DirtyRect takeDirty() {
         DirtyRect result = dirty;
         dirty = DirtyRect.NONE;
         return result;
     }
 
-    /** Shows another picture; tiles that it shares with the one before are not packed again. */
+    /** Shows a picture. Tiles shared with the previous one are not packed again. */
     synchronized void show(Film film) {
         boolean isNew =
                 shownFilm == null || coarseFilm != null || isUnfinished || !patch.isEmpty() || !hasSize(film.width(), film.height());
@@ -171,7 +169,7 @@ public final class TracedRaster implements RenderListener {
         patch = DirtyRect.NONE;
     }
 
-    /** Shows a part of another picture of the same size, until the next picture comes. */
+    /** Shows part of another picture of equal size until the next picture arrives. */
     public synchronized void patch(Film film, DirtyRect part) {
         if (!hasSize(film.width(), film.height())) {
             return;
@@ -186,12 +184,12 @@ public final class TracedRaster implements RenderListener {
         dirty = dirty.plus(part.left(), part.top(), part.right(), part.bottom());
     }
 
-    /** Whether a part shows another picture than the rest. */
+    /** Returns true if a part shows another picture. */
     public synchronized boolean isPatched() {
         return !patch.isEmpty();
     }
 
-    /** Shows a small picture, enlarged to the size of the one that is being traced. */
+    /** Shows a small picture scaled up to the size of the picture being traced. */
     synchronized void showCoarse(Film film, int width, int height) {
         resize(width, height);
         clearRemote();
@@ -207,7 +205,7 @@ public final class TracedRaster implements RenderListener {
         dirty = dirty.plus(0, 0, width, height);
     }
 
-    /** Another exposure: everything is packed again. */
+    /** Sets the view transform and packs everything again. */
     synchronized void setView(ViewTransform v) {
         view = v;
         if (remoteFilm != null) {
@@ -237,7 +235,7 @@ public final class TracedRaster implements RenderListener {
         }
     }
 
-    /** All processors share the work: it takes as long as a small edit does. */
+    /** Packs tiles in parallel: packing takes as long as a small edit. */
     private void pack(Film film, int[] tiles) {
         Arrays.stream(tiles).parallel().forEach(tile -> view.packTile(film, tile, pixels.pixels()));
         for (int tile : tiles) {

@@ -4,12 +4,12 @@ import java.util.Locale;
 import lightning.base.text.Language;
 import lightning.base.text.Messages;
 
-/** Which language the editor is to speak. */
+/** Interface language setting. */
 public enum UiLanguage {
-    /** The system's, or English where the editor does not speak that. */
-    SYSTEM(Messages.key("The System's")), ENGLISH(Language.ENGLISH.toString()), GERMAN(Language.GERMAN.toString());
+    /** The system's language, or English if it is not supported. */
+    SYSTEM(Messages.key("System")), ENGLISH(Language.ENGLISH.toString()), GERMAN(Language.GERMAN.toString());
 
-    /** A language, {@code english} or {@code german}, that takes the place of what was chosen. */
+    /** System property that overrides the setting: {@code english} or {@code german}. */
     public static final String PROPERTY = "lightning.language";
 
     private final String title;
@@ -18,29 +18,29 @@ public enum UiLanguage {
         this.title = title;
     }
 
-    /** Speaks as was chosen; before any window is made. */
+    /** Activates the stored language. Call before creating any window. */
     public static void activate(Preferences preferences) {
         Messages.setLanguage(of(preferences).resolve(System.getProperty(PROPERTY, ""),
                 System.getProperty("user.language.display", System.getProperty("user.language", ""))));
-        // The window toolkit's own words, on buttons and in the menus of fields, are in the language of the process.
+        // JavaFX's own texts, on buttons and in field menus, use the default locale.
         Locale.setDefault(Locale.of(Messages.language().letters(), System.getProperty("user.country", "")));
     }
 
-    /** What was chosen. */
+    /** Returns the stored setting. */
     public static UiLanguage of(Preferences preferences) {
         return preferences.enumValue("language", SYSTEM);
     }
 
-    /** Keeps it. */
+    /** Stores the setting. */
     public void save(Preferences preferences) {
         preferences.set("language", name());
     }
 
     /**
-     * What is spoken.
+     * Returns the language to use.
      *
-     * @param requested  the value of the property; empty for none
-     * @param system the system's language in two letters
+     * @param requested  value of {@link #PROPERTY}; empty for none
+     * @param system  two-letter code of the system's language
      */
     Language resolve(String requested, String system) {
         for (Language language : Language.values()) {

@@ -11,23 +11,23 @@ import lightning.editor.loop.Frame;
 import lightning.editor.loop.RenderState;
 import lightning.render.relight.UpdateResult;
 
-/** What the last updates of the picture did, the latest first. Numbers alone: no picture is kept alive. */
+/** Log of recent picture updates, latest first. Stores numbers only and retains no pictures. */
 public final class UpdateLog {
     private static final int MAX_ENTRIES = 200;
 
     private final ObservableList<Entry> entries = FXCollections.observableArrayList();
 
     /**
-     * One update.
+     * Entry of one update.
      *
-     * @param shownAt       when it was shown
-     * @param update   what it did
-     * @param isFinished whether the picture had all its samples
-     * @param accuracyText  what the picture is: {@code exact}
-     * @param saving   what it saves of a full trace; empty while that is not known
+     * @param shownAt  time when the picture was shown
+     * @param update  result of the update
+     * @param isFinished  true if the picture had all its samples
+     * @param accuracyText  guarantee of the picture, for example {@code exact}
+     * @param saving  saving compared to a full trace; empty while it is not measured
      */
     public record Entry(LocalTime shownAt, UpdateResult update, boolean isFinished, String accuracyText, Optional<WarmSaving> saving) {
-        /** All of it in one line. */
+        /** Returns the entry as one line. */
         public String text() {
             return StatusText.of(update, isFinished, accuracyText, saving);
         }
@@ -37,7 +37,7 @@ public final class UpdateLog {
         rendering.subscribe(this::add);
     }
 
-    /** The latest first. */
+    /** Returns the entries, latest first. */
     public ObservableList<Entry> entries() {
         return FXCollections.unmodifiableObservableList(entries);
     }

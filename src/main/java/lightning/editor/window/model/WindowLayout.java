@@ -6,7 +6,7 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import lightning.base.text.Messages;
 
-/** How the window's room is given to the pictures, and to what stands around them. */
+/** Layout of the window: sizes and visibility of pictures, panels and timeline. */
 public final class WindowLayout {
     private final ObjectProperty<CanvasLayout> canvasLayout = new SimpleObjectProperty<>(CanvasLayout.SIDE_BY_SIDE);
     private final BooleanProperty panelsHidden = new SimpleBooleanProperty();
@@ -14,11 +14,11 @@ public final class WindowLayout {
     private final BooleanProperty timelineShown = new SimpleBooleanProperty();
     private final BooleanProperty filmStripShown = new SimpleBooleanProperty();
 
-    /** Which of the two pictures are seen, and how large. */
+    /** Arrangement of the traced picture and the preview. */
     public enum CanvasLayout {
-        SIDE_BY_SIDE(Messages.key("Side by Side"), 0.5), PICTURE_LARGE(Messages.key("Traced Picture Large"), 0.72),
+        SIDE_BY_SIDE(Messages.key("Side by Side"), 0.5), PICTURE_LARGE(Messages.key("Render Large"), 0.72),
         PREVIEW_LARGE(Messages.key("Preview Large"), 0.28),
-        PICTURE_ALONE(Messages.key("Traced Picture Alone"), 1), PREVIEW_ALONE(Messages.key("Preview Alone"), 0);
+        PICTURE_ALONE(Messages.key("Render Only"), 1), PREVIEW_ALONE(Messages.key("Preview Only"), 0);
 
         private final String title;
         private final double share;
@@ -28,7 +28,7 @@ public final class WindowLayout {
             this.share = share;
         }
 
-        /** The traced picture's share of the width; 1 and 0 where one is alone. */
+        /** Returns the traced picture's share of the width; 1 or 0 if only one of both is shown. */
         public double share() {
             return share;
         }
@@ -43,27 +43,27 @@ public final class WindowLayout {
         return canvasLayout;
     }
 
-    /** Whether lists, properties and the tool bar are hidden. */
+    /** True if lists, properties and the tool bar are hidden. */
     public BooleanProperty panelsHiddenProperty() {
         return panelsHidden;
     }
 
-    /** Whether the keys of the shot are seen below the pictures; when a scene is opened, where it has a shot. */
+    /** True if the timeline is shown. Initially true for scenes with a shot. */
     public BooleanProperty timelineShownProperty() {
         return timelineShown;
     }
 
-    /** Whether the timeline has its film strip. */
+    /** True if the timeline shows its filmstrip. */
     public BooleanProperty filmStripShownProperty() {
         return filmStripShown;
     }
 
-    /** As it was left. The panels are shown in any case: without them nobody would find anything. */
+    /** Restores the arrangement. Panels are always shown at startup. */
     public void restore(Preferences preferences) {
         canvasLayout.set(preferences.enumValue("arrangement", CanvasLayout.SIDE_BY_SIDE));
     }
 
-    /** Keeps what is restored. */
+    /**  */
     public void save(Preferences preferences) {
         preferences.set("arrangement", canvasLayout.get().name());
     }

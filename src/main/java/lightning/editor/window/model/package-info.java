@@ -1,5 +1,2 @@
-/**
- * What the panes show and do, without a pane: the open document, its picture and how far it is, and what is remembered from one
- * run to the next.
- */
+/** Model of the editor window without panes: document, picture and progress, display settings and preferences. */
 package lightning.editor.window.model;

@@ -9,7 +9,7 @@ import lightning.editor.window.widget.DisabledReason;
 import lightning.scene.ChoiceKind;
 import lightning.scene.SceneAttribute;
 
-/** A box of the words of an attribute that is a choice. */
+/** Combo box for an attribute with a fixed set of values. */
 final class AttributeChoiceBox<V> extends StackPane {
     private final ComboBox<String> box = new ComboBox<>();
     private final ChoiceKind<V> choice;
@@ -17,8 +17,8 @@ final class AttributeChoiceBox<V> extends StackPane {
     private boolean isUpdating;
 
     /**
-     * @param help what the tooltip says; may be empty
-     * @param onChosen  gets what the artist chooses
+     * @param help  tooltip text; may be empty
+     * @param onChosen  receives the chosen value
      */
     AttributeChoiceBox(SceneAttribute<?, V> attribute, ChoiceKind<V> choice, String help, Consumer<V> onChosen) {
         this.choice = choice;
@@ -35,7 +35,7 @@ final class AttributeChoiceBox<V> extends StackPane {
         });
     }
 
-    /** The value of the word that is shown so. */
+    /** Returns the value of a displayed title. */
     private V value(String title) {
         return choice.parse(choice.words().stream().filter(w -> SectionLayout.title(w).equals(title)).findFirst().orElseThrow());
     }
@@ -58,7 +58,7 @@ final class AttributeChoiceBox<V> extends StackPane {
         isUpdating = false;
     }
 
-    /** Disables it with a reason, a clause; or enables it. */
+    /** Disables the box with a reason, as a clause, or enables it. */
     void setDisabledReason(Optional<String> reason) {
         disabledReason.set(reason);
     }

@@ -6,21 +6,21 @@ import lightning.format.jen.FileKind;
 import lightning.scene.ValueKind;
 
 /**
- * How a file of an attribute is chosen.
+ * Settings for choosing an attribute's file.
  *
- * @param command what choosing one does
- * @param kind    which files serve
- * @param help    what it is, in the editor's language
+ * @param command  command of choosing a file
+ * @param kind  accepted kind of files
+ * @param help  tooltip in the interface language
  */
 record FileChoice(Command command, FileKind kind, String help) {
     static FileChoice of(ValueKind.AssetKind<?> kind) {
         return switch (kind) {
             case ValueKind.GoboKind _ -> new FileChoice(Command.CHOOSE_GOBO, FileKind.TEXTURE,
-                    Messages.tr("A picture that the light projects: black holds it back"));
+                    Messages.tr("Image projected by the light (gobo)"));
             case ValueKind.ProfileKind _ -> new FileChoice(Command.CHOOSE_PROFILE, FileKind.PROFILE,
-                    Messages.tr("How strongly the light shines in each direction, as an IES file tells"));
+                    Messages.tr("Intensity in each direction, from an IES file"));
             case ValueKind.EnvironmentKind _ -> new FileChoice(Command.CHOOSE_ENVIRONMENT, FileKind.ENVIRONMENT,
-                    Messages.tr("A picture of all that is far around, which lights the scene"));
+                    Messages.tr("Environment map that lights the scene"));
         };
     }
 }

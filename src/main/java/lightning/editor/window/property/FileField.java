@@ -25,7 +25,7 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.ValueKind;
 import lightning.scene.World;
 
-/** What the selected light or the world has from a file: one of those that lie beside the scene. It is read on a thread of its own. */
+/** Field for a file asset of the selected light or the world, chosen from the files next to the scene. Reads files in the background. */
 final class FileField<F extends FileAsset> extends StackPane {
     private final SceneEditor editor;
     private final FileImporter files;
@@ -33,20 +33,20 @@ final class FileField<F extends FileAsset> extends StackPane {
     private final MenuButton choice;
     private final DisabledReason disabledReason;
 
-    /** Who has it. */
+    /** Owner of the asset: the selected light or the world. */
     private sealed interface Owner<F extends FileAsset> {
         SceneAttribute<?, Optional<F>> attribute();
 
-        /** What it has now, for people. */
+        /** Returns the current asset's display text. */
         String text(EditorState now);
 
-        /** Why it can have none now: a clause; empty where it can. */
+        /** Returns why the owner cannot have the asset, as a clause, or empty if it can. */
         Optional<String> disabledReason(EditorState now);
 
-        /** The scene with what a file holds; {@code lightName} is the selected light's name. */
+        /** Returns the scene with an asset read from a file; {@code lightName} is the selected light's name. */
         Scene read(Scene scene, String lightName, String file, Path folder);
 
-        /** {@code target} with what {@code source} has. */
+        /** Returns {@code target} with the asset of {@code source}. */
         Scene copy(Scene source, Scene target, String lightName);
     }
 
@@ -63,14 +63,15 @@ final class FileField<F extends FileAsset> extends StackPane {
         }
 
         @Override
-        public Scene read(Scene scene, String who, String file, Path folder) {
-            return PropertyEdit.setFile(scene, who, attribute, file, folder);
+        public Scene read(Scene scene, String lightName, String file, Path folder) {
+            return PropertyEdit.setFile(scene, lightName, attribute, file, folder);
         }
 
         @Override
-        public Scene copy(Scene from, Scene to, String who) {
-            Light light = to.light(who).orElseThrow(() -> new IllegalArgumentException(Messages.tr("the light is gone")));
-            return to.withLight(attribute.copy(from.light(who).orElseThrow(), light));
+        public Scene copy(Scene source, Scene target, String lightName) {
+            Light light = target.light(lightName)
+                    .orElseThrow(() -> new IllegalArgumentException(Messages.tr("the light no longer exists")));
+            return target.withLight(attribute.copy(source.light(lightName).orElseThrow(), light));
         }
     }
 
@@ -86,13 +87,13 @@ final class FileField<F extends FileAsset> extends StackPane {
         }
 
         @Override
-        public Scene read(Scene scene, String who, String file, Path folder) {
+        public Scene read(Scene scene, String lightName, String file, Path folder) {
             return PropertyEdit.setEnvironment(scene, file, folder);
         }
 
         @Override
-        public Scene copy(Scene from, Scene to, String who) {
-            return to.withWorld(attribute.copy(from.world(), to.world()));
+        public Scene copy(Scene source, Scene target, String lightName) {
+            return target.withWorld(attribute.copy(source.world(), target.world()));
         }
     }
 
@@ -112,17 +113,17 @@ final class FileField<F extends FileAsset> extends StackPane {
     }
 
     /**
-     * Of the selected light.
+     * Creates the field of a light attribute.
      *
-     * @param kind that of the attribute
-     * @param visibleState as in {@link PropertyPane}
+     * @param kind  kind of the attribute
+     * @param visibleState  state as in {@link PropertyPane}
      */
     static <F extends FileAsset> FileField<F> forLight(SceneEditor editor, CommandRegistry commands, FileImporter files,
             LightAttribute<Optional<F>> attribute, ValueKind.AssetKind<?> kind, ObservableValue<EditorState> visibleState) {
         return new FileField<>(editor, commands, files, new LightOwner<>(attribute), FileChoice.of(kind), visibleState);
     }
 
-    /** The same of the environment. */
+    /** Creates the field of the environment map. */
     static FileField<Environment> forWorld(SceneEditor editor, CommandRegistry commands, FileImporter files,
             ObservableValue<EditorState> visibleState) {
         return new FileField<>(editor, commands, files, new WorldOwner(World.ENVIRONMENT), FileChoice.of(new ValueKind.EnvironmentKind()),
@@ -143,7 +144,7 @@ final class FileField<F extends FileAsset> extends StackPane {
         }, editor.message()::show);
     }
 
-    /** What was read is taken over by the scene as it is then. */
+    /** Reads a file in the background and applies the asset to the scene as it is then. */
     private void set(String file) {
         String lightName = editor.selection().lightName();
         Path folder = files.folder();

@@ -16,9 +16,11 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.FileImporter;
 import lightning.format.jen.FileKind;
 
-/** Offers the files of a kind that lie beside the scene, pictures with what they show, none, and to bring one from elsewhere; what lies there is seen a moment after the menu opens. */
+/**
+ * Menu of the files of a kind next to the scene, with thumbnails, None and Browse. Scans the folder in the background each time it opens.
+ */
 final class FileMenu extends MenuButton {
-    /** So many are shown with a small picture. */
+    /** Maximum number of files with a thumbnail. */
     private static final int MAX_THUMBNAILS = 60;
 
     private final CommandRegistry commands;
@@ -29,14 +31,14 @@ final class FileMenu extends MenuButton {
     private final Runnable browse;
 
     /**
-     * @param command what choosing one does
-     * @param onChosen  hears the name of the file; empty for none
-     * @param browse  asks for one from elsewhere
+     * @param command  command of choosing a file
+     * @param onChosen  receives the file name; empty for none
+     * @param browse  prompts for a file elsewhere
      */
     FileMenu(CommandRegistry commands, FileImporter files, String text, Command command, FileKind kind, Consumer<String> onChosen,
             Runnable browse) {
         super(text);
-        // An underscore in a file's name is one.
+        // File names may contain underscores.
         setMnemonicParsing(false);
         this.commands = commands;
         this.files = files;
@@ -53,7 +55,7 @@ final class FileMenu extends MenuButton {
         files.files().runConcurrently(() -> findFiles(folder), this::showFiles, _ -> showFiles(List.of()));
     }
 
-    /** A file that is offered. */
+    /** Menu entry of a file. */
     private record FileItem(String name, Optional<FileThumbnail> thumbnail) {}
 
     private List<FileItem> findFiles(Path folder) {

@@ -14,23 +14,25 @@ import lightning.editor.window.widget.PixelImage;
 import lightning.format.jen.FileKind;
 
 /**
- * A picture file, small.
+ * Thumbnail of an image file.
  *
- * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
+ * @param pixels  {@code int[width * height]}, opaque 0xFFRRGGBB
  */
 record FileThumbnail(int width, int height, int[] pixels) {
-    /** Of the longer side, pixels. */
+    /** Longer side, pixels. */
     private static final int MAX_SIDE = 40;
-    /** A larger picture is not looked at. */
+    /** Larger images get no thumbnail. */
     private static final long MAX_PIXELS = 1L << 26;
 
-    /** Beside the window's thread: that of a file where a scene of that folder finds it; empty where it does not, or it is too large. */
+    /**
+     * Reads the thumbnail of a file of the scene's folder; empty if the file is missing, unreadable or too large. Runs in the background.
+     */
     static Optional<FileThumbnail> of(FileKind kind, Path folder, String name) {
         try {
             Optional<Path> file = kind.find(folder, name);
             return file.isEmpty() ? Optional.empty() : read(file.get());
         } catch (IOException | RuntimeException e) {
-            // A picture that cannot be read has its name alone.
+            // An unreadable image is listed by name only.
             return Optional.empty();
         }
     }

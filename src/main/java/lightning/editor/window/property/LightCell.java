@@ -22,8 +22,8 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 
 /**
- * A line of the list: a light's type, color, name, solo and on, which a double click renames in place; or a bank. A light is dragged into a
- * bank, or out of one.
+ * Cell of the light list: type, color, name, solo and on switches of a light, or a light group. A double click renames the light; dragging
+ * moves it between light groups.
  */
 final class LightCell extends NamedCell<LightListRow> {
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
@@ -39,7 +39,7 @@ final class LightCell extends NamedCell<LightListRow> {
     private final LightGroupRow groupRow;
     private Light shownLight;
 
-    /** @param collapsedGroups the names of the banks whose lights are not listed */
+    /** @param collapsedGroups  names of the collapsed light groups */
     LightCell(SceneEditor editor, CommandRegistry commands, ObservableSet<String> collapsedGroups) {
         super(commands, Command.RENAME_LIGHT, (old, typed) -> editor.editOrReport(scene -> LightEdits.rename(scene, old, typed)));
         this.editor = editor;
@@ -75,19 +75,19 @@ final class LightCell extends NamedCell<LightListRow> {
         editor.editOrReport(scene -> edit.apply(scene, light));
     }
 
-    /** The light at the cell's place; null where there is none. */
+    /** Returns the cell's light, or null. */
     Light light() {
         return getItem() instanceof LightListRow.LightRow(int place) && place < editor.scene().lights().size()
                 ? editor.scene().lights().get(place) : null;
     }
 
-    /** The bank whose line it is, or in which its light is; empty for none. */
+    /** Returns the light group of the cell or of its light; empty for none. */
     String groupName() {
         return getItem() instanceof LightListRow.GroupRow(int place) && place < editor.scene().rig().lightGroups().size()
                 ? editor.scene().rig().lightGroups().get(place).name() : light() == null ? "" : light().lightGroup();
     }
 
-    /** Renames the bank whose line it is. */
+    /** Starts renaming the cell's light group. */
     void renameGroup() {
         groupRow.startRename();
     }
@@ -119,7 +119,7 @@ final class LightCell extends NamedCell<LightListRow> {
             type.setIconCode(LightTypes.icon(light.type()));
             chip.setStyle("-fx-background-color: " + DisplayColors.css(light.color()) + ";");
             name.setText(light.name());
-            describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Show only the lights that are solo"));
+            describe(solo, Messages.tr("{0} solo", light.name()), Messages.tr("Mute all lights that are not solo"));
             bulb.setIconCode(LightTypes.onIcon(light.on()));
             describe(onToggle, Messages.tr("{0} on", light.name()), light.on() ? Messages.tr("Switch off") : Messages.tr("Switch on"));
             setAccessibleText(light.name() + ", " + LightTypes.phrase(light.type())
@@ -127,10 +127,10 @@ final class LightCell extends NamedCell<LightListRow> {
         }
         shownLight = light;
         if (light != null) {
-            // A click has switched them already, whatever came of it.
+            // The click has toggled the buttons, regardless of the edit's result.
             solo.setSelected(light.solo());
             onToggle.setSelected(light.on());
-            // Another light that is solo darkens this one.
+            // A soloed light mutes this one.
             row.pseudoClassStateChanged(DARK, !editor.scene().isActive(light));
         }
     }

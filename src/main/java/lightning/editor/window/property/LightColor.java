@@ -9,7 +9,7 @@ import lightning.editor.window.widget.ColorSliders;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.LightAttribute;
 
-/** The color of the selected light. */
+/** Color of the selected light. */
 record LightColor(SceneEditor editor) implements ColorSliders.Target {
     @Override
     public NumberSetting red() {

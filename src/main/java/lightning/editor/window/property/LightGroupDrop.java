@@ -6,7 +6,7 @@ import javafx.scene.input.TransferMode;
 import lightning.editor.document.LightGroupEdits;
 import lightning.editor.window.model.SceneEditor;
 
-/** Drags a light from its line to that of a bank or of a light in one, which it joins; anywhere else it leaves its bank. */
+/** Drag and drop of lights in the list: onto a light group or one of its lights to join the group, elsewhere to leave it. */
 final class LightGroupDrop {
     private static final PseudoClass DROP_TARGET = PseudoClass.getPseudoClass("drop");
 
@@ -33,11 +33,12 @@ final class LightGroupDrop {
         }
     }
 
-    /** @param bank where it is dropped; empty for none */
-    static void moveLight(String light, String bank, SceneEditor editor) {
+    /** @param group  target light group; empty for none */
+    static void moveLight(String light, String group, SceneEditor editor) {
         if (editor
                 .editOrReport(
-                        scene -> bank.isEmpty() ? LightGroupEdits.removeLight(scene, light) : LightGroupEdits.addLight(scene, light, bank))
+                        scene -> group.isEmpty() ? LightGroupEdits.removeLight(scene, light)
+                                : LightGroupEdits.addLight(scene, light, group))
                 .isEmpty()) {
             editor.selection().selectLight(light);
         }

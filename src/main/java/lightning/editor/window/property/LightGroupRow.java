@@ -18,7 +18,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignA;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 
-/** A bank in the list of lights: whether its lights are listed, its gel, name and master, solo and on. A double click renames it. */
+/** Row of a light group in the light list: expander, gel, name, master, solo and on switches. A double click renames the group. */
 final class LightGroupRow extends HBox {
     private final SceneEditor editor;
     private final ObservableSet<String> collapsedGroups;
@@ -34,8 +34,8 @@ final class LightGroupRow extends HBox {
     private LightGroup group;
 
     /**
-     * @param collapsedGroups  the names of the banks whose lights are not listed
-     * @param onRenamed called when a name was taken: keys go on to the list
+     * @param collapsedGroups  names of the collapsed light groups
+     * @param onRenamed  runs after renaming, to return the focus to the list
      */
     LightGroupRow(SceneEditor editor, ObservableSet<String> collapsedGroups, Runnable onRenamed) {
         this.editor = editor;
@@ -64,26 +64,26 @@ final class LightGroupRow extends HBox {
         getChildren().addAll(foldButton, gel, name, master, solo, onToggle);
     }
 
-    void show(LightGroup bank) {
-        group = bank;
-        boolean isCollapsed = collapsedGroups.contains(bank.name());
+    void show(LightGroup newGroup) {
+        group = newGroup;
+        boolean isCollapsed = collapsedGroups.contains(newGroup.name());
         arrow.setIconCode(isCollapsed ? MaterialDesignC.CHEVRON_RIGHT : MaterialDesignC.CHEVRON_DOWN);
-        foldButton.setAccessibleText((isCollapsed ? Messages.tr("list the lights of ") : Messages.tr("fold ")) + bank.name());
-        gel.setStyle("-fx-background-color: " + DisplayColors.css(bank.color()) + ";");
-        name.setText(bank.name());
-        master.setText(bank.intensity() == 1 ? "" : "× " + SceneLimits.format(Math.rint(bank.intensity() * 100) / 100));
-        LightCell.describe(solo, Messages.tr("{0} solo", bank.name()),
-                Messages.tr("Show only the lights of banks and lights that are solo"));
-        bulb.setIconCode(LightTypes.onIcon(bank.on()));
-        LightCell.describe(onToggle, Messages.tr("{0} on", bank.name()),
-                bank.on() ? Messages.tr("Switch all of its lights off") : Messages.tr("Let its lights shine"));
-        solo.setSelected(bank.solo());
-        onToggle.setSelected(bank.on());
+        foldButton.setAccessibleText((isCollapsed ? Messages.tr("expand ") : Messages.tr("collapse ")) + newGroup.name());
+        gel.setStyle("-fx-background-color: " + DisplayColors.css(newGroup.color()) + ";");
+        name.setText(newGroup.name());
+        master.setText(newGroup.intensity() == 1 ? "" : "× " + SceneLimits.format(Math.rint(newGroup.intensity() * 100) / 100));
+        LightCell.describe(solo, Messages.tr("{0} solo", newGroup.name()),
+                Messages.tr("Mute all lights and light groups that are not solo"));
+        bulb.setIconCode(LightTypes.onIcon(newGroup.on()));
+        LightCell.describe(onToggle, Messages.tr("{0} on", newGroup.name()),
+                newGroup.on() ? Messages.tr("Switch off the group") : Messages.tr("Switch on the group"));
+        solo.setSelected(newGroup.solo());
+        onToggle.setSelected(newGroup.on());
     }
 
-    /** For screen readers. */
+    /** Returns the text for screen readers. */
     String text() {
-        return Messages.tr("{0}, bank of lights", group.name()) + (group.on() ? "" : Messages.tr(", off"))
+        return Messages.tr("{0}, light group", group.name()) + (group.on() ? "" : Messages.tr(", off"))
                 + (group.solo() ? Messages.tr(", solo") : "");
     }
 
@@ -94,8 +94,8 @@ final class LightGroupRow extends HBox {
     }
 
     private void edit(UnaryOperator<LightGroup> edit) {
-        String bank = group.name();
-        editor.editOrReport(scene -> LightGroupEdits.edit(scene, bank, edit));
+        String groupName = group.name();
+        editor.editOrReport(scene -> LightGroupEdits.edit(scene, groupName, edit));
     }
 
     void startRename() {

@@ -20,24 +20,24 @@ import lightning.scene.LightGroup;
 import lightning.scene.NumericKind;
 import lightning.scene.SceneAttribute;
 
-/** Which bank the selected light belongs to, and that bank's master and gel. */
+/** Section with the selected light's group, and the master and gel of that group. */
 final class LightGroupSection extends VBox {
-    private static final String NO_BANK = Messages.key("the light is in no bank");
+    private static final String NO_GROUP = Messages.key("the light is in no light group");
 
     private final SceneEditor editor;
     private final ArrowWidget master;
     private final ColorSliders gel;
 
     /**
-     * @param groupBox says which bank the light belongs to
-     * @param visibleState as in {@link PropertyPane}
+     * @param groupBox  box that chooses the light's group
+     * @param visibleState  state as in {@link PropertyPane}
      */
     LightGroupSection(SceneEditor editor, NameBox groupBox, ObservableValue<EditorState> visibleState) {
         this.editor = editor;
         getStyleClass().add("section-content");
-        master = new ArrowWidget(Messages.tr("Master"), "master", gauge("master", LightGroup.INTENSITY, (Double v, Double x) -> x));
+        master = new ArrowWidget(Messages.tr("Master"), "master", setting("master", LightGroup.INTENSITY, (Double v, Double x) -> x));
         master.setId("master");
-        gel = ColorSliders.forSurface("gel", Messages.tr("A factor of the colors of all its lights"), 1, new GelTarget());
+        gel = ColorSliders.forSurface("gel", Messages.tr("Multiplies the color of every light in the group"), 1, new GelTarget());
         gel.setId("gel");
         getChildren().addAll(groupBox, master, SectionLayout.caption(Messages.tr("Gel")), gel);
         visibleState.subscribe(this::show);
@@ -45,20 +45,20 @@ final class LightGroupSection extends VBox {
 
     private void show(EditorState state) {
         Optional<LightGroup> group = state.selectedLight().flatMap(l -> state.scene().rig().lightGroup(l.lightGroup()));
-        Optional<String> reason = group.isPresent() ? Optional.empty() : Optional.of(Messages.tr(NO_BANK));
+        Optional<String> reason = group.isPresent() ? Optional.empty() : Optional.of(Messages.tr(NO_GROUP));
         master.setDisabledReason(reason);
         gel.setDisabledReason(reason);
         group.ifPresentOrElse(b -> master.show(b.intensity()), master::showNothing);
         group.ifPresentOrElse(b -> gel.show(b.color()), gel::showNothing);
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     void revert() {
         master.revert();
         gel.revert();
     }
 
-    private <V> NumberSetting gauge(String title, SceneAttribute<LightGroup, V> attribute, BiFunction<V, Double, V> edit) {
+    private <V> NumberSetting setting(String title, SceneAttribute<LightGroup, V> attribute, BiFunction<V, Double, V> edit) {
         NumericKind<V> quantity = (NumericKind<V>) attribute.kind();
         return NumberSetting.of(title, new StepRange(quantity.step(), quantity.min(), quantity.max()),
                 (value, gesture) -> edit(attribute, v -> edit.apply(v, value), gesture));
@@ -70,21 +70,21 @@ final class LightGroupSection extends VBox {
         return editor.edit(scene -> LightGroupEdits.edit(scene, name, b -> attribute.with(b, change.apply(attribute.get(b)))), gesture);
     }
 
-    /** The color of the bank. */
+    /** Target of the gel's color edits. */
     private final class GelTarget implements ColorSliders.Target {
         @Override
         public NumberSetting red() {
-            return gauge("gel red", LightGroup.COLOR, (c, v) -> new Rgb(v, c.g(), c.b()));
+            return setting("gel red", LightGroup.COLOR, (c, v) -> new Rgb(v, c.g(), c.b()));
         }
 
         @Override
         public NumberSetting green() {
-            return gauge("gel green", LightGroup.COLOR, (c, v) -> new Rgb(c.r(), v, c.b()));
+            return setting("gel green", LightGroup.COLOR, (c, v) -> new Rgb(c.r(), v, c.b()));
         }
 
         @Override
         public NumberSetting blue() {
-            return gauge("gel blue", LightGroup.COLOR, (c, v) -> new Rgb(c.r(), c.g(), v));
+            return setting("gel blue", LightGroup.COLOR, (c, v) -> new Rgb(c.r(), c.g(), v));
         }
 
         @Override

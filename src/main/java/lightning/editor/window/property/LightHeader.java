@@ -27,7 +27,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** The selected light's name, type and switches, and the commands that concern it alone. */
+/** Header with the selected light's name, type and switches, and its commands. */
 final class LightHeader extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
@@ -49,11 +49,11 @@ final class LightHeader extends VBox {
         getStyleClass().add("light-header");
         buildName();
         buildType();
-        StackPane onBox = toggle(onToggle, "light-on", Messages.tr("On"), Messages.tr("Whether the light shines"), Command.SWITCH_ON);
+        StackPane onBox = toggle(onToggle, "light-on", Messages.tr("On"), Messages.tr("Switch the light on or off"), Command.SWITCH_ON);
         StackPane soloBox =
-                toggle(solo, "light-solo", Messages.tr("Solo"), Messages.tr("Show only the lights that are solo"), Command.SOLO);
-        HBox identity = row(withDisabledReason(name, Command.RENAME_LIGHT, Messages.tr("The light's name")),
-                withDisabledReason(type, Command.CHANGE_TYPE, Messages.tr("The light's type; all settings are kept")));
+                toggle(solo, "light-solo", Messages.tr("Solo"), Messages.tr("Mute all lights that are not solo"), Command.SOLO);
+        HBox identity = row(withDisabledReason(name, Command.RENAME_LIGHT, Messages.tr("Light name")),
+                withDisabledReason(type, Command.CHANGE_TYPE, Messages.tr("Light type (keeps all settings)")));
         HBox.setHgrow(identity.getChildren().getFirst(), Priority.ALWAYS);
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
@@ -145,7 +145,7 @@ final class LightHeader extends VBox {
         }
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     void revert() {
         shownName = selection.lightName();
         name.setText(shownName);

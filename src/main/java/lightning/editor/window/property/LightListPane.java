@@ -33,16 +33,13 @@ import lightning.scene.LightType;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 
-/**
- * The lights of the scene. The keyboard: F2 renames, Delete deletes, Ctrl+D duplicates, Space switches on and off, S
- * makes solo.
- */
+/** List of the scene's lights. Keys: F2 renames, Delete deletes, Ctrl+D duplicates, Space switches on or off, S toggles solo. */
 public final class LightListPane extends VBox {
     private final SceneEditor editor;
     private final CommandRegistry commands;
     private final ListView<LightListRow> list = new ListView<>();
     private final ObservableSet<String> collapsedGroups = FXCollections.observableSet();
-    /** The bank whose line is selected; empty while that of the selected light is. */
+    /** Selected light group; empty while a light is selected. */
     private String selectedGroup = "";
     private boolean isUpdating;
 
@@ -120,15 +117,15 @@ public final class LightListPane extends VBox {
         }
     }
 
-    /** The keys of lights do for a bank what they do for a light. */
+    /** Applies the shortcuts of lights to a light group. */
     private boolean handleGroupKey(KeyCode key) {
-        String bank = selectedGroup;
+        String group = selectedGroup;
         switch (key) {
-            case DELETE, BACK_SPACE -> editor.editOrReport(scene -> LightGroupEdits.delete(scene, bank));
-            case SPACE -> editor.editOrReport(scene -> LightGroupEdits.edit(scene, bank, b -> b.withOn(!b.on())));
-            case S -> editor.editOrReport(scene -> LightGroupEdits.edit(scene, bank, b -> b.withSolo(!b.solo())));
+            case DELETE, BACK_SPACE -> editor.editOrReport(scene -> LightGroupEdits.delete(scene, group));
+            case SPACE -> editor.editOrReport(scene -> LightGroupEdits.edit(scene, group, b -> b.withOn(!b.on())));
+            case S -> editor.editOrReport(scene -> LightGroupEdits.edit(scene, group, b -> b.withSolo(!b.solo())));
             case F2 -> list.lookupAll(".list-cell").stream().map(LightCell.class::cast)
-                    .filter(c -> c.getItem() instanceof LightListRow.GroupRow && c.groupName().equals(bank))
+                    .filter(c -> c.getItem() instanceof LightListRow.GroupRow && c.groupName().equals(group))
                     .forEach(LightCell::renameGroup);
             default -> {
                 return false;
@@ -137,7 +134,7 @@ public final class LightListPane extends VBox {
         return true;
     }
 
-    /** Only until the cell ends it is the list editable, or a second click on a light would rename it. */
+    /** Renames the selected light. The list is editable only meanwhile, since a second click would otherwise rename. */
     private void rename() {
         list.setEditable(true);
         list.edit(list.getSelectionModel().getSelectedIndex());
@@ -153,7 +150,7 @@ public final class LightListPane extends VBox {
         }
     }
 
-    /** The list knows places alone, and cells what stands there: an edit of a light touches its cell, and the list not at all. */
+    /** Updates the rows. Rows store indices and cells look up the content, so that editing a light redraws its cell only. */
     private void show(EditorState state) {
         isUpdating = true;
         LightRig rig = state.scene().rig();
@@ -164,7 +161,7 @@ public final class LightListPane extends VBox {
             list.getItems().setAll(rows);
         }
         if (rig.lightGroup(selectedGroup).isEmpty()) {
-            // A bank of another name in the same place is the same bank, renamed.
+            // Another name at the same index means that the group was renamed.
             selectedGroup =
                     isUnchanged && selectedRow instanceof LightListRow.GroupRow(int place) ? rig.lightGroups().get(place).name() : "";
         }

@@ -17,11 +17,13 @@ import lightning.scene.LightAttribute;
 import lightning.scene.ShapeLinks;
 
 /**
- * Drags a light onto a shape or a group, or one of these onto a light: the light ceases to shine on it, or shines on it again; with Ctrl and Shift
- * the same of the shadow that it throws in that light. The list of the others comes in front while its tab is under the mouse.
+ * Drag and drop for light linking. Dropping a light on a shape or group, or the other way around, toggles illumination; with Ctrl+Shift it
+ * toggles the shadow.
+ *
+ * <p>Dragging over a tab selects it.
  */
 final class LinkDrop {
-    /** Where nothing is held, some systems say that a copy is made and some that a thing is moved: so both cannot be told apart. */
+    /** Without modifiers, some systems report copy and others move. Link is used for Ctrl+Shift, so that both are distinguishable. */
     private static final TransferMode[] MODES = {TransferMode.MOVE, TransferMode.LINK};
     static final DataFormat LIGHT = new DataFormat("application/x-lightning-light");
     private static final DataFormat SHAPE = new DataFormat("application/x-lightning-shape");
@@ -30,9 +32,9 @@ final class LinkDrop {
     private LinkDrop() {}
 
     /**
-     * Lets what a line shows be dragged away.
+     * Makes a cell's item draggable.
      *
-     * @param name of what the line shows; null where it shows nothing
+     * @param name  name of the item; null if the cell is empty
      */
     static void makeDraggable(Cell<?> cell, DataFormat format, Supplier<String> name) {
         cell.setOnDragDetected(event -> {
@@ -46,19 +48,19 @@ final class LinkDrop {
         });
     }
 
-    /** A light's line takes shapes and groups. */
+    /** Lets the cell of a light accept shapes and groups. */
     static void acceptShapes(LightCell cell, SceneEditor editor) {
         acceptDrops(cell, SHAPE, () -> cell.light() == null ? null : cell.light().name(),
                 (shape, light, shadows) -> toggleLink(light, shape, shadows, editor));
     }
 
-    /** The line of a shape or a group takes lights, and is dragged onto them. */
+    /** Lets the cell of a shape or group accept lights and be dragged onto lights. */
     static void installOnShape(Cell<?> cell, Supplier<String> name, SceneEditor editor) {
         makeDraggable(cell, SHAPE, name);
         acceptDrops(cell, LIGHT, name, (light, shape, shadows) -> toggleLink(light, shape, shadows, editor));
     }
 
-    /** What is done with what was dragged and what it was dropped on. */
+    /** Action for a dragged item and its drop target. */
     private interface DropAction {
         void apply(String dragged, String target, boolean shadows);
     }
@@ -82,7 +84,7 @@ final class LinkDrop {
         });
     }
 
-    /** The tab under the mouse comes in front, so that what is dragged from one list is dropped in another. */
+    /** Selects the tab under the mouse during a drag, so that items can be dropped in another list. */
     static void switchTabsOnDrag(TabPane tabs) {
         tabs.addEventFilter(DragEvent.DRAG_OVER, event -> tabs.getTabs().stream()
                 .filter(tab -> tabs.lookup("#" + tab.getId()) instanceof Node header
@@ -90,7 +92,7 @@ final class LinkDrop {
                 .findFirst().ifPresent(tabs.getSelectionModel()::select));
     }
 
-    /** @param shadows whether it is the shadow of the shape, and not the light on it */
+    /** @param shadows  true to toggle the shape's shadow, false its illumination */
     static void toggleLink(String light, String shape, boolean shadows, SceneEditor editor) {
         LightAttribute<ShapeLinks> attribute = shadows ? LightAttribute.SHADOWED_BY : LightAttribute.ILLUMINATES;
         if (editor.editOrReport(scene -> LightEdits.edit(scene, light, l -> attribute.with(l, toggle(attribute.get(l), shape))))
@@ -106,9 +108,9 @@ final class LinkDrop {
 
     private static String message(String light, String shape, boolean shadows, boolean linked) {
         if (shadows) {
-            return linked ? Messages.tr("{0} throws a shadow in the light of {1}", shape, light)
-                    : Messages.tr("{0} throws no shadow in the light of {1}", shape, light);
+            return linked ? Messages.tr("{0} casts shadows from {1}", shape, light)
+                    : Messages.tr("{0} casts no shadows from {1}", shape, light);
         }
-        return linked ? Messages.tr("{0} shines on {1}", light, shape) : Messages.tr("{0} does not shine on {1}", light, shape);
+        return linked ? Messages.tr("{0} illuminates {1}", light, shape) : Messages.tr("{0} does not illuminate {1}", light, shape);
     }
 }

@@ -28,9 +28,9 @@ import lightning.scene.ShapeLinks;
 import lightning.scene.Stage;
 import lightning.scene.ValueKind;
 
-/** Some links of the selected light: which shapes and groups, by check marks in a menu, and whether only those or all but those. */
+/** Menu for a light-linking attribute: check boxes of shapes and groups, and whether the list includes or excludes them. */
 final class LinksField extends StackPane {
-    /** About so many shapes and groups are offered; links that name others can be written in the file. */
+    /** Approximate limit of listed shapes and groups. Further ones can be linked in the scene file. */
     private static final int MAX_NODES = 200;
     private static final double INDENT = 16;
 
@@ -40,7 +40,7 @@ final class LinksField extends StackPane {
     private final MenuButton choice = new MenuButton();
     private final DisabledReason disabledReason;
 
-    /** @param visibleState as in {@link PropertyPane} */
+    /** @param visibleState  state as in {@link PropertyPane} */
     LinksField(SceneEditor editor, CommandRegistry commands, LightAttribute<ShapeLinks> attribute, ValueKind.LinksKind kind,
             ObservableValue<EditorState> visibleState) {
         this.editor = editor;
@@ -50,7 +50,7 @@ final class LinksField extends StackPane {
         choice.setAccessibleText(Messages.tr(attribute.title()));
         choice.setMaxWidth(Double.MAX_VALUE);
         choice.setMnemonicParsing(false);
-        // A menu that has no item never opens.
+        // An empty menu never opens.
         choice.getItems().setAll(new SeparatorMenuItem());
         choice.setOnShowing(_ -> fillMenu());
         getChildren().add(choice);
@@ -68,8 +68,8 @@ final class LinksField extends StackPane {
         List<MenuItem> items = new ArrayList<>();
         if (light != null) {
             ShapeLinks links = attribute.get(light);
-            items.add(modeItem(Messages.tr("All but the checked"), false, links));
-            items.add(modeItem(Messages.tr("Only the checked"), true, links));
+            items.add(modeItem(Messages.tr("Exclude Selected"), false, links));
+            items.add(modeItem(Messages.tr("Include Only Selected"), true, links));
             items.add(new SeparatorMenuItem());
             addItems(links, items);
         }
@@ -80,7 +80,7 @@ final class LinksField extends StackPane {
         return commandItems.radioValue(Command.LINK, title, links.exclusive() == only, () -> set(l -> new ShapeLinks(only, l.names())));
     }
 
-    /** All of the scene itself comes first, then what is in groups, as far as whole groups find room. */
+    /** Adds the top-level nodes, then the contents of groups that fit completely. */
     private void addItems(ShapeLinks links, List<MenuItem> items) {
         Stage stage = editor.scene().stage();
         Set<String> expanded = new HashSet<>();
@@ -97,7 +97,7 @@ final class LinksField extends StackPane {
         }
         int shapeCount = addItems(stage.nodes(), 0, links, expanded, items);
         if (shapeCount < stage.shapeCount()) {
-            items.add(CommandMenuItems.placeholder(Command.LINK, Messages.tr("More can be named in the file")));
+            items.add(CommandMenuItems.placeholder(Command.LINK, Messages.tr("Link further objects in the scene file")));
         }
     }
 
@@ -105,7 +105,7 @@ final class LinksField extends StackPane {
         return nodes.stream().limit(MAX_NODES).filter(NodeGroup.class::isInstance).map(NodeGroup.class::cast);
     }
 
-    /** @return how many of them are shapes */
+    /** @return number of listed shapes */
     private int addItems(List<SceneNode> nodes, int depth, ShapeLinks links, Set<String> expanded, List<MenuItem> items) {
         int shapes = 0;
         for (SceneNode node : nodes.subList(0, Math.min(nodes.size(), MAX_NODES))) {

@@ -41,11 +41,11 @@ import lightning.scene.Scene;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 
-/** The property editor of a material: its colors, its shininess, its texture. All shapes that have it change together. */
+/** Property editor of a material. Edits affect every shape that uses it. */
 final class MaterialPane extends VBox {
-    private static final String NO_MATERIAL = Messages.key("the scene has no shapes");
+    private static final String NO_MATERIAL = Messages.key("the scene has no objects");
     private static final int MAX_NAMES = 4;
-    /** Of shapes; takes some tens of microseconds. */
+    /** Maximum number of shapes to scan on the window's thread, which takes tens of microseconds. */
     private static final int MAX_INLINE_SHAPES = 1000;
 
     private final SceneEditor editor;
@@ -59,24 +59,24 @@ final class MaterialPane extends VBox {
     private final List<PropertySection> sections = new ArrayList<>();
     private final DisabledReason nameReason;
     private String shownName = "";
-    /** Of which material, among which nodes, {@link #users} tells. */
+    /** Material and nodes that {@link #users} describes. */
     private String usersMaterial = "";
     private List<lightning.scene.SceneNode> usersNodes = List.of();
     private boolean isCounting;
     private boolean isUpdating;
 
     /**
-     * The widget of an attribute, or of one of its numbers.
+     * Widget of an attribute or of one of its components.
      *
-     * @param setDisabledReason disables it and says why; or enables it
-     * @param revert   forgets what was typed
+     * @param setDisabledReason  disables it with a reason, or enables it
+     * @param revert  discards uncommitted input
      */
     private record Row(MaterialAttribute<?> attribute, Node node, Consumer<Optional<String>> setDisabledReason, Consumer<Material> show,
             Runnable showNothing, Runnable revert) {}
 
-    /** Widgets that people find together. */
+    /** Titled section of widgets. */
     private record PropertySection(TitledPane pane, List<Row> rows) {
-        /** Shows the attributes that a material has; all where there is none. */
+        /** Shows the attributes that apply to a material; all for null. */
         void showApplicable(Material material) {
             boolean hasVisible = false;
             for (Row row : rows) {
@@ -90,7 +90,7 @@ final class MaterialPane extends VBox {
         }
     }
 
-    /** @param menu opens on each property */
+    /** @param menu  context menu of the properties */
     MaterialPane(SceneEditor editor, MaterialSelection materials, CommandRegistry commands, FileImporter files, PropertyMenu menu) {
         this.editor = editor;
         this.materials = materials;
@@ -103,7 +103,7 @@ final class MaterialPane extends VBox {
         name.setAccessibleText(Messages.tr("material"));
         name.setMaxWidth(Double.MAX_VALUE);
         var nameBox = new StackPane(name);
-        nameReason = new DisabledReason(nameBox, name, Messages.tr("The material that is edited, with all shapes that have it"));
+        nameReason = new DisabledReason(nameBox, name, Messages.tr("Material to edit; affects every object that uses it"));
         HBox.setHgrow(nameBox, Priority.ALWAYS);
         var row = new HBox(nameBox, CommandButton.iconButton(commands, Command.PICK_MATERIAL));
         row.getStyleClass().add("header-row");
@@ -129,7 +129,7 @@ final class MaterialPane extends VBox {
         });
     }
 
-    /** Makes a section, and then its widgets one by one. */
+    /** Returns steps that create a section and then its widgets one by one. */
     private Stream<Runnable> sectionSteps(VBox box, Section section) {
         var propertySection = new PropertySection(SectionLayout.section(SectionLayout.title(section.name())), new ArrayList<>());
         return Stream.concat(Stream.of(() -> {
@@ -205,7 +205,7 @@ final class MaterialPane extends VBox {
         return new Row(attribute, node, box::setDisabledReason, m -> box.show(attribute.get(m)), box::showNothing, () -> {});
     }
 
-    /** A box with its name at the left: a section of one box has the name in its head. */
+    /** Puts a label to the left of a box. A section with a single box needs none. */
     private static Node labeled(String title, AttributeChoiceBox<?> box) {
         var label = new Label(title);
         label.setLabelFor(box.box());
@@ -216,7 +216,7 @@ final class MaterialPane extends VBox {
         return row;
     }
 
-    /** Its kind has told that it is a picture: the compiler cannot follow that. */
+    /** Casts an attribute whose kind is {@link ValueKind.TextureKind}, which the compiler cannot infer. */
     @SuppressWarnings("unchecked")
     private static MaterialAttribute<Optional<TextureMap>> textureAttribute(MaterialAttribute<?> attribute) {
         return (MaterialAttribute<Optional<TextureMap>>) attribute;
@@ -224,7 +224,7 @@ final class MaterialPane extends VBox {
 
     private Row texture(MaterialAttribute<Optional<TextureMap>> attribute) {
         var field = new TextureField(editor, commands, files, attribute);
-        // It knows itself whether it shows another material.
+        // The field detects a change of material itself.
         return new Row(attribute, field, field::setDisabledReason, field::show, field::showNothing, () -> {});
     }
 
@@ -237,7 +237,7 @@ final class MaterialPane extends VBox {
             return;
         }
         if (!material.name().equals(shownName)) {
-            // What was typed was meant for the other material.
+            // Uncommitted input belongs to the other material.
             rows.forEach(row -> row.revert().run());
         }
         shownName = material.name();
@@ -269,7 +269,10 @@ final class MaterialPane extends VBox {
         }
     }
 
-    /** All shapes are walked, so not for edits of the material itself; many of them not on the window's thread. */
+    /**
+     * Updates the shapes that use the material. Scans all shapes, in the background if there are many; skipped for edits of the material
+     * itself.
+     */
     private void updateUsers() {
         usersMaterial = shownName;
         usersNodes = editor.scene().nodes();
@@ -292,8 +295,8 @@ final class MaterialPane extends VBox {
 
     private void showUsers(List<String> shapes) {
         users.setText(
-                shapes.isEmpty() ? Messages.tr("No shape has it")
-                        : Messages.tr("On {0}", String.join(", ", shapes.subList(0, Math.min(MAX_NAMES, shapes.size()))))
+                shapes.isEmpty() ? Messages.tr("Not used by any object")
+                        : Messages.tr("Used by {0}", String.join(", ", shapes.subList(0, Math.min(MAX_NAMES, shapes.size()))))
                                 + (shapes.size() > MAX_NAMES ? Messages.tr(" and {0} more", shapes.size() - MAX_NAMES) : ""));
     }
 }

@@ -16,7 +16,7 @@ import lightning.scene.Light;
 import lightning.scene.LightAttribute;
 import lightning.scene.ValueKind;
 
-/** A box of the names that an attribute of the selected light can have, and none. */
+/** Combo box for a name attribute of the selected light, including none. */
 final class NameBox extends StackPane {
     private final LightAttribute<String> attribute;
     private final ValueKind.NameKind kind;
@@ -24,7 +24,7 @@ final class NameBox extends StackPane {
     private final DisabledReason disabledReason;
     private boolean isUpdating;
 
-    /** @param visibleState as in {@link PropertyPane} */
+    /** @param visibleState  state as in {@link PropertyPane} */
     NameBox(SceneEditor editor, LightAttribute<String> attribute, ValueKind.NameKind kind, ObservableValue<EditorState> visibleState) {
         this.attribute = attribute;
         this.kind = kind;

@@ -15,7 +15,7 @@ import javafx.scene.layout.Pane;
 import javafx.scene.layout.Priority;
 import lightning.base.text.Messages;
 
-/** Stands in place of a name in a row while another is typed, and says why that is refused. */
+/** Text field that replaces a row's label while renaming, and shows why a name is refused. */
 final class NameField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
@@ -25,10 +25,10 @@ final class NameField extends TextField {
     private String oldName;
 
     /**
-     * @param label  what shows the name, in a row of nodes
-     * @param rename gives what is called by the first name the second, stripped; tells why it refuses to, here and to the artist
-     * @param onRenamed  called when it did
-     * @param onCanceled   called when Escape is pressed or keys go elsewhere
+     * @param label  label of the name in a row
+     * @param rename  renames from the first to the second name, stripped; returns and reports a refusal
+     * @param onRenamed  runs after renaming
+     * @param onCanceled  runs on Escape or when focus is lost
      */
     NameField(Label label, BiFunction<String, String, Optional<String>> rename, Runnable onRenamed, Runnable onCanceled) {
         this.label = label;
@@ -52,7 +52,7 @@ final class NameField extends TextField {
         });
     }
 
-    /** Takes the label's place; {@code name} is what shall be another. */
+    /** Replaces the label and starts editing {@code name}. */
     void open(String name) {
         oldName = name;
         setText(name);
@@ -62,7 +62,7 @@ final class NameField extends TextField {
         selectAll();
     }
 
-    /** Gives its place back to the label. */
+    /** Restores the label. */
     void close() {
         replace(this, label);
     }

@@ -7,17 +7,17 @@ import javafx.scene.control.ListCell;
 import lightning.editor.document.Command;
 import lightning.editor.window.model.CommandRegistry;
 
-/** A line of a list that shows a name, which is renamed in its place; the list can be edited only meanwhile. */
+/** List cell with a name that can be edited in place. The list is editable only while renaming. */
 abstract class NamedCell<T> extends ListCell<T> {
     private final CommandRegistry commands;
-    /** What shows the name. */
+    /** Label of the name. */
     final Label name = new Label();
     private final Command command;
     private final NameField field;
 
     /**
-     * @param command what renaming is
-     * @param rename  gives what is called by the first name the second; tells why it refuses to
+     * @param command  command that renames
+     * @param rename  renames from the first to the second name; returns a refusal
      */
     NamedCell(CommandRegistry commands, Command command, BiFunction<String, String, Optional<String>> rename) {
         this.commands = commands;
@@ -25,7 +25,7 @@ abstract class NamedCell<T> extends ListCell<T> {
         field = new NameField(name, rename, this::cancelEdit, this::endRename);
     }
 
-    /** What can be renamed here, by its name; empty where nothing is. */
+    /** Returns the name of the item that can be renamed, or empty. */
     abstract Optional<String> renameTarget();
 
     @Override

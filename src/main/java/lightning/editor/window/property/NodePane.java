@@ -31,9 +31,9 @@ import lightning.scene.SceneLimits;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 
-/** The placement of the selected shape or group: where it stands, how it is turned, how large it is. */
+/** Property editor of the selected shape's or group's placement: position, rotation and scale. */
 final class NodePane extends VBox {
-    private static final String NO_SHAPE = Messages.key("no shape is selected");
+    private static final String NO_SHAPE = Messages.key("no object is selected");
     private static final StepRange DEGREES = new StepRange(5, -SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION);
 
     private final SceneEditor editor;
@@ -46,8 +46,8 @@ final class NodePane extends VBox {
     private String shownName = "";
 
     /**
-     * @param menu    opens on each property
-     * @param tabSelected whether the pane is seen; else it does not follow what is edited
+     * @param menu  context menu of the properties
+     * @param tabSelected  true while the pane is visible; it is updated only then
      */
     NodePane(SceneEditor editor, CommandRegistry commands, PropertyMenu menu, ObservableValue<Boolean> tabSelected) {
         this.editor = editor;
@@ -117,7 +117,7 @@ final class NodePane extends VBox {
         String selected = state.selectedNode().map(SceneNode::name).orElse("");
         if (!selected.equals(shownName)) {
             shownName = selected;
-            // What was typed was meant for the other shape.
+            // Uncommitted input belongs to the other shape.
             position.revert();
             scale.revert();
             rotations.forEach(ArrowWidget::revert);
@@ -129,7 +129,7 @@ final class NodePane extends VBox {
         name.setText(node.name());
         summary.setText(switch (node) {
             case NodeGroup g -> Messages.tr("Group of {0}", g.children().size());
-            case Shape s -> Messages.tr("{0} of material {1}", SectionLayout.title(OutlineCell.noun(s)), s.material());
+            case Shape s -> Messages.tr("{0}, material {1}", SectionLayout.title(OutlineCell.noun(s)), s.material());
         } + (node.visible() ? "" : Messages.tr(", hidden")));
         position.show(node.placement().position());
         scale.show(node.placement().scale());
@@ -141,7 +141,7 @@ final class NodePane extends VBox {
 
     private void showNothing() {
         name.setText("");
-        summary.setText(Messages.tr("Click a shape in the preview or in the list of shapes"));
+        summary.setText(Messages.tr("Click an object in the preview or in the list"));
         position.showNothing();
         scale.showNothing();
         rotations.forEach(ArrowWidget::showNothing);

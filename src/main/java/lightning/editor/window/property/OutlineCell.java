@@ -24,11 +24,11 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignF;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignV;
 
-/** A line of the list of shapes: kind, name, which a double click renames in place, and an eye; of a group the arrow that folds it. */
+/** Cell of the shape list: icon, name, visibility, and an expander for groups. A double click renames. */
 final class OutlineCell extends NamedCell<OutlineRow> {
     private static final PseudoClass DARK = PseudoClass.getPseudoClass("dark");
     private static final double INDENT = 14;
-    /** What looks like the form; others look like a shape. */
+    /** Icons by solid type; others use a generic shape icon. */
     private static final Map<Class<? extends Solid>, Ikon> ICONS = Map.of(
             Solid.Sphere.class, MaterialDesignC.CIRCLE_OUTLINE,
             Solid.Cone.class, MaterialDesignC.CONE,
@@ -89,7 +89,7 @@ final class OutlineCell extends NamedCell<OutlineRow> {
     }
 
     private void show(SceneNode node) {
-        // A click has switched it already, whatever came of it.
+        // The click has toggled the button, regardless of the edit's result.
         eye.setSelected(node.visible());
         row.setPadding(new Insets(0, 0, 0, INDENT * getItem().depth()));
         foldButton.setVisible(node instanceof NodeGroup);
@@ -97,17 +97,17 @@ final class OutlineCell extends NamedCell<OutlineRow> {
         if (node == shownNode) {
             return;
         }
-        foldButton.setAccessibleText(Messages.tr("fold or unfold {0}", node.name()));
+        foldButton.setAccessibleText(Messages.tr("collapse or expand {0}", node.name()));
         kind.setIconCode(icon(node));
         name.setText(node.name());
         eyeIcon.setIconCode(node.visible() ? MaterialDesignE.EYE_OUTLINE : MaterialDesignE.EYE_OFF_OUTLINE);
         LightCell.describe(eye, Messages.tr("{0} visible", node.name()),
-                node.visible() ? Messages.tr("Hide it: no picture, no shadow") : Messages.tr("Show it again"));
+                node.visible() ? Messages.tr("Hide the object and its shadow") : Messages.tr("Show the object"));
         row.pseudoClassStateChanged(DARK, !node.visible());
         setAccessibleText(node.name() + ", " + noun(node) + (node.visible() ? "" : Messages.tr(", hidden")));
     }
 
-    /** What it is, for people. */
+    /** Returns the node's type as displayed. */
     static String noun(SceneNode node) {
         return switch (node) {
             case NodeGroup _ -> Messages.tr("group");

@@ -28,18 +28,19 @@ import lightning.scene.SceneNode;
 import lightning.scene.Stage;
 
 /**
- * The shapes and groups of the scene, groups folded at first. Cells are made for the lines in view alone. The keyboard: F2 renames,
- * Delete deletes, Ctrl+D duplicates, H or Space hides and shows, left and right fold and unfold.
+ * Outliner of the scene's shapes and groups, initially collapsed. Creates cells for visible rows only.
+ *
+ * <p>Keys: F2 renames, Delete deletes, Ctrl+D duplicates, H or Space toggles visibility, Left and Right collapse and expand.
  */
 final class OutlinePane extends VBox {
     private final SceneEditor editor;
     private final CommandRegistry commands;
     private final ListView<OutlineRow> list = new ListView<>();
     private final Label count = new Label();
-    /** Made once: to look up how a language writes numbers takes a twentieth of an edit. */
+    /** Cached: creating a number format takes a twentieth of an edit's time. */
     private final NumberFormat countFormat = NumberFormat.getIntegerInstance(Messages.locale());
     private final Set<String> expandedGroups = new HashSet<>();
-    /** What is listed, and which of it is selected; null before the first. */
+    /** Listed stage and selected node; null before the first update. */
     private Stage listedStage;
     private SceneNode selected;
     private boolean isUpdating;
@@ -51,8 +52,8 @@ final class OutlinePane extends VBox {
         getStyleClass().add("lights");
         list.setId("shape-list");
         list.getStyleClass().addAll("light-list", "shape-list", "edge-to-edge");
-        list.setAccessibleText(Messages.tr("shapes and groups"));
-        list.setPlaceholder(new Label(Messages.tr("No shapes.")));
+        list.setAccessibleText(Messages.tr("objects and groups"));
+        list.setPlaceholder(new Label(Messages.tr("No objects.")));
         list.setCellFactory(_ -> new OutlineCell(editor, commands, this));
         CommandMenuItems items = CommandMenuItems.forMenu(commands, "of-shape-");
         list.setContextMenu(new ContextMenu(items.item(Command.RENAME_SHAPE), items.item(Command.DUPLICATE_SHAPE),
@@ -99,7 +100,7 @@ final class OutlinePane extends VBox {
         return expandedGroups.contains(group);
     }
 
-    /** Folds a group, or unfolds it. */
+    /** Collapses or expands a group. */
     void toggleExpanded(String group) {
         if (!expandedGroups.remove(group)) {
             expandedGroups.add(group);
@@ -108,13 +109,13 @@ final class OutlinePane extends VBox {
         updateSelection(editor.scene().stage(), false);
     }
 
-    /** Only until the cell ends it is the list editable, or a second click on a shape would rename it. */
+    /** Renames the selected node. The list is editable only meanwhile, since a second click would otherwise rename. */
     private void rename() {
         list.setEditable(true);
         list.edit(list.getSelectionModel().getSelectedIndex());
     }
 
-    /** Renames a shape or a group, and goes on with it; returns why it was refused. */
+    /** Renames a shape or group and keeps it selected. Returns why it was refused, or empty. */
     Optional<String> rename(String name, String typed) {
         Optional<String> refusal = editor.editOrReport(scene -> NodeEdits.rename(scene, name, typed));
         if (refusal.isEmpty()) {
@@ -149,7 +150,7 @@ final class OutlinePane extends VBox {
             updateList(stage);
         }
         if (outlineChanged || selectionChanged) {
-            // Where lines are listed anew below a group, those in view are not known before they are laid out.
+            // After an update below a group, the visible rows are unknown until layout.
             updateSelection(stage, selectionChanged && (outlineChanged && !expandedGroups.isEmpty() || !isInView(rowIndex(stage))));
         }
     }
@@ -157,26 +158,26 @@ final class OutlinePane extends VBox {
     private void updateList(Stage stage) {
         isUpdating = true;
         listedStage = stage;
-        // A list that gains or loses lines moves its selection along, line by line; here it is made anew.
+        // Changing the list would move its selection row by row; it is set again afterwards.
         list.getSelectionModel().clearSelection();
         OutlineRow.update(list.getItems(), stage, expandedGroups);
         int shapes = stage.shapeCount();
-        count.setText(shapes == 1 ? Messages.tr("1 shape") : Messages.tr("{0} shapes", countFormat.format(shapes)));
+        count.setText(shapes == 1 ? Messages.tr("1 object") : Messages.tr("{0} objects", countFormat.format(shapes)));
         isUpdating = false;
     }
 
-    /** The line of what is selected; −1 for none. */
+    /** Returns the row of the selected node, or −1. */
     private int rowIndex(Stage stage) {
         return selected == null ? -1 : stage.path(selected.name()).map(places -> OutlineRow.indexOf(list.getItems(), places)).orElse(-1);
     }
 
-    /** Whether a line is among those laid out last, between the first and the last of these, which may be cut off. */
+    /** Returns true if a row lies strictly between the first and last visible cells, which may be clipped. */
     private boolean isInView(int row) {
         return list.lookup(".virtual-flow") instanceof VirtualFlow<?> flow && flow.getFirstVisibleCell() != null
                 && flow.getFirstVisibleCell().getIndex() < row && row < flow.getLastVisibleCell().getIndex();
     }
 
-    /** @param scroll whether the line is brought into view, which takes the longer the more lines there are */
+    /** @param scroll  true to scroll the row into view, which takes time proportional to the number of rows */
     private void updateSelection(Stage stage, boolean scroll) {
         isUpdating = true;
         int row = rowIndex(stage);

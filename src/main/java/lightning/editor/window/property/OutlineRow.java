@@ -10,26 +10,26 @@ import lightning.scene.SceneNode;
 import lightning.scene.Stage;
 
 /**
- * One line of the list of shapes, by its places in the tree: what stands there is the cell's to show.
+ * Row of the shape list, by index path in the tree. Cells look up the content.
  *
- * @param group the line of the group that it is in; null for none
- * @param index in the group, or in the scene
- * @param depth how many groups it is in
+ * @param group  row of the enclosing group; null for none
+ * @param index  index in the group or the scene
+ * @param depth  number of enclosing groups
  */
 record OutlineRow(OutlineRow group, int index, int depth) {
-    /** More lines that came or went are all made anew. */
+    /** Maximum number of rows added or removed incrementally. */
     private static final int MAX_INCREMENTAL = 1000;
 
-    /** What stands there; null where nothing does. */
+    /** Returns the row's node, or null if it does not exist. */
     SceneNode node(Stage stage) {
         List<SceneNode> siblings = group == null ? stage.nodes() : group.node(stage) instanceof NodeGroup g ? g.children() : List.of();
         return index < siblings.size() ? siblings.get(index) : null;
     }
 
     /**
-     * All lines, in the order of the file.
+     * Returns all rows in file order.
      *
-     * @param expandedGroups the names of the groups that are listed with what is in them
+     * @param expandedGroups  names of the expanded groups
      */
     static List<OutlineRow> of(Stage stage, Set<String> expandedGroups) {
         List<OutlineRow> rows = new ArrayList<>(stage.nodes().size());
@@ -37,10 +37,7 @@ record OutlineRow(OutlineRow group, int index, int depth) {
         return rows;
     }
 
-    /**
-     * Makes lines those of a stage. A line is a place, so that where no group is unfolded lines come and go at the end alone, and nothing is
-     * walked.
-     */
+    /** Updates rows for a stage. Since rows are index paths, a tree without expanded groups changes only at the end and is not walked. */
     static void update(ObservableList<OutlineRow> lines, Stage stage, Set<String> expandedGroups) {
         int oldCount = lines.size();
         int newCount = stage.nodes().size();
@@ -54,7 +51,7 @@ record OutlineRow(OutlineRow group, int index, int depth) {
         }
     }
 
-    /** Touches those lines alone that are others, but for what is the same at both ends. */
+    /** Replaces the rows between the common prefix and suffix. */
     private static void replaceChanged(ObservableList<OutlineRow> lines, List<OutlineRow> newLines) {
         int minSize = Math.min(lines.size(), newLines.size());
         int prefix = 0;
@@ -75,13 +72,13 @@ record OutlineRow(OutlineRow group, int index, int depth) {
         }
     }
 
-    /** The line of what stands at some places, as {@link Stage#path} gives them; −1 where a group around it is folded. */
+    /** Returns the row of an index path as {@link Stage#path} returns it, or −1 if an enclosing group is collapsed. */
     static int indexOf(List<OutlineRow> lines, int... indices) {
         OutlineRow row = null;
-        for (int place : indices) {
-            row = new OutlineRow(row, place, row == null ? 0 : row.depth + 1);
+        for (int index : indices) {
+            row = new OutlineRow(row, index, row == null ? 0 : row.depth + 1);
         }
-        // No line stands before its place.
+        // A row's position is at least its top-level index.
         int from = indices[0];
         return from < lines.size() && lines.get(from).equals(row) ? from : lines.indexOf(row);
     }

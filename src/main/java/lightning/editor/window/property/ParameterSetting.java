@@ -11,22 +11,23 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.Light;
 
-/** A dial of the selected light, or of the scene. */
-record ParameterSetting(SceneEditor editor, NumericParameter dial) implements NumberSetting {
+/** Numeric setting of the selected light or the scene. */
+record ParameterSetting(SceneEditor editor, NumericParameter parameter) implements NumberSetting {
 
-    /** @param visibleState as in {@link PropertyPane} */
-    static ArrowWidget widget(SceneEditor editor, NumericParameter dial, ObservableValue<EditorState> visibleState) {
-        ArrowWidget widget = new ArrowWidget(SectionLayout.title(dial.label()), dial.title(), new ParameterSetting(editor, dial));
-        widget.setId(dial.isOfScene() ? dial.title().replace(' ', '-') : dial.label());
-        visibleState.subscribe(state -> show(state, dial, widget));
+    /** @param visibleState  state as in {@link PropertyPane} */
+    static ArrowWidget widget(SceneEditor editor, NumericParameter parameter, ObservableValue<EditorState> visibleState) {
+        ArrowWidget widget = new ArrowWidget(SectionLayout.title(parameter.label()), parameter.title(),
+                new ParameterSetting(editor, parameter));
+        widget.setId(parameter.isOfScene() ? parameter.title().replace(' ', '-') : parameter.label());
+        visibleState.subscribe(state -> show(state, parameter, widget));
         return widget;
     }
 
-    private static void show(EditorState state, NumericParameter dial, ArrowWidget widget) {
+    private static void show(EditorState state, NumericParameter parameter, ArrowWidget widget) {
         Optional<Light> light = state.selectedLight();
-        widget.setDisabledReason(dial.disabledReason(state.scene(), light));
-        if (dial.isOfScene() || light.isPresent()) {
-            widget.show(dial.value(state.scene(), light.map(Light::name).orElse("")));
+        widget.setDisabledReason(parameter.disabledReason(state.scene(), light));
+        if (parameter.isOfScene() || light.isPresent()) {
+            widget.show(parameter.value(state.scene(), light.map(Light::name).orElse("")));
         } else {
             widget.showNothing();
         }
@@ -34,21 +35,21 @@ record ParameterSetting(SceneEditor editor, NumericParameter dial) implements Nu
 
     @Override
     public String title() {
-        return dial.title();
+        return parameter.title();
     }
 
     @Override
     public NumberUnit measure() {
-        return dial.measure();
+        return parameter.measure();
     }
 
     @Override
     public StepRange steps() {
-        return dial.range();
+        return parameter.range();
     }
 
     @Override
     public Optional<String> set(double value, Object gesture) {
-        return editor.edit(scene -> dial.set(scene, editor.selection().lightName(), value), gesture);
+        return editor.edit(scene -> parameter.set(scene, editor.selection().lightName(), value), gesture);
     }
 }

@@ -22,24 +22,25 @@ import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Track;
 
 /**
- * The menu of one property of a light, a material or a shape: copy, paste, reset. What is copied is text, in the words of the scene file
- * ({@code intensity 2.5}), so that it goes from one to another, from window to window, and into a file.
+ * Context menu of a property of a light, material or shape: copy, paste, reset and keyframes.
+ *
+ * <p>Copies are text in scene-file syntax ({@code intensity 2.5}), so that they can be pasted between items, windows and files.
  */
 final class PropertyMenu {
     private static final PseudoClass KEYED = PseudoClass.getPseudoClass("keyed");
     private static final PseudoClass KEYED_AT_FRAME = PseudoClass.getPseudoClass("key-here");
 
     private final SceneEditor editor;
-    private final WindowLayout arrangement;
+    private final WindowLayout layout;
     private final CommandMenuItems items;
 
-    PropertyMenu(SceneEditor editor, CommandRegistry commands, WindowLayout arrangement) {
+    PropertyMenu(SceneEditor editor, CommandRegistry commands, WindowLayout layout) {
         this.editor = editor;
-        this.arrangement = arrangement;
+        this.layout = layout;
         items = CommandMenuItems.forMenu(commands);
     }
 
-    /** Opens at a right click on what shows the property. */
+    /** Attaches the menu to a property's widget. */
     void attach(Node widget, SelectedProperty property) {
         var menu = new ContextMenu();
         widget.setOnContextMenuRequested(e -> {
@@ -61,7 +62,7 @@ final class PropertyMenu {
         var copy = items.value(Command.COPY_PROPERTY, Messages.tr("Copy {0}", title), () -> copy(property));
         var paste = items.value(Command.PASTE_PROPERTY,
                 Messages.tr("Paste {0}", title)
-                        + (clipboardValue.isEmpty() ? Messages.tr(" (none is copied)") : " " + Quote.of(clipboardValue)),
+                        + (clipboardValue.isEmpty() ? Messages.tr(" (nothing copied)") : " " + Quote.of(clipboardValue)),
                 () -> paste(property));
         var reset =
                 items.value(Command.RESET_PROPERTY, Messages.tr("Reset {0}", title), () -> editor.editOrReport(property::reset));
@@ -73,28 +74,29 @@ final class PropertyMenu {
             return new MenuItem[] {copy, paste, reset};
         }
         var key = items.value(Command.KEY_PROPERTY, keyTitle(title), () -> setKeyframe(property));
-        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Remove Keys of {0}", title), () -> removeKeyframes(property));
-        unkey.setDisable(unkey.isDisable() || moment().flatMap(m -> m.shot().track(property.keyTarget(), property.name())).isEmpty());
+        var unkey = items.value(Command.UNKEY_PROPERTY, Messages.tr("Clear Keyframes of {0}", title), () -> removeKeyframes(property));
+        unkey.setDisable(unkey.isDisable() || shotFrame().flatMap(f -> f.shot().track(property.keyTarget(), property.name())).isEmpty());
         return new MenuItem[] {copy, paste, reset, new SeparatorMenuItem(), key, unkey};
     }
 
     private String keyTitle(String title) {
-        return moment().map(m -> Messages.tr("Key {0} at Frame {1}", title, m.frame())).orElse(Messages.tr("Key {0} in a New Shot", title));
+        return shotFrame().map(m -> Messages.tr("Set Keyframe of {0} at Frame {1}", title, m.frame()))
+                .orElse(Messages.tr("Set Keyframe of {0} in a New Shot", title));
     }
 
     private void setKeyframe(SelectedProperty property) {
         Scene shownScene = editor.scene();
         Optional<String> refusal = editor.editShotOrReport(scene -> {
             AnimatedScene sceneWithShot = KeyEdits.addShot(scene);
-            int frame = moment().map(ShotFrame::frame).orElseGet(() -> sceneWithShot.shot().orElseThrow().first());
+            int frame = shotFrame().map(ShotFrame::frame).orElseGet(() -> sceneWithShot.shot().orElseThrow().first());
             return KeyEdits.setKey(sceneWithShot, shownScene, property.keyTarget(), property.name(), frame);
         }, null);
         if (refusal.isEmpty()) {
-            arrangement.timelineShownProperty().set(true);
+            layout.timelineShownProperty().set(true);
         }
     }
 
-    private Optional<ShotFrame> moment() {
+    private Optional<ShotFrame> shotFrame() {
         return editor.document().shotFrame();
     }
 
@@ -108,7 +110,7 @@ final class PropertyMenu {
         return text == null ? "" : text.strip();
     }
 
-    /** What a copied text says of the property; empty where it speaks of another. */
+    /** Returns the property's value in a copied text, or an empty string if the text describes another property. */
     private String value(SelectedProperty property, String text) {
         return text.startsWith(property.name() + " ") && text.indexOf('\n') < 0 ? text.substring(property.name().length() + 1).strip()
                 : "";

@@ -30,7 +30,7 @@ import lightning.scene.LightAttribute.Section;
 import lightning.scene.NumericKind;
 import lightning.scene.ValueKind;
 
-/** The property editor of the selected light and the scene (paper §3.2, Figure 5). */
+/** Property editor of the selected light and the scene (paper §3.2, Figure 5). */
 public final class PropertyPane extends VBox {
     private static final String NO_LIGHT = Messages.key("no light is selected");
 
@@ -38,30 +38,30 @@ public final class PropertyPane extends VBox {
     private final CommandRegistry commands;
     private final FileImporter files;
     private final PropertyMenu menu;
-    private final List<ArrowWidget> dials = new ArrayList<>();
+    private final List<ArrowWidget> parameterWidgets = new ArrayList<>();
     private final List<Row> rows = new ArrayList<>();
     private final LightHeader header;
     private final LightGroupSection groupSection;
-    /** How things are, told while the pane is in front. */
+    /** Editor state, updated only while the pane is visible. */
     private final ObservableValue<EditorState> visibleState;
     private ShownLight shownLight;
 
     /**
-     * The widget of an attribute that is no dial.
+     * Widget of an attribute without numeric parameters.
      *
-     * @param setDisabledReason disables it and says why; or enables it
-     * @param revert   discards what was typed
+     * @param setDisabledReason  disables it with a reason, or enables it
+     * @param revert  discards uncommitted input
      */
     private record Row(LightAttribute<?> attribute, Consumer<Optional<String>> setDisabledReason, Consumer<Light> show,
             Runnable showNothing,
             Runnable revert) {}
 
-    /** @param lightId its number in the document's history; −1 for none */
+    /** @param lightId  light's id in the document's history; −1 for none */
     private record ShownLight(OpenDocument document, long lightId) {}
 
     /**
-     * @param menu    opens on each property
-     * @param tabSelected whether the pane is seen: else only what was typed is heard to be of another light, and nothing is shown
+     * @param menu  context menu of the properties
+     * @param tabSelected  true while the pane is visible; a hidden pane only discards uncommitted input of another light
      */
     PropertyPane(SceneEditor editor, CommandRegistry commands, FileImporter files, PropertyMenu menu,
             ObservableValue<Boolean> tabSelected) {
@@ -79,12 +79,14 @@ public final class PropertyPane extends VBox {
         ScrollPane scroll = SectionLayout.scroll(Stream.of(Stream.of(header),
                 Stream.of(Section.COLOR, Section.CONE, Section.AREA, Section.ATTENUATION, Section.PLACE, Section.LINKS)
                         .map(this::section),
-                Stream.of(SectionLayout.section(Messages.tr("Bank"), groupSection),
-                        SectionLayout.section(Messages.tr("Scene"), dial(NumericParameter.AMBIENCE),
+                Stream.of(SectionLayout.section(Messages.tr("Light Group"), groupSection),
+                        SectionLayout.section(Messages.tr("Scene"), parameterWidget(NumericParameter.AMBIENCE),
                                 SectionLayout.caption(Messages.tr("Environment")),
                                 FileField.forWorld(editor, commands, files, visibleState),
-                                dial(NumericParameter.ENVIRONMENT_INTENSITY), dial(NumericParameter.ENVIRONMENT_ROTATION),
-                                dial(NumericParameter.ENVIRONMENT_LAMPS), dial(NumericParameter.ENVIRONMENT_SOFTNESS))))
+                                parameterWidget(NumericParameter.ENVIRONMENT_INTENSITY),
+                                parameterWidget(NumericParameter.ENVIRONMENT_ROTATION),
+                                parameterWidget(NumericParameter.ENVIRONMENT_LAMPS),
+                                parameterWidget(NumericParameter.ENVIRONMENT_SOFTNESS))))
                 .flatMap(s -> s)
                 .toArray(Node[]::new));
         setVgrow(scroll, Priority.ALWAYS);
@@ -102,14 +104,14 @@ public final class PropertyPane extends VBox {
         return SectionLayout.section(SectionLayout.title(section.name()), widgets.toArray(Node[]::new));
     }
 
-    /** What shows and edits an attribute, from the top. */
+    /** Returns the widgets of an attribute, from top to bottom. */
     <V> List<? extends Node> widgets(LightAttribute<V> attribute) {
         return switch (attribute.kind()) {
             case NumericKind<V> q -> switch (q.form()) {
                 case COLOR -> List.of(withMenu(color(attribute, q), attribute));
                 case POSITION, DIRECTION ->
                         List.of(SectionLayout.caption(SectionLayout.title(attribute.title())), withMenu(vector(attribute, q), attribute));
-                case INDEPENDENT -> NumericParameter.of(attribute).stream().map(d -> withMenu(dial(d), attribute)).toList();
+                case INDEPENDENT -> NumericParameter.of(attribute).stream().map(d -> withMenu(parameterWidget(d), attribute)).toList();
             };
             case ValueKind.AssetKind<?> kind -> List.of(SectionLayout.caption(SectionLayout.title(attribute.title())),
                     withMenu(FileField.forLight(editor, commands, files, castAttribute(attribute, kind), kind, visibleState), attribute));
@@ -122,7 +124,7 @@ public final class PropertyPane extends VBox {
         };
     }
 
-    /** The attribute with the values of its kind: the compiler cannot follow that. */
+    /** Casts an attribute to the value type of its kind, which the compiler cannot infer. */
     @SuppressWarnings("unchecked")
     private static <V> LightAttribute<V> castAttribute(LightAttribute<?> attribute, ValueKind.LightKind<V> kind) {
         return (LightAttribute<V>) attribute;
@@ -148,9 +150,9 @@ public final class PropertyPane extends VBox {
         return widget;
     }
 
-    private ArrowWidget dial(NumericParameter dial) {
-        ArrowWidget widget = ParameterSetting.widget(editor, dial, visibleState);
-        dials.add(widget);
+    private ArrowWidget parameterWidget(NumericParameter parameter) {
+        ArrowWidget widget = ParameterSetting.widget(editor, parameter, visibleState);
+        parameterWidgets.add(widget);
         return widget;
     }
 
@@ -171,7 +173,7 @@ public final class PropertyPane extends VBox {
         return aim;
     }
 
-    /** What was typed was meant for the light selected then. */
+    /** Discards uncommitted input when another light is selected. */
     private void revert(EditorState state) {
         var selected =
                 new ShownLight(editor.document(), state.selectedLight().map(l -> editor.document().history().id(l.name())).orElse(-1L));
@@ -180,7 +182,7 @@ public final class PropertyPane extends VBox {
             header.revert();
             groupSection.revert();
             rows.forEach(row -> row.revert().run());
-            dials.forEach(ArrowWidget::revert);
+            parameterWidgets.forEach(ArrowWidget::revert);
         }
     }
 
@@ -191,7 +193,7 @@ public final class PropertyPane extends VBox {
         });
     }
 
-    /** A directional light has a place too: its gizmo stands there. */
+    /** Returns why an attribute is disabled. A directional light keeps its position, where its gizmo is drawn. */
     private static Optional<String> disabledReason(EditorState state, LightAttribute<?> attribute) {
         return state.selectedLight().isEmpty() ? Optional.of(Messages.tr(NO_LIGHT))
                 : attribute == LightAttribute.POSITION ? Optional.empty() : attribute.inactiveReason(state.selectedLight().get().type());

@@ -11,7 +11,7 @@ import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 import lightning.editor.window.widget.TimeSlicedTask;
 
-/** How properties are laid out: sections below each other, which can be folded and are scrolled. */
+/** Layout of properties: scrollable, collapsible sections. */
 final class SectionLayout {
     private SectionLayout() {}
 
@@ -23,7 +23,7 @@ final class SectionLayout {
         scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
         scroll.skinProperty().subscribe(skin -> {
             if (skin != null) {
-                // Kept as one picture, all of it would be drawn again for each number that a drag changes.
+                // A cached viewport would be redrawn completely for every number changed by a drag.
                 scroll.lookup(".viewport").setCache(false);
             }
         });
@@ -31,9 +31,9 @@ final class SectionLayout {
     }
 
     /**
-     * As {@link #scroll}, where all is made one after the other, so that the window's thread is never away for long.
+     * Creates a scroll pane as {@link #scroll} does and fills it in time slices, so that the window's thread is never blocked for long.
      *
-     * @param parts makes a part each, put by {@link #add} into what it is given or into what was put there
+     * @param parts  steps that each create a part and {@link #add} it to the given box or to an earlier part
      */
     static ScrollPane incrementalScroll(Function<VBox, Stream<Runnable>> parts) {
         ScrollPane scroll = scroll();
@@ -42,7 +42,7 @@ final class SectionLayout {
         return scroll;
     }
 
-    /** Puts a node below the others, with its looks. */
+    /** Appends a node and applies its style. */
     static void add(VBox box, Node node) {
         box.getChildren().add(node);
         TimeSlicedTask.applyStyle(node);
@@ -57,7 +57,7 @@ final class SectionLayout {
         return pane;
     }
 
-    /** A word as it begins a label. */
+    /** Returns the translated word with a capital first letter. */
     static String title(String word) {
         String local = Messages.tr(word.toLowerCase(Locale.ROOT));
         return local.substring(0, 1).toUpperCase(Locale.ROOT) + local.substring(1);

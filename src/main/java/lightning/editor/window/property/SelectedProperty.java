@@ -20,29 +20,29 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.SceneNode;
 import lightning.scene.shot.TrackTarget;
 
-/** One property of what is selected, in the words of the scene file. */
+/** Property of the selected item, in scene-file syntax. */
 sealed interface SelectedProperty {
-    /** As the scene file calls it. */
+    /** Returns the name in the scene file. */
     String name();
 
-    /** As people know it. */
+    /** Returns the display title. */
     String title();
 
-    /** Its value as the scene file writes it; empty where nothing is selected that has it. */
+    /** Returns the value in scene-file syntax, or empty if no item with the property is selected. */
     Optional<String> text();
 
-    /** @param value as the scene file writes it, of what the scene holds: no file is read */
+    /** @param value  value in scene-file syntax; may refer only to loaded assets, since no file is read */
     default EditOutcome set(Scene scene, String value) {
         return EditOutcome.of(() -> PropertyEdit.set(scene, target(), name(), value));
     }
 
-    /** The value that a new one has. */
+    /** Resets the property to its initial value. */
     EditOutcome reset(Scene scene);
 
-    /** What would have its keys. */
+    /** Returns the target of the property's keyframes. */
     TrackTarget keyTarget();
 
-    /** Whether it can have keys in the scene. */
+    /** Returns true if the property can be animated in the scene. */
     default boolean canHaveKeys(Scene scene) {
         return text().isPresent() && keyTarget().existsIn(scene)
                 && keyTarget().attribute(scene, name()).<SceneAttribute<?, ?>>map(a -> a)
@@ -50,10 +50,10 @@ sealed interface SelectedProperty {
                         .isPresent();
     }
 
-    /** As an edit of a scene by text names it. */
+    /** Returns the item's name in text edits of a scene. */
     String target();
 
-    /** Of the selected light. */
+    /** Property of the selected light. */
     record LightProperty(SceneSelection selection, LightAttribute<?> attribute) implements SelectedProperty {
         @Override
         public String name() {
@@ -90,7 +90,7 @@ sealed interface SelectedProperty {
         }
     }
 
-    /** Of the material that is edited. */
+    /** Property of the material being edited. */
     record MaterialProperty(MaterialSelection materials, MaterialAttribute<?> attribute) implements SelectedProperty {
         @Override
         public String name() {
@@ -132,7 +132,7 @@ sealed interface SelectedProperty {
         }
     }
 
-    /** Of the placement of the selected shape or group. */
+    /** Property of the selected shape's or group's placement. */
     record NodeProperty(SceneSelection selection, String name) implements SelectedProperty {
         @Override
         public String title() {

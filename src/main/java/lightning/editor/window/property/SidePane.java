@@ -10,7 +10,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.model.SceneEditor;
 
-/** The properties of what the artist works on: the selected light, a material, or the selected shape. */
+/** Tabs with the properties of the selected light, a material, or the selected shape. */
 public final class SidePane extends TabPane {
 
     private boolean isShapeSelected;
@@ -28,7 +28,7 @@ public final class SidePane extends TabPane {
                 tab -> new PropertyPane(editor, commands, model.fileImporter(), menu, tab.selectedProperty()));
         Tab material = tab(Messages.tr("Material"), "material-tab",
                 _ -> new MaterialPane(editor, model.materials(), commands, model.fileImporter(), menu));
-        Tab shape = tab(Messages.tr("Shape"), "shape-tab", tab -> new NodePane(editor, commands, menu, tab.selectedProperty()));
+        Tab shape = tab(Messages.tr("Object"), "shape-tab", tab -> new NodePane(editor, commands, menu, tab.selectedProperty()));
         getTabs().setAll(light, material, shape);
         var materialInFront = editor.materialShownProperty();
         materialInFront.subscribe(on -> show(on ? material : isShapeSelected ? shape : light));
@@ -45,19 +45,19 @@ public final class SidePane extends TabPane {
         });
     }
 
-    /** What the artist has put in front stays there. */
+    /** Shows a tab, unless the user just selected one. */
     private void show(Tab tab) {
         if (!isUpdating) {
             getSelectionModel().select(tab);
         }
     }
 
-    /** What can be made before a tab is in front, a step for each. */
+    /** Returns steps that each create a tab's content in advance. */
     public Stream<Runnable> preloadSteps() {
         return getTabs().stream().map(tab -> () -> ((Runnable) tab.getUserData()).run());
     }
 
-    /** @param content made when the tab is first in front: each is a third of all that is in the window */
+    /** @param content  creates the content on first display; each tab is a third of the window's nodes */
     static Tab tab(String title, String id, Function<Tab, Node> content) {
         var tab = new Tab(title);
         tab.setId(id);

@@ -15,11 +15,11 @@ import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.NumericKind;
 
-/** A color of the edited material. */
+/** Color attribute of the edited material. */
 record SurfaceColor<V>(SceneEditor editor, MaterialSelection materials, MaterialAttribute<V> attribute, NumericKind<V> quantity)
         implements ColorSliders.Target {
 
-    /** The sliders of the color; whoever made them shows it. */
+    /** Creates the sliders of the color. The caller updates them. */
     ColorSliders sliders() {
         var sliders = ColorSliders.forSurface(attribute.title(), Messages.tr(attribute.help()), quantity.max(), this);
         sliders.setId(attribute.title());

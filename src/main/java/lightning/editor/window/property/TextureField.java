@@ -29,10 +29,7 @@ import lightning.scene.SceneLimits;
 import lightning.scene.TextureMap;
 import lightning.scene.ValueKind;
 
-/**
- * A picture that a material has: typed as the scene file names it, or taken from those that lie beside the scene, and how
- * often it repeats. It is read on a thread of its own.
- */
+/** Field for a texture of a material: file name, menu of the files next to the scene, and repetition. Reads files in the background. */
 final class TextureField extends VBox {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
 
@@ -73,7 +70,7 @@ final class TextureField extends VBox {
         HBox.setHgrow(file, Priority.ALWAYS);
         fileMenu = new FileMenu(commands, files, Messages.tr("Choose"), Command.CHOOSE_TEXTURE, FileKind.TEXTURE, this::set, this::browse);
         fileMenu.setId(title + "-found");
-        fileMenu.setAccessibleText(Messages.tr("Choose a picture: {0}", title));
+        fileMenu.setAccessibleText(Messages.tr("Choose an image: {0}", title));
         fileMenu.setMinWidth(USE_PREF_SIZE);
         refusal.setId(title + "-refusal");
         refusal.getStyleClass().add("refusal");
@@ -83,9 +80,9 @@ final class TextureField extends VBox {
         var row = new HBox(file, fileMenu);
         row.getStyleClass().add("header-row");
         disabledReason = new DisabledReason(this, row);
-        repeatU = repeatWidget(id("u"), Messages.tr("Repeat around"), repeatTitle("u"),
+        repeatU = repeatWidget(id("u"), Messages.tr("Repeat U"), repeatTitle("u"),
                 (map, v) -> new TextureMap(map.file(), v, map.repeatV(), map.image()));
-        repeatV = repeatWidget(id("v"), Messages.tr("Repeat along"), repeatTitle("v"),
+        repeatV = repeatWidget(id("v"), Messages.tr("Repeat V"), repeatTitle("v"),
                 (map, v) -> new TextureMap(map.file(), map.repeatU(), v, map.image()));
         getChildren().addAll(row, refusal, repeatU, repeatV);
     }
@@ -94,7 +91,7 @@ final class TextureField extends VBox {
         return repeatTitle(axis).replace('_', '-').replace(' ', '-');
     }
 
-    /** As the scene file calls it. */
+    /** Returns the name of the repeat attribute in the scene file. */
     private String repeatTitle(String axis) {
         return (attribute.kind() instanceof ValueKind.TextureKind t ? t.repeatName() : "repeat") + " " + axis;
     }
@@ -126,7 +123,7 @@ final class TextureField extends VBox {
         repeatV.show(attribute.get(material).map(TextureMap::repeatV).orElse(1.0));
     }
 
-    /** Shows that there is no material. */
+    /** Clears the field. */
     void showNothing() {
         shownMaterial = null;
         revert();

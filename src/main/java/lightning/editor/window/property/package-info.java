@@ -1,4 +1,2 @@
-/**
- * The lights and materials of the scene: the list and what each is set to.
- */
+/** Panes for the scene's lights, shapes and materials: lists and property editors. */
 package lightning.editor.window.property;

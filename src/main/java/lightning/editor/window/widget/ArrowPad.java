@@ -7,16 +7,16 @@ import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import lightning.base.text.Messages;
 
-/** The arrow of an {@link ArrowWidget}: drag it up or down, or click its upper or its lower half. */
+/** Arrow of an {@link ArrowWidget}: drag vertically, or click the upper or lower half to step. */
 final class ArrowPad extends VBox {
-    ArrowPad(NumberSetting gauge, NumberField field) {
+    ArrowPad(NumberSetting setting, NumberField field) {
         super(arrow("up"), arrow("down"));
         getStyleClass().add("arrow-pad");
         setAccessibleRole(AccessibleRole.SPINNER);
         setAccessibleText(field.getAccessibleText());
         setCursor(Cursor.V_RESIZE);
-        Tooltip.install(this, new Tooltip(Messages.tr("Drag up or down, or click a half; Shift finer, Ctrl coarser")));
-        NumberScrubber.install(this, gauge, field, NumberScrubber.Direction.UP, event -> field
+        Tooltip.install(this, new Tooltip(Messages.tr("Drag to change, click to step (Shift: fine, Ctrl: coarse)")));
+        NumberScrubber.install(this, setting, field, NumberScrubber.Direction.UP, event -> field
                 .step((event.getY() < getHeight() / 2 ? 1 : -1) * NumberScrubber.factor(event.isShiftDown(), event.isShortcutDown())));
     }
 

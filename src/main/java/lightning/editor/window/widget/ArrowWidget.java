@@ -8,45 +8,45 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 
 /**
- * A number with a name and an arrow (paper §3.2): drag the arrow up or down or the name sideways, click the arrow's upper or
- * lower half for a step, or type a value or a sum.
+ * Number field with a label and an arrow (paper §3.2). Drag the arrow vertically or the label sideways, click the arrow's halves to step,
+ * or type a value or an expression.
  */
 public final class ArrowWidget extends VBox {
     private final NumberField field;
     private final DisabledReason disabledReason;
 
     /**
-     * @param label what stands before the number, without its unit
-     * @param title the name in full, for screen readers
+     * @param label  label of the number, without its unit
+     * @param title  full name for screen readers
      */
-    public ArrowWidget(String label, String title, NumberSetting gauge) {
-        field = new NumberField(title, gauge);
-        Label name = new FieldLabel(label, gauge, field);
+    public ArrowWidget(String label, String title, NumberSetting setting) {
+        field = new NumberField(title, setting);
+        Label name = new FieldLabel(label, setting, field);
         name.setMaxWidth(Double.MAX_VALUE);
         HBox.setHgrow(name, Priority.ALWAYS);
-        HBox row = new HBox(name, field, new ArrowPad(gauge, field));
+        HBox row = new HBox(name, field, new ArrowPad(setting, field));
         row.getStyleClass().add("number-row");
         getStyleClass().add("arrow-widget");
         getChildren().addAll(row, new RefusalLabel(List.of(field)));
         disabledReason = new DisabledReason(this, row);
     }
 
-    /** Shows a value. */
+    /**  */
     public void show(double value) {
         field.show(value);
     }
 
-    /** Shows that there is no value. */
+    /** Clears the field. */
     public void showNothing() {
         field.showNothing();
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     public void revert() {
         field.revert();
     }
 
-    /** Disables the widget and says why, a clause; or enables it. */
+    /** Disables the widget with a reason, as a clause, or enables it. */
     public void setDisabledReason(Optional<String> reason) {
         if (reason.isPresent()) {
             field.revert();

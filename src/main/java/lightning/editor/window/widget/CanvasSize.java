@@ -5,18 +5,19 @@ import lightning.base.text.Messages;
 import lightning.scene.PictureSettings;
 
 /**
- * The size of a canvas.
+ * Size of a canvas.
  *
- * @param title  for menus
- * @param width  pixels; 0 where it follows something else; likewise {@code height}
+ * @param title  title for menus
+ * @param width  pixels; 0 if it depends on the available space
+ * @param height  pixels; 0 if it depends on the available space
  */
 public record CanvasSize(String title, int width, int height) {
-    /** As large as there is room, in the shape of the traced picture. */
-    public static final CanvasSize PICTURE_ASPECT = new CanvasSize(Messages.key("Picture's shape"), 0, 0);
-    /** All the room there is. */
+    /** Fills the available space with the aspect ratio of the traced picture. */
+    public static final CanvasSize PICTURE_ASPECT = new CanvasSize(Messages.key("Match Aspect Ratio"), 0, 0);
+    /** Fills the available space. */
     public static final CanvasSize FREE = new CanvasSize(Messages.key("Free"), 0, 0);
 
-    /** The paper's default first. */
+    /** Fixed sizes, the paper's default first. */
     public static final List<CanvasSize> FIXED = List.of(of(200, 200), of(300, 300), of(400, 400), of(600, 600), of(320, 240),
             of(640, 480), of(800, 600), of(1024, 768), of(1280, 720), of(1920, 1080), of(2560, 1440), of(3840, 2160));
 
@@ -25,18 +26,21 @@ public record CanvasSize(String title, int width, int height) {
     }
 
     /**
-     * A canvas in a window.
+     * Placement of a canvas in a window.
      *
-     * @param width       pixels that are drawn; likewise {@code height}
-     * @param shownWidth  pixels of the window; likewise {@code shownHeight}
+     * @param width  rendered pixels
+     * @param height  rendered pixels
+     * @param shownWidth  displayed width, logical pixels
+     * @param shownHeight  displayed height, logical pixels
      */
     public record Layout(int width, int height, double shownWidth, double shownHeight) {}
 
     /**
-     * How the canvas lies in the room there is; what is too large is shown smaller.
+     * Fits the canvas into the available space. A canvas that is too large is displayed smaller.
      *
-     * @param availableWidth pixels of the window, ≥ 1; likewise {@code availableHeight}
-     * @param pixelScale    pixels of the screen for one of the window
+     * @param availableWidth  logical pixels, ≥ 1
+     * @param availableHeight  logical pixels, ≥ 1
+     * @param pixelScale  physical pixels per logical pixel
      */
     public Layout fit(double availableWidth, double availableHeight, PictureSettings picture, double pixelScale) {
         if (this == FREE) {

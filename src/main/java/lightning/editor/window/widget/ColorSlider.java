@@ -14,12 +14,12 @@ import javafx.scene.layout.VBox;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 
-/** A slider whose track shows the colors that it would give, with a field for values in full. */
+/** Slider with a number field. The track shows the color of each value. */
 final class ColorSlider extends VBox {
     private static final int SUBSTEPS_PER_STEP = 100;
     private static final int KEY_STEPS = 20;
 
-    private final NumberSetting gauge;
+    private final NumberSetting setting;
     private final Scale scale;
     private final NumberField field;
     private final Slider slider;
@@ -28,29 +28,29 @@ final class ColorSlider extends VBox {
     private boolean isUpdating;
 
     /**
-     * Where the values lie along the track.
+     * Mapping of values to positions on the track.
      *
-     * @param min   the value at the left end
-     * @param max   the value at the right end
-     * @param toPosition from a value to its place, in any unit
-     * @param toValue from a place to its value
+     * @param min  value at the left end
+     * @param max  value at the right end
+     * @param toPosition  converts a value to a position, in any unit
+     * @param toValue  converts a position to a value
      */
     record Scale(double min, double max, DoubleUnaryOperator toPosition, DoubleUnaryOperator toValue) {
         static Scale linear(double min, double max) {
             return new Scale(min, max, DoubleUnaryOperator.identity(), DoubleUnaryOperator.identity());
         }
 
-        /** The value at a share, 0…1, of the way along the track. */
+        /** Returns the value at a fraction of the track, 0…1. */
         double valueAt(double fraction) {
             double left = toPosition.applyAsDouble(min);
             return toValue.applyAsDouble(left + fraction * (toPosition.applyAsDouble(max) - left));
         }
     }
 
-    ColorSlider(String label, String title, Scale scale, NumberSetting gauge) {
-        this.gauge = gauge;
+    ColorSlider(String label, String title, Scale scale, NumberSetting setting) {
+        this.setting = setting;
         this.scale = scale;
-        field = new NumberField(title, gauge);
+        field = new NumberField(title, setting);
         slider = new Slider(scale.toPosition().applyAsDouble(scale.min()), scale.toPosition().applyAsDouble(scale.max()), 0);
         slider.setAccessibleText(Messages.tr("{0} slider", title));
         slider.setBlockIncrement((slider.getMax() - slider.getMin()) / KEY_STEPS);
@@ -68,14 +68,14 @@ final class ColorSlider extends VBox {
         getChildren().addAll(row, new RefusalLabel(List.of(field)));
     }
 
-    /** Shows a value, and along the track the color that each value would give. */
+    /** Shows a value, and the color of each value along the track. */
     void show(double value, DoubleFunction<Rgb> color) {
         field.show(value);
         updateThumb();
         slider.setStyle("-track-paint: " + DisplayColors.gradient(share -> color.apply(scale.valueAt(share))) + ";");
     }
 
-    /** Shows that there is no color: the thumb rests at the left of a track without colors. */
+    /** Clears the slider: thumb at the left, no track colors. */
     void showNothing() {
         field.showNothing();
         isUpdating = true;
@@ -103,15 +103,15 @@ final class ColorSlider extends VBox {
         if (isUpdating) {
             return;
         }
-        double substep = gauge.steps().step() / SUBSTEPS_PER_STEP;
-        double value = gauge.steps().addSteps(0, Math.rint(scale.toValue().applyAsDouble(position) / substep) / SUBSTEPS_PER_STEP);
-        gauge.set(Math.clamp(value, scale.min(), scale.max()), gesture).ifPresentOrElse(field::refuse, field::revert);
+        double substep = setting.steps().step() / SUBSTEPS_PER_STEP;
+        double value = setting.steps().addSteps(0, Math.rint(scale.toValue().applyAsDouble(position) / substep) / SUBSTEPS_PER_STEP);
+        setting.set(Math.clamp(value, scale.min(), scale.max()), gesture).ifPresentOrElse(field::refuse, field::revert);
         updateThumb();
     }
 
     private void handleKey(KeyEvent event) {
         if (event.getCode() == KeyCode.ESCAPE && gesture != null) {
-            gauge.set(startValue, gesture);
+            setting.set(startValue, gesture);
             updateThumb();
             gesture = null;
             event.consume();

@@ -21,10 +21,7 @@ import lightning.editor.document.HsvColor;
 import lightning.editor.document.StepRange;
 import lightning.scene.SceneLimits;
 
-/**
- * A color as red, green and blue, as hue, saturation and value, and that of a light as a temperature too; and a well that
- * shows it.
- */
+/** Color editor with a color well and tabs for RGB, HSV and, for lights, color temperature. */
 public final class ColorSliders extends VBox {
     private static final List<Preset> PRESETS =
             List.of(new Preset(Messages.key("Candle"), 1900), new Preset(Messages.key("Tungsten"), 3200),
@@ -36,19 +33,19 @@ public final class ColorSliders extends VBox {
     private final ToggleGroup tabs = new ToggleGroup();
     private final VBox content = new VBox();
     private final List<ColorSlider> rgb;
-    /** Empty before its tab was first in front; likewise {@link #square} and {@link #kelvin} are null. */
+    /** Empty until its tab is shown first; {@link #square} and {@link #kelvin} are null until then. */
     private List<ColorSlider> hsv = List.of();
     private ColorSquare square;
     private ColorSlider kelvin;
     private final DisabledReason disabledReason;
     private Rgb shownColor = Rgb.WHITE;
     private HsvColor shownHsv = HsvColor.of(Rgb.WHITE);
-    /** What the parts show; null for no color. */
+    /** Displayed color; null for none. */
     private DisplayedColor displayed;
 
     private record DisplayedColor(Rgb color, HsvColor hsv) {}
 
-    /** Where the edits go. Each returns why it was refused; {@code gesture} as in {@link NumberSetting#set}. */
+    /** Receiver of edits. Each edit returns why it was refused; {@code gesture} as in {@link NumberSetting#set}. */
     public interface Target {
         NumberSetting red();
 
@@ -58,7 +55,7 @@ public final class ColorSliders extends VBox {
 
         Optional<String> hsv(HsvColor color, Object gesture);
 
-        /** A surface has none. */
+        /** Sets a color temperature; refused for surfaces. */
         default Optional<String> temperature(double kelvin, Object gesture) {
             return Optional.of(Messages.tr("only a light has a color temperature"));
         }
@@ -66,17 +63,17 @@ public final class ColorSliders extends VBox {
 
     private record Preset(String name, double kelvin) {}
 
-    /** The color of a light. */
+    /** Creates the editor of a light's color. */
     public ColorSliders(Target target) {
-        this("", Messages.tr("The light's color"), SceneLimits.MAX_LIGHT_COLOR, true, target);
+        this("", Messages.tr("Light color"), SceneLimits.MAX_LIGHT_COLOR, true, target);
     }
 
     /**
-     * A color of a surface.
+     * Creates the editor of a surface color.
      *
-     * @param title names it for screen readers: {@code diffuse}
-     * @param help  what it does, a sentence without a full stop
-     * @param max   the largest channel allowed
+     * @param title  name for screen readers, for example {@code diffuse}
+     * @param help  description without a full stop
+     * @param max  largest allowed channel value
      */
     public static ColorSliders forSurface(String title, String help, double max, Target target) {
         return new ColorSliders(title + " ", help, max, false, target);
@@ -88,7 +85,7 @@ public final class ColorSliders extends VBox {
         rgb = List.of(channel("R", prefix + Messages.tr("red"), target.red()), channel("G", prefix + Messages.tr("green"), target.green()),
                 channel("B", prefix + Messages.tr("blue"), target.blue()));
         well.getStyleClass().add("color-well");
-        well.setTooltip(new Tooltip(Messages.tr("{0}.\nClick to pick another", help)));
+        well.setTooltip(new Tooltip(Messages.tr("{0}.\nClick to change the color", help)));
         content.getStyleClass().add("color-content");
         HBox head = new HBox(well, tab("RGB", Messages.tr("red, green, blue"), () -> rgb),
                 tab("HSV", Messages.tr("hue, saturation, value"), () -> hsvTab(max)));
@@ -118,7 +115,7 @@ public final class ColorSliders extends VBox {
         shownColor = color;
         if (!shownHsv.rgb().equals(color)) {
             HsvColor newColor = HsvColor.of(color);
-            // A gray has no hue: the last one stays, so that saturation can come back.
+            // Keeps the last hue for grays, so that saturation can be restored.
             shownHsv = newColor.saturation() == 0
                     ? new HsvColor(shownHsv.hue(), newColor.value() == 0 ? shownHsv.saturation() : 0, newColor.value())
                     : newColor;
@@ -166,7 +163,7 @@ public final class ColorSliders extends VBox {
         }
     }
 
-    /** Shows that there is no color. */
+    /** Clears the widget. */
     public void showNothing() {
         displayed = null;
         well.setStyle("-well-color: transparent;");
@@ -176,7 +173,7 @@ public final class ColorSliders extends VBox {
         drawKelvin();
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     public void revert() {
         rgb.forEach(ColorSlider::revert);
         hsv.forEach(ColorSlider::revert);
@@ -185,13 +182,13 @@ public final class ColorSliders extends VBox {
         }
     }
 
-    /** Disables the widget and says why, a clause; or enables it. */
+    /** Disables the widget with a reason, as a clause, or enables it. */
     public void setDisabledReason(Optional<String> reason) {
         disabledReason.set(reason);
     }
 
-    private static ColorSlider channel(String label, String title, NumberSetting gauge) {
-        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1), gauge);
+    private static ColorSlider channel(String label, String title, NumberSetting setting) {
+        return new ColorSlider(label, title, ColorSlider.Scale.linear(0, 1), setting);
     }
 
     private ColorSlider hsv(String label, String title, StepRange steps, double max, BiFunction<HsvColor, Double, HsvColor> edit) {
@@ -206,7 +203,7 @@ public final class ColorSliders extends VBox {
         }));
     }
 
-    /** Keeps the hue of a color that has none, as black. */
+    /** Sets a color and keeps its hue even if the result has none, for example black. */
     private Optional<String> setHsv(HsvColor color, Object gesture) {
         HsvColor oldHsv = shownHsv;
         shownHsv = color;
@@ -258,7 +255,7 @@ public final class ColorSliders extends VBox {
         return presets;
     }
 
-    /** @param nodes asked for whenever the tab comes in front */
+    /** @param nodes  supplies the tab's content each time it is selected */
     private ToggleButton tab(String name, String title, Supplier<List<? extends Node>> nodes) {
         ToggleButton tab = new ToggleButton(name);
         tab.setTooltip(new Tooltip(Messages.tr("Color as {0}", title)));

@@ -15,7 +15,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.HsvColor;
 import lightning.render.image.ViewTransform;
 
-/** All colors of one hue: saturation to the right, value upwards as the display brightens it. Drag, or use the arrow keys. */
+/** Color picker for one hue: saturation to the right, display-encoded value upwards. Drag, or use the arrow keys. */
 final class ColorSquare extends Region {
     private static final int COLUMNS = 96;
     private static final int ROWS = 64;
@@ -32,7 +32,7 @@ final class ColorSquare extends Region {
     private double drawnHue = -1;
     private Object gesture;
 
-    /** Sets a color; returns why it was refused. */
+    /** Receiver of edits; returns why an edit was refused. */
     interface Setter {
         Optional<String> set(HsvColor color, Object gesture);
     }

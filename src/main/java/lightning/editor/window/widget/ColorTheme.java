@@ -16,10 +16,10 @@ import javafx.scene.Scene;
 import javafx.stage.Window;
 
 /**
- * The theme: calm and dark, so that the pictures stand out, or light for bright rooms. Belongs to the window's thread.
+ * Color theme of all windows, dark or light. Belongs to the window's thread.
  *
- * <p>Both have the same style sheets, and the light one is a state of each window's root: no rule is matched anew where another theme is put
- * on, which would take most of its time.
+ * <p>Both themes share the style sheets; the light one is a pseudo-class of each window's root. Switching therefore matches no CSS rules
+ * again, which would take most of its time.
  */
 public enum ColorTheme {
     DARK, LIGHT;
@@ -28,17 +28,17 @@ public enum ColorTheme {
     private static final List<String> STYLE_SHEETS =
             Stream.of("dark.css", "light.css", "window.css", "lightning.css", "mixer.css", "timeline.css").map(ColorTheme::url).toList();
     private static final Theme BASE_THEME = new PrimerDark();
-    /** Windows that still wear the other theme. */
+    /** Windows that still show the previous theme. */
     private static final Deque<Window> PENDING_WINDOWS = new ArrayDeque<>();
     private static ColorTheme current = DARK;
     private static boolean isInstalled;
 
-    /** The theme that all rules are of. */
+    /** Returns the theme that provides the CSS rules. */
     static Theme baseTheme() {
         return BASE_THEME;
     }
 
-    /** For all windows, those that are open too: the editor's at once, the others one after the other. */
+    /** Applies the theme to all windows, including open ones: to the editor's immediately, to the others one by one. */
     public void apply() {
         current = this;
         install();
@@ -50,7 +50,7 @@ public enum ColorTheme {
         }
     }
 
-    /** One window in each pulse: each takes its time. */
+    /** Updates one window per pulse, since each takes time. */
     private static void updatePendingWindows() {
         new AnimationTimer() {
             @Override
@@ -67,9 +67,9 @@ public enum ColorTheme {
     private static void install() {
         if (!isInstalled) {
             isInstalled = true;
-            // Compiled: parsing it takes a tenth of a second at each start.
+            // Precompiled: parsing takes 0.1 s at each start.
             Application.setUserAgentStylesheet(BASE_THEME.getUserAgentStylesheetBSS());
-            // Menus and tooltips are windows too, which nobody else gives the theme.
+            // Menus and tooltips are windows too.
             Window.getWindows().addListener((ListChangeListener<Window>) change -> {
                 while (change.next()) {
                     change.getAddedSubList().forEach(ColorTheme::applyTo);
@@ -82,12 +82,12 @@ public enum ColorTheme {
         return current;
     }
 
-    /** A scene that wears the theme, put on before it has content, which is quickest. Sizes in pixels. */
+    /** Creates a themed scene. The theme is set before the content, which is fastest. Sizes in pixels. */
     public static Scene scene(Parent content, double width, double height) {
         return withContent(new Scene(new Group(), width, height), content);
     }
 
-    /** The same, as large as its content wants to be. */
+    /** Creates a themed scene with the preferred size of its content. */
     public static Scene scene(Parent content) {
         return withContent(new Scene(new Group()), content);
     }
@@ -98,7 +98,7 @@ public enum ColorTheme {
         return scene;
     }
 
-    /** Gives a scene the style sheets, unless it has them, and the theme. */
+    /** Adds the style sheets to a scene, unless present, and applies the theme. */
     public static void style(Scene scene) {
         if (!scene.getStylesheets().equals(STYLE_SHEETS)) {
             scene.getStylesheets().setAll(STYLE_SHEETS);
@@ -113,7 +113,7 @@ public enum ColorTheme {
         }
     }
 
-    /** Gives the theme to what is styled as the root of a window. */
+    /** Applies the theme to a node that is styled as a root. */
     public static void applyTo(Parent root) {
         if (root != null) {
             root.pseudoClassStateChanged(BRIGHT, current == LIGHT);

@@ -5,16 +5,16 @@ import javafx.animation.PauseTransition;
 import javafx.util.Duration;
 
 /**
- * Lets a remark be seen only where there is something to remark on for longer than a person notices: what comes and goes
- * with each update of a drag would flash. Belongs to the window's thread.
+ * Shows a status message only after it has applied for a minimum time, so that it does not flash during a drag. Belongs to the window's
+ * thread.
  */
 public final class DelayedMessage {
-    /** What is over sooner goes unnoticed. */
+    /** Default minimum time. Shorter conditions go unnoticed. */
     public static final Duration MIN_DURATION = Duration.millis(100);
 
-    /** Runs tasks later, on the window's thread. */
+    /** Schedules tasks on the window's thread. */
     public interface Scheduler {
-        /** The window's own time. */
+        /** Scheduler of the JavaFX thread. */
         Scheduler FX_THREAD = (delay, task) -> {
             var pause = new PauseTransition(delay);
             pause.setOnFinished(_ -> task.run());
@@ -22,7 +22,7 @@ public final class DelayedMessage {
             return pause::stop;
         };
 
-        /** @return calls it off */
+        /** @return cancels the task */
         Runnable schedule(Duration delay, Runnable task);
     }
 
@@ -31,12 +31,12 @@ public final class DelayedMessage {
     private final Consumer<String> display;
     private String message = "";
     private boolean visible;
-    /** Null where nothing is waited for. */
+    /** Cancels the pending task; null if there is none. */
     private Runnable cancelPending;
 
     /**
-     * @param delay how long a remark must last before it is shown
-     * @param display    hears what is to be seen now; empty for nothing
+     * @param delay  time before a message is shown
+     * @param display  receives the visible message; empty for none
      */
     public DelayedMessage(Scheduler scheduler, Duration delay, Consumer<String> display) {
         this.scheduler = scheduler;
@@ -45,7 +45,7 @@ public final class DelayedMessage {
         display.accept("");
     }
 
-    /** What is to be remarked on now; empty for nothing. Other words for what is seen already are seen at once. */
+    /** Sets the message; empty for none. A message that is already visible changes immediately. */
     public void set(String newMessage) {
         if (newMessage.equals(message)) {
             return;
@@ -60,7 +60,7 @@ public final class DelayedMessage {
         }
     }
 
-    /** The same, seen at once. */
+    /** Sets the message and shows it immediately. */
     public void setImmediately(String newMessage) {
         set(newMessage);
         if (cancelPending != null) {

@@ -5,24 +5,25 @@ import javafx.scene.Node;
 import javafx.scene.control.Tooltip;
 
 /**
- * Disables a control and says why. A disabled control hears no mouse, so its tooltip is that of what stands around it.
+ * Disables a control and shows the reason in a tooltip. The tooltip belongs to a wrapper node, since a disabled control receives no mouse
+ * events.
  */
 public final class DisabledReason {
     private final Node wrapper;
     private final Node control;
     private final String hint;
-    /** Null before there is anything to say: it is a window, which takes its time, and most controls never need one. */
+    /** Created on demand: a tooltip is a window, and most controls never show one. */
     private Tooltip tooltip;
     private boolean isInstalled;
-    /** What was set last; null before the first. */
+    /** Current reason; null before the first call. */
     private Optional<String> reason;
 
-    /** Of a control that needs no hint while it is enabled. */
+    /** Creates a reason for a control without a tooltip while enabled. */
     public DisabledReason(Node wrapper, Node control) {
         this(wrapper, control, "");
     }
 
-    /** @param hint what the tooltip says while the control is enabled; may be empty */
+    /** @param hint  tooltip while the control is enabled; may be empty */
     public DisabledReason(Node wrapper, Node control, String hint) {
         this.wrapper = wrapper;
         this.control = control;
@@ -30,7 +31,7 @@ public final class DisabledReason {
         set(Optional.empty());
     }
 
-    /** Disables the control with a reason, a clause; or enables it. */
+    /** Disables the control with a reason, as a clause, or enables it. */
     public void set(Optional<String> newReason) {
         if (!newReason.equals(reason)) {
             reason = newReason;
@@ -62,7 +63,7 @@ public final class DisabledReason {
         }
     }
 
-    /** A screen reader tells of the part that it is at, and not of the whole. */
+    /** Sets the help text of focusable parts, since screen readers describe the focused part only. */
     private void setHelpOfParts(String help) {
         control.lookupAll("*").stream().filter(part -> part != control && part.isFocusTraversable())
                 .forEach(part -> part.setAccessibleHelp(help));

@@ -5,16 +5,16 @@ import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
 import lightning.base.text.Messages;
 
-/** The name of a number beside its field, with the unit: dragged sideways it changes the number, a click goes into the field. */
+/** Label of a number field, with the unit. Dragging it sideways changes the number; a click focuses the field. */
 final class FieldLabel extends Label {
-    FieldLabel(String text, NumberSetting gauge, NumberField field) {
-        super(gauge.measure().sign().isEmpty() ? text : text + " " + gauge.measure().sign());
+    FieldLabel(String text, NumberSetting setting, NumberField field) {
+        super(setting.measure().sign().isEmpty() ? text : text + " " + setting.measure().sign());
         setLabelFor(field);
         setCursor(Cursor.H_RESIZE);
         getStyleClass().add("field-label");
         Tooltip.install(this,
-                new Tooltip(Messages.tr("Drag sideways; Shift finer, Ctrl coarser.\nThe field takes sums too: 0.3*2, +10%, 1/3")));
-        NumberScrubber.install(this, gauge, field, NumberScrubber.Direction.RIGHT, _ -> {
+                new Tooltip(Messages.tr("Drag sideways to change (Shift: fine, Ctrl: coarse).\nYou can type math: 0.3*2, +10%, 1/3")));
+        NumberScrubber.install(this, setting, field, NumberScrubber.Direction.RIGHT, _ -> {
             field.requestFocus();
             field.selectAll();
         });

@@ -10,7 +10,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignL;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignW;
 
-/** How the types of lights look and are called. */
+/** Icons and titles of the light types. */
 public final class LightTypes {
     public static final StringConverter<LightType> CONVERTER = new StringConverter<>() {
         @Override
@@ -31,19 +31,19 @@ public final class LightTypes {
             case POINT -> Messages.tr("Point");
             case SPOT -> Messages.tr("Spot");
             case DIRECTIONAL -> Messages.tr("Directional");
-            case RECT -> Messages.tr("Rectangle");
-            case DISC -> Messages.tr("Disc");
+            case RECT -> Messages.tr("Rectangle Area");
+            case DISC -> Messages.tr("Disc Area");
         };
     }
 
-    /** Within a sentence: {@code spot light}. */
+    /** Returns the type within a sentence, for example {@code spot light}. */
     public static String phrase(LightType type) {
         return switch (type) {
             case POINT -> Messages.tr("point light");
             case SPOT -> Messages.tr("spot light");
             case DIRECTIONAL -> Messages.tr("directional light");
-            case RECT -> Messages.tr("rectangle light");
-            case DISC -> Messages.tr("disc light");
+            case RECT -> Messages.tr("rectangle area light");
+            case DISC -> Messages.tr("disc area light");
         };
     }
 
@@ -57,7 +57,7 @@ public final class LightTypes {
         };
     }
 
-    /** Whether a light shines. */
+    /** Returns the icon of a light that is on or off. */
     public static Ikon onIcon(boolean on) {
         return on ? MaterialDesignL.LIGHTBULB_ON : MaterialDesignL.LIGHTBULB_OFF_OUTLINE;
     }

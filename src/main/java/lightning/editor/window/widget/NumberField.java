@@ -17,27 +17,28 @@ import lightning.base.text.NumberExpression;
 import lightning.scene.SceneLimits;
 
 /**
- * A number as text, or a sum that makes one ({@link NumberExpression}). Enter or leaving the field sets it, Escape brings back what was
- * there, the up and down keys step it, and the wheel while the keyboard is here: a tenth of a step with Shift, ten with Ctrl, or Page
- * Up and Page Down. A text that is refused stays, marked.
+ * Text field for a number or an expression ({@link NumberExpression}).
+ *
+ * <p>Enter or losing focus commits the text; Escape reverts it. The Up and Down keys, and the wheel while focused, change the value by a
+ * step; Shift makes steps a tenth, and Ctrl or Page Up and Page Down ten times as large. A refused text stays and is marked.
  */
 public final class NumberField extends TextField {
     private static final PseudoClass REFUSED = PseudoClass.getPseudoClass("refused");
     private static final MathContext DISPLAY_PRECISION = new MathContext(5);
     private static final int COLUMNS = 5;
-    /** Turns of the wheel that follow sooner are one step to undo, nanoseconds. */
+    /** Wheel events within this time are one undo step, nanoseconds. */
     private static final long WHEEL_GESTURE_NS = 1_000_000_000;
 
     private final ReadOnlyStringWrapper refusal = new ReadOnlyStringWrapper("");
-    private final NumberSetting gauge;
+    private final NumberSetting setting;
     private double value;
-    /** What stands for the turns of the wheel that are one step to undo. */
+    /** Gesture that groups wheel events into one undo step. */
     private Object wheelGesture = new Object();
     private long lastWheelNs = Long.MIN_VALUE;
 
-    /** @param title for people, and for screen readers */
-    public NumberField(String title, NumberSetting gauge) {
-        this.gauge = gauge;
+    /** @param title  name for the user and for screen readers */
+    public NumberField(String title, NumberSetting setting) {
+        this.setting = setting;
         setAccessibleText(Messages.tr(title));
         setPrefColumnCount(COLUMNS);
         setAlignment(Pos.CENTER_RIGHT);
@@ -45,7 +46,7 @@ public final class NumberField extends TextField {
         setText(displayText());
         setOnAction(_ -> {
             commit();
-            // Of a long number its begin is seen, where the caret is.
+            // Moves the caret to the start, so that a long number shows its leading digits.
             selectRange(getLength(), 0);
         });
         focusedProperty().addListener((_, wasFocused, _) -> {
@@ -63,17 +64,17 @@ public final class NumberField extends TextField {
         });
     }
 
-    /** Why the text is not the value, a clause; empty if it is. */
+    /** Reason why the text was refused, as a clause; empty if it was not. */
     public ReadOnlyStringProperty refusalProperty() {
         return refusal.getReadOnlyProperty();
     }
 
-    /** The value that was shown last, to all its digits; NaN where there is none. */
+    /** Returns the last shown value at full precision; NaN for none. */
     public double value() {
         return value;
     }
 
-    /** Shows a value. A text that is being typed stays as long as the value does. */
+    /** Shows a value. Uncommitted input stays as long as the value does not change. */
     public void show(double v) {
         if (Double.compare(v, value) != 0) {
             value = v;
@@ -81,31 +82,31 @@ public final class NumberField extends TextField {
         }
     }
 
-    /** Shows that there is no value. */
+    /** Clears the field. */
     public void showNothing() {
         value = Double.NaN;
         revert();
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     public void revert() {
         refusal.set("");
         String text = displayText();
-        // Setting a text, even the one that is there, takes long and empties its own undo, which comes before the document's.
+        // Setting even an equal text is slow and clears the field's own undo, which precedes the document's.
         if (!getText().equals(text) || isUndoable() || isRedoable()) {
             setText(text);
         }
     }
 
-    /** Marks the field with the reason why an edit was refused. */
+    /** Marks the field with the reason of a refused edit. */
     void refuse(String reason) {
         refusal.set(reason);
     }
 
-    /** Steps the value, after what was typed is set. */
+    /** Commits the text, then changes the value by steps. */
     void step(double steps) {
         commit();
-        gauge.set(gauge.steps().addSteps(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
+        setting.set(setting.steps().addSteps(value, steps), null).ifPresentOrElse(this::refuse, this::revert);
     }
 
     private void commit() {
@@ -116,15 +117,15 @@ public final class NumberField extends TextField {
         }
     }
 
-    /** Sets what the text says; returns why that was refused. */
+    /** Commits the text. Returns why it was refused, or empty. */
     private Optional<String> commitText() {
-        return switch (NumberExpression.evaluate(normalizeDecimal(getText()), value, gauge.measure())) {
-            case NumberExpression.Value(double v) -> gauge.set(v, null);
-            case NumberExpression.Invalid(String reason) -> Optional.of(Messages.tr(gauge.title()) + " " + reason);
+        return switch (NumberExpression.evaluate(normalizeDecimal(getText()), value, setting.measure())) {
+            case NumberExpression.Value(double v) -> setting.set(v, null);
+            case NumberExpression.Invalid(String reason) -> Optional.of(Messages.tr(setting.title()) + " " + reason);
         };
     }
 
-    /** A comma is the German point; English has none in a number. */
+    /** Accepts a decimal comma in German. */
     private static String normalizeDecimal(String text) {
         return Messages.language() == Language.GERMAN ? text.replace(',', '.') : text;
     }
@@ -133,7 +134,7 @@ public final class NumberField extends TextField {
         return getText().strip().equals(SceneLimits.format(value));
     }
 
-    /** All digits where they can be edited, and few enough to read where not. */
+    /** Returns all digits while focused, else a rounded number. */
     private String displayText() {
         if (Double.isNaN(value)) {
             return "";
@@ -142,9 +143,9 @@ public final class NumberField extends TextField {
                 : SceneLimits.format(BigDecimal.valueOf(value).round(DISPLAY_PRECISION).doubleValue());
     }
 
-    /** Elsewhere the wheel scrolls what the field stands in. */
+    /** Steps the value by the wheel. Unfocused, the wheel scrolls the surrounding pane. */
     private void handleWheel(ScrollEvent event) {
-        // With Shift the wheel of a mouse goes sideways.
+        // Shift turns wheel events horizontal.
         double delta = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
         if (!isFocused() || delta == 0 || event.isInertia()) {
             return;
@@ -159,7 +160,7 @@ public final class NumberField extends TextField {
         }
         lastWheelNs = now;
         double steps = Math.signum(delta) * NumberScrubber.factor(event.isShiftDown(), event.isShortcutDown());
-        gauge.set(gauge.steps().addSteps(value, steps), wheelGesture).ifPresentOrElse(this::refuse, this::revert);
+        setting.set(setting.steps().addSteps(value, steps), wheelGesture).ifPresentOrElse(this::refuse, this::revert);
     }
 
     private void handleKey(KeyEvent event) {

@@ -8,36 +8,36 @@ import javafx.scene.input.KeyEvent;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 
-/** A number that is dragged by what stands beside its field: all of a drag is one step to undo, and Escape brings back what was there. */
+/** Changes a number by dragging a handle next to its field. A drag is one undo step; Escape cancels it. */
 final class NumberScrubber {
-    /** Steps, with Shift. */
+    /** Step factor with Shift. */
     static final double FINE = 0.1;
-    /** Steps, with Ctrl. */
+    /** Step factor with Ctrl. */
     static final double COARSE = 10;
     private static final double PIXELS_PER_STEP = 4;
-    /** A hand that clicks moves a little. */
+    /** Tolerance for small movements during a click, pixels. */
     private static final double CLICK_PIXELS = 3;
     private static final double FRACTIONS_PER_STEP = 1000;
     private static final PseudoClass DRAGGED = PseudoClass.getPseudoClass("dragged");
 
     private final Node handle;
-    private final NumberSetting gauge;
+    private final NumberSetting setting;
     private final NumberField field;
     private final Direction direction;
     private final Click onClick;
     private Drag drag;
 
-    /** Which way makes the number larger. */
+    /** Direction that increases the number. */
     enum Direction {
         UP, RIGHT
     }
 
-    /** Hears of a press that was no drag. */
+    /** Handles a press without a drag. */
     interface Click {
         void onClick(MouseEvent event);
     }
 
-    /** One press of the mouse, until its release. */
+    /** State between press and release of the mouse. */
     private static final class Drag {
         private final double startValue;
         private double position;
@@ -50,17 +50,17 @@ final class NumberScrubber {
         }
     }
 
-    private NumberScrubber(Node handle, NumberSetting gauge, NumberField field, Direction direction, Click onClick) {
+    private NumberScrubber(Node handle, NumberSetting setting, NumberField field, Direction direction, Click onClick) {
         this.handle = handle;
-        this.gauge = gauge;
+        this.setting = setting;
         this.field = field;
         this.direction = direction;
         this.onClick = onClick;
     }
 
-    /** Lets a node be dragged. */
-    static void install(Node handle, NumberSetting gauge, NumberField field, Direction direction, Click onClick) {
-        var scrub = new NumberScrubber(handle, gauge, field, direction, onClick);
+    /** Makes a node a drag handle. */
+    static void install(Node handle, NumberSetting setting, NumberField field, Direction direction, Click onClick) {
+        var scrub = new NumberScrubber(handle, setting, field, direction, onClick);
         handle.setOnMousePressed(scrub::press);
         handle.setOnMouseDragged(scrub::drag);
         handle.setOnMouseReleased(scrub::release);
@@ -92,8 +92,8 @@ final class NumberScrubber {
         drag.hasMoved = true;
         drag.position = position(event);
         drag.steps += distance / PIXELS_PER_STEP * factor(event.isShiftDown(), event.isShortcutDown());
-        // A thousandth of a step is finer than a hand, and keeps the number short.
-        show(gauge.set(gauge.steps().addSteps(drag.startValue, Math.rint(drag.steps * FRACTIONS_PER_STEP) / FRACTIONS_PER_STEP), drag));
+        // Rounds to a thousandth of a step to keep the number short.
+        show(setting.set(setting.steps().addSteps(drag.startValue, Math.rint(drag.steps * FRACTIONS_PER_STEP) / FRACTIONS_PER_STEP), drag));
         event.consume();
     }
 
@@ -112,7 +112,7 @@ final class NumberScrubber {
     private void handleKey(KeyEvent event) {
         if (event.getCode() == KeyCode.ESCAPE && drag != null) {
             if (drag.hasMoved) {
-                show(gauge.set(drag.startValue, drag));
+                show(setting.set(drag.startValue, drag));
             }
             endDrag();
             event.consume();
@@ -128,7 +128,7 @@ final class NumberScrubber {
         refusal.ifPresentOrElse(field::refuse, field::revert);
     }
 
-    /** Steps for one. */
+    /** Returns the step factor of the modifier keys. */
     static double factor(boolean shift, boolean shortcut) {
         return shift ? FINE : shortcut ? COARSE : 1;
     }

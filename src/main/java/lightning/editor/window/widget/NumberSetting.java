@@ -4,35 +4,35 @@ import java.util.Optional;
 import lightning.base.text.NumberUnit;
 import lightning.editor.document.StepRange;
 
-/** A number that a widget edits. */
+/** Number edited by a widget. */
 public interface NumberSetting {
-    /** For people, lower case: {@code intensity}. */
+    /** Returns the display title in lower case, for example {@code intensity}. */
     String title();
 
-    /** What a click adds, and the limits. */
+    /** Returns the step size and the limits. */
     StepRange steps();
 
-    /** What the number is measured in. */
+    /** Returns the unit. */
     NumberUnit measure();
 
     /**
-     * Sets the value; returns why it was refused, a clause, and changes nothing then.
+     * Sets the value. Returns why it was refused, as a clause, in which case nothing changes.
      *
-     * @param gesture any object that stands for one drag, which is one step to undo; null for a step of its own
+     * @param gesture  object that identifies one drag, which is one undo step; null for a separate step
      */
     Optional<String> set(double value, Object gesture);
 
-    /** Sets a value, which the receiver may refuse. */
+    /** Receiver of values; returns why a value was refused. */
     interface Setter {
         Optional<String> set(double value, Object gesture);
     }
 
-    /** A gauge of numbers without a unit. */
+    /** Creates a setting without a unit. */
     static NumberSetting of(String title, StepRange steps, Setter setter) {
         return of(title, steps, NumberUnit.FACTOR, setter);
     }
 
-    /** A gauge. */
+    /** Creates a setting with a unit. */
     static NumberSetting of(String title, StepRange steps, NumberUnit measure, Setter setter) {
         return new NumberSetting() {
             @Override

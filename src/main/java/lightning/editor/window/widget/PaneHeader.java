@@ -8,7 +8,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.Region;
 
-/** The head of a pane: its title and its controls, in a second row where one has no room for all. */
+/** Header of a pane: title and controls, wrapped to more rows if the pane is narrow. */
 public final class PaneHeader extends FlowPane {
 
     public PaneHeader(String title, Node... controls) {
@@ -18,7 +18,7 @@ public final class PaneHeader extends FlowPane {
         nodes.addAll(List.of(controls));
         for (Node part : nodes) {
             if (part instanceof Region region) {
-                // Text that is cut tells nothing.
+                // Prevents truncated text.
                 region.setMinWidth(Region.USE_PREF_SIZE);
             }
         }

@@ -11,16 +11,19 @@ import javafx.stage.Screen;
 import javafx.stage.Stage;
 import javafx.stage.Window;
 
-/** A window beside the editor's, which stays in use; Escape closes it. */
+/** Non-modal window of a panel; Escape closes it. */
 public class PanelWindow extends Stage {
-    /** From the corner of the editor's window, pixels. */
+    /** Distance from the corner of the editor's window, pixels. */
     private static final double MARGIN = 16;
 
-    /** @param width pixels; likewise {@code height} */
+    /**
+     * @param width  pixels
+     * @param height  pixels
+     */
     public PanelWindow(Window owner, String title, Region pane, double width, double height) {
         initOwner(owner);
         setTitle(title);
-        // On a small screen the content is scrolled and never squeezed. A control as the root would not wear all of the theme.
+        // Small screens scroll the content. The root must not be a control, which would lack part of the theme.
         var scroll = new ScrollPane(pane);
         scroll.getStyleClass().add("edge-to-edge");
         scroll.setFitToWidth(true);
@@ -34,10 +37,10 @@ public class PanelWindow extends Stage {
             }
         });
         setScene(content);
-        // The theme may have changed while it was closed.
+        // The theme may have changed while the window was closed.
         setOnShowing(_ -> ColorTheme.style(content));
         setOnShown(_ -> {
-            // Over the properties, so that the traced picture can be seen.
+            // Covers the properties, so that the traced picture stays visible.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
             WindowPlacement.fit(this);

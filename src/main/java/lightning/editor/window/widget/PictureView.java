@@ -14,25 +14,25 @@ import javafx.scene.image.WritableImage;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 
-/** A picture of pixels that change in place, fitted into what room there is, or magnified and moved. */
+/** View of a pixel buffer that changes in place, fitted to the view or zoomed and panned. */
 public final class PictureView extends Region {
     private static final double MIN_ZOOM = 1 / 32.0;
     private static final double MAX_ZOOM = 64;
-    /** From the edges of the view to what is said on it, as of all remarks on a picture; pixels. */
+    /** Distance of notes from the edges of the view, pixels. */
     public static final double MARGIN = 12;
 
-    /** A place of the picture. */
+    /** Pixel position in the picture. */
     public record Pixel(int x, int y) {}
 
     private final ImageView image = new ImageView();
     private final Wipe wipe = new Wipe();
-    /** What is said on the picture; null for nothing. */
+    /** Note shown over the picture; null for none. */
     private UnstyledNote note;
     private final ReadOnlyBooleanWrapper empty = new ReadOnlyBooleanWrapper(true);
     private PixelBuffer<IntBuffer> buffer;
     private boolean fitsView = true;
     private double zoom = 1;
-    /** The picture's middle from the view's middle, pixels of the window. */
+    /** Offset of the picture's center from the view's center, logical pixels. */
     private double shiftX;
     private double shiftY;
 
@@ -49,7 +49,7 @@ public final class PictureView extends Region {
         });
     }
 
-    /** Shows other pixels, {@code int[width * height]}; they are not copied. */
+    /** Shows pixels, {@code int[width * height]}, without copying them. */
     public void setPixels(int width, int height, int[] pixels) {
         buffer = new PixelBuffer<>(width, height, IntBuffer.wrap(pixels), PixelFormat.getIntArgbPreInstance());
         image.setImage(new WritableImage(buffer));
@@ -57,12 +57,12 @@ public final class PictureView extends Region {
         requestLayout();
     }
 
-    /** The pixels of a part have changed. */
+    /** Updates a region whose pixels changed. */
     public void updateRegion(int left, int top, int right, int bottom) {
         buffer.updateBuffer(_ -> new Rectangle2D(left, top, right - left, bottom - top));
     }
 
-    /** Says something on the picture that needs no style sheet; empty for nothing. */
+    /** Shows a note that needs no style sheet; empty for none. */
     public void showNote(String text) {
         getChildren().remove(note);
         note = text.isEmpty() ? null : new UnstyledNote(text);
@@ -71,7 +71,7 @@ public final class PictureView extends Region {
         }
     }
 
-    /** What the image shows now, {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
+    /** Returns the displayed pixels, {@code int[width * height]}, opaque 0xFFRRGGBB, top row first. */
     public int[] pixels() {
         int width = buffer.getWidth();
         int height = buffer.getHeight();
@@ -88,14 +88,14 @@ public final class PictureView extends Region {
         return empty.getReadOnlyProperty();
     }
 
-    /** Shows nothing. */
+    /**  */
     public void clear() {
         buffer = null;
         empty.set(true);
         image.setImage(null);
     }
 
-    /** The whole picture, as large as there is room, but at most so that it stays sharp. */
+    /** Fits the whole picture to the view. */
     public void fit() {
         fitsView = true;
         shiftX = 0;
@@ -103,7 +103,7 @@ public final class PictureView extends Region {
         requestLayout();
     }
 
-    /** One pixel of the picture is one of the screen's. */
+    /** Shows the picture at one physical pixel per picture pixel. */
     public void showActualSize() {
         fitsView = false;
         zoom = 1 / screenScale();
@@ -112,7 +112,7 @@ public final class PictureView extends Region {
         requestLayout();
     }
 
-    /** Magnifies about a place of the view, which stays where it is. */
+    /** Zooms about a fixed point of the view. */
     public void zoomBy(double factor, double x, double y) {
         if (isEmpty()) {
             return;
@@ -126,12 +126,12 @@ public final class PictureView extends Region {
         requestLayout();
     }
 
-    /** Magnifies about the middle. */
+    /** Zooms about the center. */
     public void zoomBy(double factor) {
         zoomBy(factor, getWidth() / 2, getHeight() / 2);
     }
 
-    /** Moves the picture, pixels of the window. */
+    /** Pans the picture, logical pixels. */
     public void pan(double x, double y) {
         shiftX += x;
         shiftY += y;
@@ -139,12 +139,12 @@ public final class PictureView extends Region {
         requestLayout();
     }
 
-    /** How many pixels of the screen one of the picture's takes, as in 1.5. */
+    /** Returns the physical pixels per picture pixel, for example 1.5. */
     public double magnification() {
         return isEmpty() ? 1 : scale() * screenScale();
     }
 
-    /** The pixel at a place of the view. */
+    /** Returns the pixel at a point of the view, or empty outside the picture. */
     public Optional<Pixel> pixel(double x, double y) {
         if (isEmpty()) {
             return Optional.empty();
@@ -155,24 +155,24 @@ public final class PictureView extends Region {
         return inside ? Optional.of(new Pixel(px, py)) : Optional.empty();
     }
 
-    /** The nearest pixel of the picture to a place of the view. */
+    /** Returns the picture's pixel nearest to a point of the view. */
     public Pixel nearestPixel(double x, double y) {
         double px = Math.floor((x - image.getLayoutX()) / scale());
         double py = Math.floor((y - image.getLayoutY()) / scale());
         return new Pixel((int) Math.clamp(px, 0, buffer.getWidth() - 1), (int) Math.clamp(py, 0, buffer.getHeight() - 1));
     }
 
-    /** Where the whole picture is in this view, pixels of the window; it may be larger than the view. */
+    /** Bounds of the whole picture in the view, logical pixels; they may exceed the view. */
     public ObservableValue<Bounds> pictureBoundsProperty() {
         return image.boundsInParentProperty();
     }
 
-    /** The stored picture that this one is compared with. */
+    /** Returns the wipe against a stored picture. */
     public Wipe wipe() {
         return wipe;
     }
 
-    /** Moves the border of the comparison to a place of the view. */
+    /** Moves the border of the wipe to a point of the view. */
     public void wipeTo(double x) {
         wipe.setShare((x - image.getLayoutX()) / Math.max(1, image.getFitWidth()));
         requestLayout();
@@ -203,7 +203,7 @@ public final class PictureView extends Region {
         double height = buffer.getHeight() * scale;
         image.setFitWidth(width);
         image.setFitHeight(height);
-        // Magnified on purpose, pixels stay squares, so that single ones can be judged.
+        // Magnified pixels stay sharp squares, so that single ones can be judged.
         image.setSmooth(fitsView || scale * screenScale() < 2);
         image.relocate(Math.rint((getWidth() - width) / 2 + shiftX), Math.rint((getHeight() - height) / 2 + shiftY));
         if (wipe.isStored()) {

@@ -6,11 +6,11 @@ import javafx.scene.image.PixelBuffer;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
 
-/** Images of pixels that somebody computed. */
+/** Creates images of pixel arrays. */
 public final class PixelImage {
     private PixelImage() {}
 
-    /** @param pixels {@code int[width * height]}, 0xAARRGGBB, opaque or with alpha multiplied in, the top row first; not copied */
+    /** @param pixels  {@code int[width * height]}, 0xAARRGGBB, opaque or premultiplied, top row first; not copied */
     public static Image of(int width, int height, int[] pixels) {
         return new WritableImage(new PixelBuffer<>(width, height, IntBuffer.wrap(pixels), PixelFormat.getIntArgbPreInstance()));
     }

@@ -6,7 +6,7 @@ import javafx.beans.Observable;
 import javafx.beans.binding.Bindings;
 import javafx.scene.control.Label;
 
-/** The reason why a typed number was refused, below its field; takes no room while there is none. */
+/** Label below number fields that shows why their input was refused; takes no space if empty. */
 final class RefusalLabel extends Label {
     RefusalLabel(List<NumberField> fields) {
         getStyleClass().add("refusal");

@@ -6,9 +6,9 @@ import javafx.animation.AnimationTimer;
 import javafx.scene.Node;
 import javafx.stage.Window;
 
-/** Work of many small parts on the window's thread: in each pulse as many as leave the thread to all else that it has to do. */
+/** Task that runs in small steps on the window's thread, as many per pulse as fit a time budget. */
 public final class TimeSlicedTask {
-    /** Less than a pulse, so that the picture goes on; a part that takes longer is alone in its pulse. */
+    /** Time budget per pulse, nanoseconds. Shorter than a pulse, so that animation continues; a longer step runs alone. */
     private static final long SLICE_NS = 10_000_000;
 
     private static int runningCount;
@@ -24,12 +24,12 @@ public final class TimeSlicedTask {
         }
     };
 
-    /** @param nextPart does the next part; returns whether there was one */
+    /** @param nextPart  runs the next step; returns false if there was none */
     public TimeSlicedTask(BooleanSupplier nextPart) {
         this.nextPart = nextPart;
     }
 
-    /** Does all parts once, as far as it comes each time that a pane is seen. */
+    /** Runs all steps once, pausing while the window of the pane is closed. */
     public static void whileVisible(Node pane, Iterator<Runnable> parts) {
         var task = new TimeSlicedTask(() -> {
             if (parts.hasNext()) {
@@ -43,7 +43,7 @@ public final class TimeSlicedTask {
         });
     }
 
-    /** Does the first parts at once, and goes on in the pulses that follow until there is none left. */
+    /** Runs the first steps immediately and the rest in the following pulses. */
     public void start() {
         cancel();
         if (runSlice()) {
@@ -53,7 +53,7 @@ public final class TimeSlicedTask {
         }
     }
 
-    /** Leaves what is not done. */
+    /** Stops the task. Remaining steps do not run. */
     public void cancel() {
         timer.stop();
         if (isRunning) {
@@ -62,12 +62,12 @@ public final class TimeSlicedTask {
         }
     }
 
-    /** Whether any work waits for the next pulse. */
+    /** Returns true if any task waits for the next pulse. */
     public static boolean isAnyRunning() {
         return runningCount > 0;
     }
 
-    /** A node takes on its looks at once, in this slice, where what is around it has its own: not while its window is about to open. */
+    /** Applies a node's style within the current slice, if its window is already showing. */
     public static void applyStyle(Node node) {
         if (node.getScene() != null && Window.getWindows().contains(node.getScene().getWindow())) {
             node.applyCss();
@@ -84,7 +84,7 @@ public final class TimeSlicedTask {
                 return false;
             }
             now = System.nanoTime();
-            // What comes next may take as long as the last.
+            // Assumes that the next step takes as long as the last.
         } while (now + (now - last) < startNs + SLICE_NS);
         return true;
     }

@@ -11,7 +11,7 @@ import javafx.scene.text.Font;
 import javafx.scene.text.FontWeight;
 import javafx.scene.text.Text;
 
-/** A remark that looks as those of style sheets do ({@code .badge}), where there are none yet. */
+/** Note that looks like {@code .badge} before style sheets are loaded. */
 final class UnstyledNote extends Region {
     private static final Insets PADDING = new Insets(3, 8, 3, 8);
     private static final double FONT_SIZE = 12;

@@ -13,7 +13,7 @@ import lightning.base.text.Messages;
 import lightning.editor.document.StepRange;
 import lightning.scene.SceneLimits;
 
-/** A place or a direction as three numbers. */
+/** Field for a position or a direction, as three numbers. */
 public final class VectorField extends VBox {
     private static final StepRange STEPS = new StepRange(0.1, -SceneLimits.MAX_COORDINATE, SceneLimits.MAX_COORDINATE);
 
@@ -22,13 +22,13 @@ public final class VectorField extends VBox {
     private final DisabledReason disabledReason;
     private Vec3 value = Vec3.ZERO;
 
-    /** Sets a vector; returns why it was refused. */
+    /** Receiver of vectors; returns why a vector was refused. */
     public interface Setter {
-        /** @param gesture as in {@link NumberSetting#set} */
+        /** @param gesture  gesture as in {@link NumberSetting#set} */
         Optional<String> set(Vec3 value, Object gesture);
     }
 
-    /** @param title for people, as "position" */
+    /** @param title  display title, for example "position" */
     public VectorField(String title, Setter setter) {
         row.getStyleClass().add("vector-row");
         addAxis("x", title, (x, g) -> setter.set(new Vec3(x, value.y(), value.z()), g));
@@ -41,16 +41,16 @@ public final class VectorField extends VBox {
 
     private void addAxis(String axis, String title, NumberSetting.Setter setter) {
         String name = Messages.tr(title) + " " + axis;
-        NumberSetting gauge = NumberSetting.of(name, STEPS, setter);
-        NumberField field = new NumberField(name, gauge);
+        NumberSetting setting = NumberSetting.of(name, STEPS, setter);
+        NumberField field = new NumberField(name, setting);
         HBox.setHgrow(field, Priority.ALWAYS);
-        Label label = new FieldLabel(axis.toUpperCase(Locale.ROOT), gauge, field);
+        Label label = new FieldLabel(axis.toUpperCase(Locale.ROOT), setting, field);
         label.getStyleClass().addAll("axis", "axis-" + axis);
         fields.add(field);
         row.getChildren().addAll(label, field);
     }
 
-    /** Shows a vector. */
+    /**  */
     public void show(Vec3 v) {
         value = v;
         fields.get(0).show(v.x());
@@ -58,17 +58,17 @@ public final class VectorField extends VBox {
         fields.get(2).show(v.z());
     }
 
-    /** Shows that there is no vector. */
+    /** Clears the field. */
     public void showNothing() {
         fields.forEach(NumberField::showNothing);
     }
 
-    /** Forgets what was typed. */
+    /** Discards uncommitted input. */
     public void revert() {
         fields.forEach(NumberField::revert);
     }
 
-    /** Disables the field and says why, a clause; or enables it. */
+    /** Disables the field with a reason, as a clause, or enables it. */
     public void setDisabledReason(Optional<String> reason) {
         if (reason.isPresent()) {
             revert();

@@ -9,8 +9,9 @@ import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 
 /**
- * What a pane does while its window is open: one that nobody sees costs nothing. It hears the window's events and not its property,
- * whose listeners the window toolkit confuses where some of them leave while they are told.
+ * Runs a pane's subscriptions only while its window is open, so that a hidden pane costs nothing.
+ *
+ * <p>Handles window events rather than the showing property, since JavaFX notifies listeners incorrectly if some are removed meanwhile.
  */
 public final class VisibilityListener {
     private final Supplier<Subscription> starter;
@@ -24,16 +25,16 @@ public final class VisibilityListener {
     }
 
     /**
-     * Begins and ends with the pane's window.
+     * Attaches subscriptions to a pane's window.
      *
-     * @param starter called whenever the window opens; ended when that closes, or when the pane leaves it, and must then end all threads
-     *              that it started
+     * @param starter  called each time the window opens. Its subscription ends when the window closes or the pane leaves it, and must stop
+     *     all threads that it started.
      */
     public static void attach(Node pane, Supplier<Subscription> starter) {
         pane.sceneProperty().flatMap(Scene::windowProperty).subscribe(new VisibilityListener(starter)::setWindow);
     }
 
-    /** @param newWindow null where the pane is in no window */
+    /** @param newWindow  window of the pane; null for none */
     private void setWindow(Window newWindow) {
         if (window != null) {
             window.removeEventHandler(WindowEvent.WINDOW_SHOWING, showingHandler);

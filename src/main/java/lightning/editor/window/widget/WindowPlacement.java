@@ -6,20 +6,20 @@ import javafx.stage.Screen;
 import javafx.stage.Window;
 import javafx.stage.WindowEvent;
 
-/** Keeps windows wholly on the screen where they open. */
+/** Keeps windows within the screen. */
 public final class WindowPlacement {
     private WindowPlacement() {}
 
-    /** A window opens where all of it is seen, and no larger than the screen. */
+    /** Moves and shrinks a window to fit the screen when it opens. */
     public static void fitOnShow(Window window) {
         window.addEventHandler(WindowEvent.WINDOW_SHOWN, _ -> {
             fit(window);
-            // Its frame is known a moment later.
+            // The window's decoration size is known only later.
             Platform.runLater(() -> fit(window));
         });
     }
 
-    /** Moves a window, and makes it smaller where it must be. */
+    /** Moves a window into the screen and shrinks it if necessary. */
     public static void fit(Window window) {
         if (!window.isShowing() || !(window.getWidth() > 0) || Double.isNaN(window.getX()) || Double.isNaN(window.getY())) {
             return;
@@ -35,13 +35,13 @@ public final class WindowPlacement {
         }
     }
 
-    /** What windows may take of the screen where this one begins. */
+    /** Returns the usable bounds of the window's screen. */
     public static Rectangle2D screenBounds(Window window) {
         return Screen.getScreensForRectangle(window.getX(), window.getY(), 1, 1).stream().findFirst()
                 .orElseGet(Screen::getPrimary).getVisualBounds();
     }
 
-    /** The nearest place of a window wholly on a screen; smaller where the screen is. */
+    /** Returns the nearest bounds of a window within a screen, shrunk if necessary. */
     public static Rectangle2D clampTo(Rectangle2D screen, Rectangle2D window) {
         double width = Math.min(window.getWidth(), screen.getWidth());
         double height = Math.min(window.getHeight(), screen.getHeight());

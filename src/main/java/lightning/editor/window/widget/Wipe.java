@@ -5,7 +5,7 @@ import javafx.scene.Group;
 import javafx.scene.image.ImageView;
 import javafx.scene.shape.Line;
 
-/** A stored picture over the left part of the one there is now, with a border that the mouse moves. */
+/** A/B comparison: a stored picture over the left part of the current one, with a movable border. */
 public final class Wipe extends Group {
     private final ImageView image = new ImageView();
     private final Line border = new Line();
@@ -21,7 +21,7 @@ public final class Wipe extends Group {
         getChildren().addAll(image, border);
     }
 
-    /** Keeps the pixels as they are now, {@code int[width * height]}. */
+    /** Stores a copy of the pixels, {@code int[width * height]}. */
     public void store(int newWidth, int newHeight, int[] pixels) {
         width = newWidth;
         height = newHeight;
@@ -32,7 +32,7 @@ public final class Wipe extends Group {
         return image.getImage() != null;
     }
 
-    /** @param v how much of the stored picture is seen, from the left, 0…1 */
+    /** @param v  visible share of the stored picture from the left, 0…1 */
     void setShare(double v) {
         share = Math.clamp(v, 0, 1);
     }
@@ -41,7 +41,7 @@ public final class Wipe extends Group {
         return share;
     }
 
-    /** Lies over a picture: its place and its size, pixels of the window. */
+    /** Positions the wipe over a picture; position and size in logical pixels. */
     void layout(double left, double top, double displayWidth, double displayHeight, boolean smooth) {
         double visibleWidth = Math.max(1, Math.rint(share * width));
         image.setViewport(new Rectangle2D(0, 0, visibleWidth, height));

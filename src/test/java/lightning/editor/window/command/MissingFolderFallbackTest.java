@@ -21,7 +21,7 @@ class MissingFolderFallbackTest {
     void missingFolder_usesSystemDefault() {
         List<File> folders = new ArrayList<>();
         File chosen = MissingFolderFallback.show(folders::add, () -> {
-            // As the toolkit does.
+            // As JavaFX does.
             if (folders.isEmpty()) {
                 throw new IllegalArgumentException("Folder parameter must be a valid folder");
             }

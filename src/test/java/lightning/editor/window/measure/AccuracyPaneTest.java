@@ -28,7 +28,7 @@ class AccuracyPaneTest extends EditorFixture {
 
     private void measure() {
         click("measure");
-        waitFor("it is measured", () -> !table().getItems().isEmpty());
+        waitFor("the measurement is finished", () -> !table().getItems().isEmpty());
     }
 
     private TableView<SweepPoint> table() {
@@ -56,14 +56,14 @@ class AccuracyPaneTest extends EditorFixture {
         Scene before = model().editor().scene();
         dim();
         robot.push(KeyCode.F9);
-        assertThat(text("accuracy-edit")).isEqualTo("The edits that are not rendered yet");
+        assertThat(text("accuracy-edit")).isEqualTo("Edits not rendered yet");
         measure();
         assertThat(table().getItems()).extracting(SweepPoint::setting)
                 .containsExactlyElementsOf(EnumSet.complementOf(EnumSet.of(AccuracySetting.FEW_SAMPLES, AccuracySetting.NO_ANTIALIASING)));
         assertThat(text("accuracy-edit")).isEqualTo("lamp: weight · 64 × 48 pixels");
         SweepPoint exact = sweepPoint(AccuracySetting.EXACT);
         assertThat(exact.film().hasSameBits(new ReferenceTracer(model().editor().scene(), before).trace())).isTrue();
-        assertThat(model().commands().isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
+        assertThat(model().commands().isEnabled(Command.GO)).as("document and picture are unchanged").isTrue();
     }
 
     @Test
@@ -84,7 +84,7 @@ class AccuracyPaneTest extends EditorFixture {
 
     @Test
     void canceledMeasurement_showsNothingAndCanRestart() {
-        // So large that it is not done before the click.
+        // Large enough to still run at the click.
         robot.interact(
                 () -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSize(800, 600)))));
         click("go");
@@ -92,9 +92,9 @@ class AccuracyPaneTest extends EditorFixture {
         dim();
         robot.push(KeyCode.F9);
         click("measure");
-        waitFor("it runs", () -> !isDisabled("cancel-measure"));
+        waitFor("the measurement runs", () -> !isDisabled("cancel-measure"));
         click("cancel-measure");
-        waitFor("it is canceled", () -> text("accuracy-edit").equals("Canceled"));
+        waitFor("the measurement is canceled", () -> text("accuracy-edit").equals("Canceled"));
         assertThat(table().getItems()).isEmpty();
         assertThat(isDisabled("measure")).isFalse();
     }

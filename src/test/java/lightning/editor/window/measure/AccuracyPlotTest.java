@@ -48,7 +48,7 @@ class AccuracyPlotTest {
                 .show(new AccuracySweep(null, null, null, Stream.of(AccuracySetting.values()).map(AccuracyPlotTest::sweepPoint).toList(),
                         RayCounts.NONE, true)));
         FastRobot.settle();
-        // All but the full trace, which takes its time.
+        // All settings except the full trace, which is slow.
         String levels = IntStream.range(1, AccuracySetting.values().length).mapToObj(Integer::toString).collect(Collectors.joining(" "));
         Node label = robot.lookup(levels).query();
         Node plot = robot.lookup(".chart-plot-background").query();

@@ -20,7 +20,7 @@ class EffectsPaneTest extends EditorFixture {
     @Test
     void effects_listTheirUsers() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
-        assertThat(text("effects-summary")).startsWith("desk.jen calls for ");
+        assertThat(text("effects-summary")).startsWith("desk.jen uses ");
         assertThat(isListed("effect-reflection")).isTrue();
         assertThat(robot.lookup("up to 2 bounces: mirror").tryQuery()).isPresent();
         assertThat(isListed("effect-textures")).isFalse();
@@ -40,14 +40,14 @@ class EffectsPaneTest extends EditorFixture {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         assertThat(robot.lookup("#show-all-effects").<Node>query().isDisabled()).isTrue();
         click("effect-specular");
-        waitFor("it is hidden", () -> isShown("look"));
+        waitFor("the effect is hidden", () -> isShown("look"));
         assertThat(text("look")).isEqualTo("View: No specular highlights");
         assertCanvasShows(new ReferenceTracer(model().pictureDisplay().effectsProperty().get().apply(model().editor().scene())).trace());
         assertThat(model().pictureDisplay().effectsProperty().get().shows(RenderEffect.SPECULAR)).isFalse();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(isEnabled(Command.GO)).isFalse();
         click("show-all-effects");
-        waitFor("all is shown", () -> !isShown("look"));
+        waitFor("all effects are shown", () -> !isShown("look"));
         assertCanvasShows(new ReferenceTracer(model().editor().scene()).trace());
     }
 
@@ -58,14 +58,14 @@ class EffectsPaneTest extends EditorFixture {
     private void openAndMeasure() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
         click("measure-effects");
-        waitFor("it is measured", () -> text("effects-outcome").startsWith("First pass"));
+        waitFor("the measurement is finished", () -> text("effects-outcome").startsWith("Full render"));
     }
 
     @Test
     void measuredEffects_inUse_showCost() {
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: full recompute");
-        // No columns of their own: states that tiles in part in shadow cannot share, a byte for each row.
+        // No separate layers: only the states of tiles in partial shadow, a byte per row.
         assertThat(text("bytes-shadows")).matches("[1-9][0-9]* B");
         assertThat(text("bytes-reflection")).matches("[0-9.]+ [kM]?B").isNotEqualTo("0 B");
         assertThat(text("first-reflection")).endsWith(" ms");
@@ -85,14 +85,14 @@ class EffectsPaneTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
         openAndMeasure();
         assertThat(text("effects-outcome")).contains("lamp: weight");
-        assertThat(isEnabled(Command.GO)).as("the document and its picture stay").isTrue();
+        assertThat(isEnabled(Command.GO)).as("document and picture are unchanged").isTrue();
     }
 
     @Test
     void edit_afterMeasurement_marksCostsOutdated() {
         openAndMeasure();
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
-        assertThat(text("effects-outcome")).startsWith("Before the last edits: First pass");
+        assertThat(text("effects-outcome")).startsWith("Before the last edits: Full render");
     }
 
     @Test
@@ -105,12 +105,12 @@ class EffectsPaneTest extends EditorFixture {
     @Test
     void canceledMeasurement_showsNothing() {
         robot.push(KeyCode.SHIFT, KeyCode.F9);
-        // In one go: a quick machine would have measured before the second click.
+        // In one runnable: a fast machine would finish measuring before a second click.
         robot.interact(() -> {
             robot.lookup("#measure-effects").queryButton().fire();
             robot.lookup("#cancel-measure-effects").queryButton().fire();
         });
-        waitFor("it is over", () -> text("effects-outcome").equals("Canceled"));
+        waitFor("the measurement is canceled", () -> text("effects-outcome").equals("Canceled"));
         assertThat(isShown("bytes-shadows")).isFalse();
     }
 }

@@ -31,11 +31,11 @@ class ScopesPaneTest extends EditorFixture {
     @Test
     void scopes_followPictureAndExposure() {
         robot.interact(() -> model().commands().run(Command.SCOPES));
-        waitFor("they are counted", () -> Arrays.equals(pixels("waveform"), expected().waveformPixels()));
+        waitFor("the waveform is shown", () -> Arrays.equals(pixels("waveform"), expected().waveformPixels()));
         assertThat(pixels("histogram")).isEqualTo(expected().histogramPixels(160));
         int[] before = pixels("histogram");
         robot.interact(() -> robot.lookup("#exposure").<Slider>query().setValue(1));
-        waitFor("they are counted anew", () -> Arrays.equals(pixels("histogram"), expected().histogramPixels(160)));
+        waitFor("the histogram is updated", () -> Arrays.equals(pixels("histogram"), expected().histogramPixels(160)));
         assertThat(pixels("histogram")).isNotEqualTo(before);
     }
 }

@@ -29,6 +29,6 @@ class ErrorMessageTest {
 
     @Test
     void unexpectedException_isInternalError() {
-        assertThat(ErrorMessage.of(new IllegalStateException("x"))).startsWith("An error of the program itself");
+        assertThat(ErrorMessage.of(new IllegalStateException("x"))).startsWith("Internal error");
     }
 }

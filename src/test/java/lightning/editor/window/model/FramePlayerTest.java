@@ -26,7 +26,7 @@ class FramePlayerTest {
     @TempDir
     private Path folder;
     private EditorModel model;
-    /** What was shown, and what the traced picture showed when the next frame was asked for. */
+    /** Shown frame, and the traced picture's frame when the next one was requested. */
     private final List<Scene> shown = new ArrayList<>();
     private final List<Scene> traced = new ArrayList<>();
     private volatile int requestCount;

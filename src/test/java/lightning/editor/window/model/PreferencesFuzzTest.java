@@ -15,7 +15,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Preferences with a few mistakes: whatever the file holds, it is read, and written again. */
+/** Fuzz test: preferences with random errors are read and written without exceptions. */
 @Slow
 class PreferencesFuzzTest {
     private static final int TRIES = ByteFuzzer.tryCount(1_000);

@@ -19,18 +19,18 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The hop from the loop's threads to the window's. */
+/** Hand-over from the loop's threads to the window's thread. */
 @Tag("model")
 class RenderFeedModelTest {
     private static final Film FILM = Film.black(1, 1);
 
-    /** Tables of codes are made when they are needed first: too long a work for a model. */
+    /** Builds the encoding tables in advance, which takes too long within a test. */
     @BeforeAll
     static void makeTables() {
         ViewTransform.DEFAULT.toPixels(FILM);
     }
 
-    /** The window's thread, which runs what it is told when it has time. */
+    /** Executor that stands for the window's thread and runs tasks on request. */
     private static final class Window implements Executor {
         private final ArrayDeque<Runnable> tasks = new ArrayDeque<>();
         private int executedCount;
@@ -86,7 +86,7 @@ class RenderFeedModelTest {
             var raster = new TracedRaster();
             var feeds = new RenderFeed[1];
             var feed = new RenderFeed(window, raster,
-                    () -> check(feeds[0].state().frame() == null || raster.pixels() != null, "who hears of a picture can show it"));
+                    () -> check(feeds[0].state().frame() == null || raster.pixels() != null, "a reported picture can be shown"));
             feeds[0] = feed;
             ScheduleExplorer.ConcurrentRun loop = ScheduleExplorer.startConcurrently(() -> {
                 feed.rendered(new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, null, null, null, null, true));
@@ -143,10 +143,10 @@ class RenderFeedModelTest {
                 feed.pictureDropped(1);
                 feed.rendered(fresh);
             });
-            check(feed.state().frame() != old, "no picture of the document that was left is told");
+            check(feed.state().frame() != old, "no picture of the closed document is reported");
             check(raster.pixels() == null || raster.pixels().width() == 2, "none of it is shown");
             loop.end();
-            check(feed.state().frame() == fresh && raster.pixels().width() == 2, "that of the open one is told and shown");
+            check(feed.state().frame() == fresh && raster.pixels().width() == 2, "the open document's picture is reported and shown");
         });
     }
 }

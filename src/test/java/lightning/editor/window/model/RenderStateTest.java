@@ -30,15 +30,15 @@ class RenderStateTest {
             new MaterialUpdate(new Geometry(SCENE).materials(), MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE)),
             null, 2, 2, true, ShapeChange.NONE);
 
-    /** Took 60 ms in cold code. */
+    /** Frame of an update that took 60 ms in a cold JVM. */
     private static Frame frame(UpdatePlan plan) {
         return new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE,
                 new UpdateResult(plan, 0, 0, 0, RayCounts.NONE, 60_000_000, 0, false), null,
                 true);
     }
 
-    private static WarmSaving saving(Frame of) {
-        return new WarmSaving(of.update(), new Timing(List.of(2.0)), new Timing(List.of(29.0)));
+    private static WarmSaving saving(Frame frame) {
+        return new WarmSaving(frame.update(), new Timing(List.of(2.0)), new Timing(List.of(29.0)));
     }
 
     private static String text(RenderState state) {
@@ -49,15 +49,15 @@ class RenderStateTest {
     void saving_isShownForItsUpdate() {
         Frame edit = frame(SAMPLES);
         RenderState state = RenderState.NONE.withFrame(edit);
-        assertThat(text(state)).contains("60 ms (what it saves is being measured)").doesNotContain("%");
-        assertThat(text(state.withSaving(saving(edit)))).contains("60 ms · made again 2.0 ms of 29 ms for a full trace · 93.1 % saved");
+        assertThat(text(state)).contains("60 ms (measuring the saving…)").doesNotContain("%");
+        assertThat(text(state.withSaving(saving(edit)))).contains("60 ms · median 2.0 ms, full trace 29 ms · 93.1 % saved");
     }
 
     @Test
     void pictureOfCenters_isShownAsUnfinished() {
         Frame edit = frame(SAMPLES);
         var centers = new Frame(FILM, FILM, DisplayMode.FULL_PICTURE, SCENE, SCENE, edit.update(), null, false);
-        assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · without finer samples yet").doesNotContain("exact");
+        assertThat(text(RenderState.NONE.withFrame(centers))).endsWith("60 ms · not anti-aliased yet").doesNotContain("exact");
     }
 
     @Test
@@ -68,7 +68,7 @@ class RenderStateTest {
         assertThat(behind.saving()).isEmpty();
         assertThat(text(behind)).doesNotContain("%", "slower");
         RenderState late = RenderState.NONE.withFrame(newer).withSaving(saving(older));
-        assertThat(late.saving()).as("of an edit that is over").isEmpty();
+        assertThat(late.saving()).as("saving of an earlier edit").isEmpty();
     }
 
     @Test

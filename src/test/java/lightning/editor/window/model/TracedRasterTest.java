@@ -21,7 +21,7 @@ class TracedRasterTest {
     private final TracedRaster raster = new TracedRaster();
     private final Film first = filled(0.5f);
 
-    /** A film of one gray. */
+    /** Returns a film of a single gray. */
     private static Film filled(float value) {
         return filled(WIDTH, HEIGHT, value);
     }
@@ -32,7 +32,7 @@ class TracedRasterTest {
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** The first film with one tile of its own. */
+    /** Returns the first film with one tile replaced. */
     private Film withTile(int tile, float value) {
         Film other = filled(value);
         float[][] red = new float[first.tileCount()][];

@@ -33,7 +33,7 @@ class EnvironmentFieldTest extends EditorFixture {
         return world().environment().map(Environment::file).orElse("");
     }
 
-    /** Two pixels of light: warm to the left, dim to the right. */
+    /** Environment of two pixels: warm on the left, dim on the right. */
     private void writeEnvironmentMap(String name) throws IOException {
         var bytes = new ByteArrayOutputStream();
         bytes.writeBytes("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n".getBytes(StandardCharsets.ISO_8859_1));
@@ -43,7 +43,7 @@ class EnvironmentFieldTest extends EditorFixture {
 
     private void choose(String name) {
         robot.interact(() -> choice().getOnShowing().handle(null));
-        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
+        waitFor("the menu lists the file", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
         MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
         robot.interact(item::fire);
     }
@@ -62,9 +62,9 @@ class EnvironmentFieldTest extends EditorFixture {
         writeEnvironmentMap("red_dusk.hdr");
         Scene before = model().editor().scene();
         choose("red_dusk.hdr");
-        waitFor("it is read", () -> choiceText().equals("red_dusk.hdr"));
+        waitFor("the file is read", () -> choiceText().equals("red_dusk.hdr"));
         assertThat(robot.from(choice()).lookup((Node n) -> n instanceof Text t && t.getText().equals("red_dusk.hdr")).tryQuery())
-                .as("underscore and all").isPresent();
+                .as("name with underscore").isPresent();
         assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment none → red_dusk.hdr");
         assertGoShowsTheScene();
         click("undo");
@@ -79,7 +79,7 @@ class EnvironmentFieldTest extends EditorFixture {
                         .isTrue());
         writeEnvironmentMap("dusk.hdr");
         choose("dusk.hdr");
-        waitFor("it is read", () -> choiceText().equals("dusk.hdr"));
+        waitFor("the file is read", () -> choiceText().equals("dusk.hdr"));
         robot.interact(() -> model().editor().selection().selectLight(null));
         type("environment-intensity", "2.5");
         type("environment-rotation", "-30");
@@ -91,15 +91,15 @@ class EnvironmentFieldTest extends EditorFixture {
         assertThat(world().softness()).isEqualTo(0.5);
         assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment lamps 16 → 7");
         choose("None");
-        waitFor("it is gone", () -> choiceText().isEmpty());
-        assertThat(world().rotation()).as("is kept for the next").isEqualTo(-30);
+        waitFor("the file is removed", () -> choiceText().isEmpty());
+        assertThat(world().rotation()).as("rotation is kept").isEqualTo(-30);
     }
 
     @Test
     void invalidEnvironmentMap_showsError() throws IOException {
         Files.writeString(Files.createDirectories(folder.resolve("textures")).resolve("fake.hdr"), "no picture");
         choose("fake.hdr");
-        waitFor("it is refused", () -> model().editor().message().textProperty().get().contains("fake.hdr"));
+        waitFor("the file is refused", () -> model().editor().message().textProperty().get().contains("fake.hdr"));
         assertThat(choiceText()).isEmpty();
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }

@@ -35,7 +35,7 @@ class GoboFieldTest extends EditorFixture {
 
     private void choose(String name) {
         robot.interact(() -> choice().getOnShowing().handle(null));
-        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
+        waitFor("the menu lists the file", () -> choice().getItems().stream().anyMatch(i -> name.equals(i.getText())));
         MenuItem item = choice().getItems().stream().filter(i -> name.equals(i.getText())).findFirst().orElseThrow();
         robot.interact(item::fire);
     }
@@ -46,7 +46,7 @@ class GoboFieldTest extends EditorFixture {
         Scene before = model().editor().scene();
         select("stage");
         choose("dots.png");
-        waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
+        waitFor("the file is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
         assertThat(choice().getText()).isEqualTo("dots.png");
         assertGoShowsTheScene();
         click("undo");
@@ -56,17 +56,17 @@ class GoboFieldTest extends EditorFixture {
 
     @Test
     void browsedPicture_isCopiedToTexturesAndProjected_unlessBroken() throws IOException {
-        // Else those of a folder above would get it.
+        // Otherwise the textures of a parent folder would be used.
         Files.createDirectories(folder.resolve("textures"));
         select("stage");
         answer = Files.write(Files.createDirectories(folder.resolve("elsewhere")).resolve("torn.png"), new byte[] {(byte) 137, 80});
         choose("Browse…");
-        waitFor("it says why", () -> model().editor().message().textProperty().get().contains("'torn.png'"));
+        waitFor("the refusal is shown", () -> model().editor().message().textProperty().get().contains("'torn.png'"));
         assertThat(folder.resolve("textures/torn.png")).doesNotExist();
         picture("dots.png");
         answer = Files.move(folder.resolve("textures/dots.png"), folder.resolve("elsewhere/dots.png"));
         choose("Browse…");
-        waitFor("it is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
+        waitFor("the file is read", () -> light("stage").gobo().map(Gobo::file).orElse("").equals("dots.png"));
         assertThat(folder.resolve("textures/dots.png")).hasSameBinaryContentAs(answer);
         assertGoShowsTheScene();
     }
@@ -79,7 +79,7 @@ class GoboFieldTest extends EditorFixture {
             open.add(choice().isShowing());
             return Optional.empty();
         }));
-        // The headless platform cannot draw a menu that is partly beside the screen.
+        // The headless platform cannot draw a menu that is partly off the screen.
         robot.interact(() -> {
             choice().show();
             choice().getItems().get(1).fire();
@@ -93,9 +93,9 @@ class GoboFieldTest extends EditorFixture {
         picture("dots.png");
         select("stage");
         choose("dots.png");
-        waitFor("it is read", () -> light("stage").gobo().isPresent());
+        waitFor("the file is read", () -> light("stage").gobo().isPresent());
         choose("None");
-        waitFor("it is gone", () -> light("stage").gobo().isEmpty());
+        waitFor("the file is removed", () -> light("stage").gobo().isEmpty());
     }
 
     @Test
@@ -111,11 +111,11 @@ class GoboFieldTest extends EditorFixture {
         picture("dots.png");
         select("stage");
         robot.interact(() -> choice().getOnShowing().handle(null));
-        waitFor("it is offered", () -> choice().getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
+        waitFor("the menu lists the file", () -> choice().getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
         Files.delete(folder.resolve("textures").resolve("dots.png"));
         MenuItem item = choice().getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
         robot.interact(item::fire);
-        waitFor("it is refused", () -> model().editor().message().textProperty().get().contains("dots.png"));
+        waitFor("the file is refused", () -> model().editor().message().textProperty().get().contains("dots.png"));
         assertThat(light("stage").gobo()).isEmpty();
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }

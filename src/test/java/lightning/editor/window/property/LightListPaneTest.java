@@ -88,7 +88,7 @@ class LightListPaneTest {
         assertThat(names(robot)).containsExactly("key", "key2", "fill", "sun");
         assertThat(model.editor().selection().light().name()).isEqualTo("key2");
         assertThat(model.editor().selection().light().position()).isEqualTo(new Vec3(3.9, 5, 2));
-        assertThat(model.editor().message().textProperty().get()).isEqualTo("key2 stands 0.9 beside key, along x");
+        assertThat(model.editor().message().textProperty().get()).isEqualTo("Duplicated key as key2, offset by 0.9 along x");
     }
 
     @Test
@@ -239,7 +239,7 @@ class LightListPaneTest {
         return robot.lookup("#light-list").queryAs(ListView.class);
     }
 
-    /** What the cells show, from the top. */
+    /** Returns the displayed names from top to bottom. */
     private static List<String> names(FxRobot robot) {
         return robot.lookup(".light-list .list-cell").<ListCell<?>>queryAllAs(cell()).stream().filter(c -> c.getGraphic() != null)
                 .sorted(Comparator.comparing(ListCell::getIndex)).map(LightListPaneTest::name).toList();
@@ -250,7 +250,7 @@ class LightListPaneTest {
         return (Class<ListCell<?>>) (Class<?>) ListCell.class;
     }
 
-    /** While a light is renamed, a field stands for its label, and a screen reader still tells its name. */
+    /** A field replaces the label while a light is renamed; screen readers still read the name. */
     private static String name(ListCell<?> cell) {
         return cell.lookup(".light-row .label") instanceof Label label ? label.getText() : cell.getAccessibleText().split(",")[0];
     }

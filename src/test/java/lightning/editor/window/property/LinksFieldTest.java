@@ -28,7 +28,7 @@ class LinksFieldTest extends EditorFixture {
     }
 
     private String check(String id) {
-        // The window that shows no screen has no room for a menu.
+        // The headless window has no room for a menu.
         robot.interact(() -> menu(id).getOnShowing().handle(null));
         CheckBox first = menu(id).getItems().stream().filter(CustomMenuItem.class::isInstance)
                 .map(i -> ((CustomMenuItem) i).getContent()).filter(CheckBox.class::isInstance).map(CheckBox.class::cast).findFirst()
@@ -64,7 +64,7 @@ class LinksFieldTest extends EditorFixture {
         assertGoShowsTheScene();
         robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", false, model().editor()));
         assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.ALL);
-        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp shines on ball");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("lamp illuminates ball");
     }
 
     @Test
@@ -72,7 +72,7 @@ class LinksFieldTest extends EditorFixture {
         robot.interact(() -> LinkDrop.toggleLink("lamp", "ball", true, model().editor()));
         assertThat(light("lamp").shadowedBy()).isEqualTo(ShapeLinks.except("ball"));
         assertThat(light("lamp").illuminates()).isEqualTo(ShapeLinks.ALL);
-        assertThat(model().editor().message().textProperty().get()).isEqualTo("ball throws no shadow in the light of lamp");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("ball casts no shadows from lamp");
         assertGoShowsTheScene();
         click("undo");
         assertThat(light("lamp").shadowedBy()).isEqualTo(ShapeLinks.ALL);
@@ -103,7 +103,7 @@ class LinksFieldTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> EditOutcome.of(
                 () -> scene.withNodes(List.of(group("many", 300), group("few", 3), group("others", 195))))));
         assertThat(listedNames("illuminates")).contains("many", "few", "few_2", "others").doesNotContain("many_0", "others_0")
-                .last().isEqualTo("More can be named in the file");
+                .last().isEqualTo("Link further objects in the scene file");
         String light = model().editor().selection().light().name();
         robot.interact(
                 () -> model().editor().edit(scene -> LightEdits.edit(scene, light, l -> l.withIlluminates(ShapeLinks.except("others_7")))));

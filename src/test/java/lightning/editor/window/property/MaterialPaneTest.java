@@ -59,7 +59,7 @@ class MaterialPaneTest extends EditorFixture {
     private void chooseFromMenu() {
         waitFor("the menu is open", () -> robot.lookup("Edit Material matt of ball").tryQuery().isPresent());
         robot.clickOn("Edit Material matt of ball");
-        waitFor("the material is in front", () -> tab().equals("material-tab"));
+        waitFor("the material tab is selected", () -> tab().equals("material-tab"));
     }
 
     private void picture(String name) throws IOException {
@@ -68,7 +68,7 @@ class MaterialPaneTest extends EditorFixture {
         ImageIO.write(image, "png", Files.createDirectories(folder.resolve("textures")).resolve(name).toFile());
     }
 
-    /** What is farther down is scrolled to first. */
+    /** Scrolls to the node first if needed. */
     private void scrollTo(String widget) {
         robot.interact(() -> {
             Node node = robot.lookup(widget).query();
@@ -121,21 +121,21 @@ class MaterialPaneTest extends EditorFixture {
     void browsedPicture_isCopiedToTextures_andReplacesOnlyAfterConfirmation() throws IOException {
         robot.interact(() -> model().materials().choose("matt"));
         robot.interact(() -> model().editor().materialShownProperty().set(true));
-        // Else those of a folder above would get it.
+        // Otherwise the textures of a parent folder would be used.
         Files.createDirectories(folder.resolve("textures"));
         answer = pictureInOtherFolder(0xff8000);
         browse();
-        waitFor("the picture is there", () -> material("matt").texture().isPresent());
+        waitFor("the texture is loaded", () -> material("matt").texture().isPresent());
         assertThat(material("matt").texture().orElseThrow().file()).isEqualTo("tiles.png");
         Path copy = folder.resolve("textures/tiles.png");
         assertThat(copy).hasSameBinaryContentAs(answer);
         byte[] first = Files.readAllBytes(copy);
         pictureInOtherFolder(0x0080ff);
         browse();
-        waitFor("it asks", () -> text("texture-refusal").contains("choose it again to write over it"));
+        waitFor("the conflict is shown", () -> text("texture-refusal").contains("Choose the file again to overwrite it"));
         assertThat(copy).hasBinaryContent(first);
         browse();
-        waitFor("it is written over", () -> text("texture-refusal").isEmpty());
+        waitFor("the file is overwritten", () -> text("texture-refusal").isEmpty());
         assertThat(copy).hasSameBinaryContentAs(answer);
         assertGoShowsTheScene();
     }
@@ -157,7 +157,7 @@ class MaterialPaneTest extends EditorFixture {
         robot.clickOn("#traced-picture", MouseButton.SECONDARY);
         chooseFromMenu();
         assertThat(edited()).isEqualTo("matt");
-        assertThat(text("material-users")).isEqualTo("On ball");
+        assertThat(text("material-users")).isEqualTo("Used by ball");
     }
 
     @Test
@@ -174,7 +174,7 @@ class MaterialPaneTest extends EditorFixture {
         robot.interact(() -> model().commands().run(Command.PICK_MATERIAL));
         assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
         robot.clickOn("#traced-picture");
-        waitFor("the material is in front", () -> tab().equals("material-tab"));
+        waitFor("the material tab is selected", () -> tab().equals("material-tab"));
         assertThat(edited()).isEqualTo("matt");
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         assertThat(tab()).isEqualTo("light-tab");
@@ -187,7 +187,7 @@ class MaterialPaneTest extends EditorFixture {
         long frames = model().previewSettings().framesProperty().get();
         typeRed("diffuse", "0.25");
         assertThat(material("matt").diffuse()).isEqualTo(new Rgb(0.25, 0.7, 0.6));
-        waitFor("the preview shows it", () -> model().previewSettings().framesProperty().get() > frames);
+        waitFor("the preview is drawn", () -> model().previewSettings().framesProperty().get() > frames);
         assertGoShowsTheScene();
         click("undo");
         assertThat(model().editor().scene()).isEqualTo(before);
@@ -225,7 +225,7 @@ class MaterialPaneTest extends EditorFixture {
         });
         assertThat(robot.lookup("#repeat-u .number-field").query().isDisabled()).isTrue();
         type("texture", "dots.png");
-        waitFor("it is read", () -> material("matt").texture().isPresent());
+        waitFor("the file is read", () -> material("matt").texture().isPresent());
         type("repeat-u .number-field", "3");
         assertThat(material("matt").texture().orElseThrow().repeatU()).isEqualTo(3);
         click("go");
@@ -243,7 +243,7 @@ class MaterialPaneTest extends EditorFixture {
         });
         assertThat(robot.lookup("#bump-repeat-u .number-field").query().isDisabled()).isTrue();
         type("bump", "dots.png");
-        waitFor("it is read", () -> material("matt").bumpMapping().bump().isPresent());
+        waitFor("the file is read", () -> material("matt").bumpMapping().bump().isPresent());
         type("height .number-field", "0.2");
         assertThat(material("matt").bumpMapping().height()).isEqualTo(0.2);
         assertThat(material("matt").texture()).isEmpty();
@@ -256,7 +256,7 @@ class MaterialPaneTest extends EditorFixture {
     @Test
     void missingTexture_showsError() {
         type("texture", "missing.png");
-        waitFor("it is refused",
+        waitFor("the file is refused",
                 () -> text("texture-refusal").startsWith("material 'matt': there is no texture 'missing.png' in the folder"));
         assertThat(isEnabled(Command.UNDO)).isFalse();
     }
@@ -267,10 +267,10 @@ class MaterialPaneTest extends EditorFixture {
         robot.interact(() -> model().editor().materialShownProperty().set(true));
         MenuButton found = robot.lookup("#texture-found").query();
         robot.interact(() -> found.getOnShowing().handle(null));
-        waitFor("it is seen", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
+        waitFor("the menu lists the file", () -> found.getItems().stream().anyMatch(i -> "dots.png".equals(i.getText())));
         MenuItem dots = found.getItems().stream().filter(i -> "dots.png".equals(i.getText())).findFirst().orElseThrow();
         assertThat(dots.getGraphic()).isInstanceOf(ImageView.class);
         robot.interact(dots::fire);
-        waitFor("it is read", () -> material(edited()).texture().isPresent());
+        waitFor("the file is read", () -> material(edited()).texture().isPresent());
     }
 }

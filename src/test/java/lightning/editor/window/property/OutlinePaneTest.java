@@ -47,14 +47,14 @@ class OutlinePaneTest extends EditorFixture {
 
     private void select(String name) {
         robot.interact(() -> model().editor().selection().selectNode(name));
-        // Its line is there only when the list was laid out.
-        waitFor("its line is there", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
+        // The row exists only after layout.
+        waitFor("its row is laid out", () -> robot.lookup("#shape-list .list-cell").queryAllAs(ListCell.class).stream()
                 .anyMatch(cell -> cell.isSelected() && cell.getGraphic() != null && name.equals(selectedName())));
     }
 
     private void press(KeyCode... keys) {
         robot.interact(() -> list().requestFocus());
-        waitFor("the list has the keyboard", () -> list().isFocused());
+        waitFor("the list has focus", () -> list().isFocused());
         robot.push(keys);
     }
 
@@ -72,10 +72,10 @@ class OutlinePaneTest extends EditorFixture {
         robot.clickOn(toScreen(BALL), MouseButton.SECONDARY);
         waitFor("the menu is open", () -> robot.lookup("Select ball").tryQuery().isPresent());
         robot.clickOn("Select ball");
-        waitFor("it is selected", () -> tab("lists").equals("shapes-tab"));
+        waitFor("the shape is selected", () -> tab("lists").equals("shapes-tab"));
         assertThat(selectedName()).isEqualTo("ball");
         assertThat(tab("side")).isEqualTo("shape-tab");
-        assertThat(text("shape-about")).isEqualTo("Sphere of material matt");
+        assertThat(text("shape-about")).isEqualTo("Sphere, material matt");
         assertThat(model().editor().selection().light()).isNull();
     }
 
@@ -108,7 +108,7 @@ class OutlinePaneTest extends EditorFixture {
         press(KeyCode.H);
         assertThat(node("ball").visible()).isFalse();
         robot.interact(() -> preview().requestFocus());
-        waitFor("the preview has the keyboard", () -> preview().isFocused());
+        waitFor("the preview has focus", () -> preview().isFocused());
         robot.push(KeyCode.H);
         assertThat(node("ball").visible()).isTrue();
     }
@@ -223,7 +223,7 @@ class OutlinePaneTest extends EditorFixture {
         select("floor");
         press(KeyCode.DELETE);
         click("save-scene");
-        waitFor("it is saved", () -> !model().editor().document().isDirty());
+        waitFor("the scene is saved", () -> !model().editor().document().isDirty());
         Scene read = lightning.editor.document.OpenDocument.open(folder.resolve("desk.jen")).scene();
         assertThat(read).isEqualTo(model().editor().scene());
     }

@@ -80,13 +80,13 @@ class PropertyPaneTest {
         assertThat(disabled(robot)).isEmpty();
     }
 
-    /** As one picture all of it is drawn again for each number. */
+    /** A cached viewport would be redrawn completely for every number. */
     @Test
     void properties_areNotBitmapCached(FxRobot robot) {
         assertThat(robot.lookup(".properties .viewport").query().isCache()).isFalse();
     }
 
-    /** No section of the pane has a choice now; one that gets one needs no other line than that of the attribute. */
+    /** No section has a choice attribute yet; adding one needs only the attribute. */
     @Test
     void choiceAttribute_isComboBoxThatEditsIt(FxRobot robot) {
         robot.interact(() -> ((VBox) ((ScrollPane) pane.getChildren().getFirst()).getContent()).getChildren()
@@ -105,7 +105,7 @@ class PropertyPaneTest {
         assertThat(box.isDisabled()).isTrue();
     }
 
-    /** Whatever its section: a table's attribute needs no line of the pane's. */
+    /** Attributes of any section get a widget without code in the pane. */
     @Test
     void everyAttribute_hasControlEnabledWhereItApplies(FxRobot robot) {
         for (LightAttribute<?> attribute : LightAttribute.ALL) {
@@ -401,7 +401,7 @@ class PropertyPaneTest {
         TextTyping.replace(robot, robot.lookup("#light-name").queryAs(TextField.class), name).push(KeyCode.ENTER);
     }
 
-    /** The first field of a widget. */
+    /** Returns the first field of a widget. */
     private static TextField field(FxRobot robot, String id) {
         return robot.lookup("#" + id + " .number-field").queryAs(TextField.class);
     }

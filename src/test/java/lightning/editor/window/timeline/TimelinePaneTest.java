@@ -199,13 +199,13 @@ class TimelinePaneTest extends EditorFixture {
         robot.interact(() -> model().editor().selection().selectLight("sun"));
         robot.clickOn(onRuler(5));
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
-        robot.clickOn("Key Intensity at Frame 5");
+        robot.clickOn("Set Keyframe of Intensity at Frame 5");
         assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity").orElseThrow()
                 .keys())
                 .containsExactly(key(5, Interpolation.LINEAR, 0.4));
         assertThat(isShown("key-sun-intensity-5")).isTrue();
         robot.clickOn("#intensity .label", MouseButton.SECONDARY);
-        robot.clickOn("Remove Keys of Intensity");
+        robot.clickOn("Clear Keyframes of Intensity");
         assertThat(model().editor().document().content().shot().orElseThrow().track(TrackTarget.light("sun"), "intensity")).isEmpty();
     }
 

@@ -198,7 +198,7 @@ class ArrowWidgetTest {
         assertThat(gestures.stream().distinct()).hasSize(1);
     }
 
-    /** By hand: so the wheel has no pace. */
+    /** Synthesizes wheel events without a delay between them. */
     private static void turnWheel(FxRobot robot, double delta) {
         robot.interact(
                 () -> field(robot).fireEvent(new ScrollEvent(ScrollEvent.SCROLL, 2, 2, 2, 2, false, false, false, false, false, false, 0,
@@ -248,7 +248,7 @@ class ArrowWidgetTest {
         assertThat(field(robot).isDisabled()).isFalse();
     }
 
-    /** By hand: the robot's mouse knows no modifier keys. */
+    /** Synthesizes mouse events with modifier keys, which the robot does not support. */
     private static void clickTop(FxRobot robot, boolean shift, boolean control) {
         robot.interact(() -> {
             for (EventType<MouseEvent> type : List.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED)) {

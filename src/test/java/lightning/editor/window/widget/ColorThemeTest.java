@@ -33,7 +33,7 @@ class ColorThemeTest {
         assertThat(rules(shipped)).isEqualTo(rules(compiled.toUri().toURL())).hasSizeGreaterThan(100_000);
     }
 
-    /** The value of each color of a root's rule. */
+    /** Returns the color variables of a root rule. */
     private static Map<String, String> colors(URL sheet, String selector) throws IOException {
         return new CssParser().parse(sheet).getRules().stream()
                 .filter(rule -> rule.getSelectors().stream().anyMatch(s -> s.toString().equals("*" + selector)))
@@ -41,7 +41,7 @@ class ColorThemeTest {
                 .collect(Collectors.toMap(Declaration::getProperty, d -> d.getParsedValue().getValue().toString(), (_, last) -> last));
     }
 
-    /** In ours the first grays of lists stand for the last: see the style sheet. */
+    /** The light theme replaces the last grays of the library's palette by the first; see the style sheet. */
     @Test
     void lightTheme_matchesLibraryExceptOwnColors() throws IOException {
         Map<String, String> light = colors(ColorTheme.class.getResource(new PrimerLight().getUserAgentStylesheet()), ".root");
@@ -49,17 +49,17 @@ class ColorThemeTest {
         Map<String, String> ours = colors(ColorTheme.class.getResource("light.css"), ".root:bright");
         Set<String> own = colors(ColorTheme.class.getResource("dark.css"), ".root").keySet();
         assertThat(own).hasSize(14);
-        var seen = new TreeMap<>(dark);
-        seen.putAll(ours);
-        var wanted = new TreeMap<>(light);
-        wanted.put("-color-base-6", light.get("-color-base-1"));
-        wanted.put("-color-base-7", light.get("-color-base-1"));
-        seen.keySet().removeAll(own);
-        wanted.keySet().removeAll(own);
-        assertThat(seen).isEqualTo(wanted).hasSizeGreaterThan(70);
+        var actual = new TreeMap<>(dark);
+        actual.putAll(ours);
+        var expected = new TreeMap<>(light);
+        expected.put("-color-base-6", light.get("-color-base-1"));
+        expected.put("-color-base-7", light.get("-color-base-1"));
+        actual.keySet().removeAll(own);
+        expected.keySet().removeAll(own);
+        assertThat(actual).isEqualTo(expected).hasSizeGreaterThan(70);
     }
 
-    /** Selectors and declarations of all rules; which object an array is tells nothing, nor where the file lies. */
+    /** Returns the selectors and declarations of all rules, without array identities and file locations. */
     private static String rules(URL compiled) throws IOException {
         return Stylesheet.loadBinary(compiled).getRules().stream().map(rule -> rule.getSelectors() + "\n" + rule.getDeclarations())
                 .collect(Collectors.joining("\n")).replaceAll("@[0-9a-f]+|(jar:)?file:[^<]*[.]bss", "");

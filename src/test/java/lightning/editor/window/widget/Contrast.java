@@ -16,25 +16,25 @@ import javafx.scene.paint.Stop;
 import javafx.scene.text.Text;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** How well what is written in a window can be told from what lies behind it: the contrast ratio of WCAG 2.2, success criteria 1.4.3 and 1.4.11. */
+/** Contrast ratio of texts and icons against their background (WCAG 2.2, success criteria 1.4.3 and 1.4.11). */
 public final class Contrast {
-    /** Of text. */
+    /** Minimum ratio of text. */
     public static final double MIN_TEXT_RATIO = 4.5;
-    /** Of icons and focus marks. */
+    /** Minimum ratio of icons and focus marks. */
     public static final double MIN_ICON_RATIO = 3;
-    /** What a dark or light window begins with, behind all. */
+    /** Background color of a dark or light window. */
     private static final Color DEFAULT_BACKGROUND = Color.GRAY;
 
     private Contrast() {}
 
-    /** (L1 + 0.05) / (L2 + 0.05), 1…21, of relative luminances L1 ≥ L2 (WCAG 2.2, "contrast ratio"). */
+    /** Returns the contrast ratio (L1 + 0.05) / (L2 + 0.05), 1…21, of relative luminances L1 ≥ L2 (WCAG 2.2, "contrast ratio"). */
     public static double ratio(Color a, Color b) {
         double la = luminance(a);
         double lb = luminance(b);
         return (Math.max(la, lb) + 0.05) / (Math.min(la, lb) + 0.05);
     }
 
-    /** WCAG 2.2, "relative luminance". */
+    /** Returns the relative luminance (WCAG 2.2, "relative luminance"). */
     private static double luminance(Color c) {
         return 0.2126 * linear(c.getRed()) + 0.7152 * linear(c.getGreen()) + 0.0722 * linear(c.getBlue());
     }
@@ -43,7 +43,7 @@ public final class Contrast {
         return v <= 0.04045 ? v / 12.92 : Math.pow((v + 0.055) / 1.055, 2.4);
     }
 
-    /** All texts and icons below a node that are seen, enabled, and too faint, each as a line. */
+    /** Returns visible, enabled texts and icons below a node with too little contrast, one line each. */
     public static List<String> findLowContrast(Node root) {
         List<String> found = new ArrayList<>();
         checkNode(root, found);
@@ -51,16 +51,16 @@ public final class Contrast {
     }
 
     private static void checkNode(Node node, List<String> found) {
-        // What is disabled need not be read (WCAG 2.2, 1.4.3, "incidental").
+        // Disabled items are exempt (WCAG 2.2, 1.4.3, "incidental").
         if (!node.isVisible() || node.isDisabled()) {
             return;
         }
         if (node instanceof Text text && !text.getText().isBlank() && text.getFill() instanceof Color fill) {
-            double wanted = text instanceof FontIcon ? MIN_ICON_RATIO : MIN_TEXT_RATIO;
+            double required = text instanceof FontIcon ? MIN_ICON_RATIO : MIN_TEXT_RATIO;
             double opacity = opacity(text);
             backgrounds(text.getParent()).stream().min(Comparator.comparingDouble(b -> ratio(blend(fill, opacity, b), b))).ifPresent(b -> {
                 double ratio = ratio(blend(fill, opacity, b), b);
-                if (ratio < wanted) {
+                if (ratio < required) {
                     found.add(String.format(Locale.ROOT, "%.2f: %s on %s, %s in %s", ratio, blend(fill, opacity, b), b,
                             text instanceof FontIcon icon ? String.valueOf(icon.getIconCode()) : "\"" + text.getText() + "\"",
                             describe(text)));
@@ -88,7 +88,7 @@ public final class Contrast {
         return opacity;
     }
 
-    /** What a node lies on: of a gradient each of its stops. */
+    /** Returns the background colors of a node: each stop of a gradient. */
     private static List<Color> backgrounds(Node node) {
         if (node == null) {
             return List.of(DEFAULT_BACKGROUND);

@@ -20,7 +20,7 @@ class DelayedMessageTest {
     @Test
     void shortMessage_isNeverShown() {
         for (int i = 0; i < 10; i++) {
-            message.set("behind");
+            message.set("pending");
             scheduler.advance(Duration.millis(99));
             message.set("");
         }
@@ -30,23 +30,23 @@ class DelayedMessageTest {
 
     @Test
     void lastingMessage_appearsAfterDelayAndHidesImmediately() {
-        message.set("behind");
+        message.set("pending");
         scheduler.advance(Duration.millis(99));
         assertThat(shown).containsExactly("");
         scheduler.advance(Duration.millis(1));
-        assertThat(shown).containsExactly("", "behind");
+        assertThat(shown).containsExactly("", "pending");
         message.set("");
-        assertThat(shown).containsExactly("", "behind", "");
+        assertThat(shown).containsExactly("", "pending", "");
     }
 
     @Test
     void changedMessage_isShownImmediatelyWithoutNewDelay() {
-        message.set("behind");
+        message.set("pending");
         scheduler.advance(Duration.millis(60));
-        message.set("far behind");
+        message.set("out of date");
         scheduler.advance(Duration.millis(40));
-        assertThat(shown).containsExactly("", "far behind");
-        message.set("behind");
-        assertThat(shown).containsExactly("", "far behind", "behind");
+        assertThat(shown).containsExactly("", "out of date");
+        message.set("pending");
+        assertThat(shown).containsExactly("", "out of date", "pending");
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javafx.util.Duration;
 
-/** Time that passes by hand. */
+/** Scheduler with a manually advanced clock. */
 public final class ManualScheduler implements DelayedMessage.Scheduler {
     private record Task(Duration at, Runnable work) {}
 
@@ -18,7 +18,7 @@ public final class ManualScheduler implements DelayedMessage.Scheduler {
         return () -> tasks.remove(task);
     }
 
-    /** Runs what is due, in the order in which it was asked for. */
+    /** Runs due tasks in the order in which they were scheduled. */
     public void advance(Duration time) {
         now = now.add(time);
         for (Task task : List.copyOf(tasks)) {

@@ -4,11 +4,11 @@ import java.util.List;
 import javafx.scene.control.Label;
 import org.testfx.api.FxRobot;
 
-/** The reasons that stand below fields whose text was refused. */
+/** Reads the refusal messages below fields. */
 public final class RefusalTexts {
     private RefusalTexts() {}
 
-    /** Those that can be seen, from above. */
+    /** Returns the visible messages from top to bottom. */
     public static List<String> shown(FxRobot robot) {
         return robot.lookup(".refusal").queryAllAs(Label.class).stream().filter(Label::isVisible).map(Label::getText).toList();
     }

@@ -3,11 +3,11 @@ package lightning.editor.window.widget;
 import javafx.scene.control.TextField;
 import org.testfx.api.FxRobot;
 
-/** Typing over what a field holds, without the way of the mouse to it. */
+/** Types into text fields without moving the mouse. */
 public final class TextTyping {
     private TextTyping() {}
 
-    /** Focuses a field and types in place of its text; Enter is left to the caller. */
+    /** Focuses a field and replaces its text without pressing Enter. */
     public static FxRobot replace(FxRobot robot, TextField field, String text) {
         robot.interact(() -> {
             field.requestFocus();

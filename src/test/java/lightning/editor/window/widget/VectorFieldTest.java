@@ -74,7 +74,7 @@ class VectorFieldTest {
         assertThat(edits.getLast()).isEqualTo(new Vec3(0, -1, 0.5));
     }
 
-    /** By hand: the headless window gives a drag to what is under the mouse, others to where it began. */
+    /** Synthesizes drag events: the headless window sends drags to the node under the mouse, other platforms to the pressed node. */
     private static void drag(Node letter, EventType<MouseEvent> type, double x) {
         letter.fireEvent(
                 new MouseEvent(type, x, 2, x, 2, MouseButton.PRIMARY, 1, false, false, false, false, true, false, false, false, false,

@@ -1,2 +1,2 @@
-/** The controls of the property editor, each alone in a small window. */
+/** Tests of the property editor's controls, each in a small window. */
 package lightning.editor.window.widget;
