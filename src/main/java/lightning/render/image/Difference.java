@@ -77,7 +77,7 @@ public record Difference(
 
     static void requireSameSize(Film a, Film b) {
         if (a.width() != b.width() || a.height() != b.height()) {
-            throw new IllegalArgumentException("pictures to compare must have the same size, one has " + a.width() + " × "
+            throw new IllegalArgumentException("pictures to compare must have the same size; one has " + a.width() + " × "
                     + a.height() + " pixels, the other " + b.width() + " × " + b.height());
         }
     }

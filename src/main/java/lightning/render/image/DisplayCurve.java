@@ -12,13 +12,13 @@ public enum DisplayCurve {
      * As computed in 1998: the linear value itself, {@code 255 · v}. Programs of that time sent it to the display as it was,
      * which shows mid tones darker and shadows deeper than they are.
      */
-    LINEAR("1998", "As Computed in 1998 (Linear)", v -> v, 1),
+    LINEAR("1998", "Linear (No Curve)", v -> v, 1),
     /** {@link ToneCurves#filmic}, then sRGB. */
     FILMIC("filmic", "Filmic (Hable)", v -> Srgb.encoded(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
-    ACES("aces", "ACES (Narkowicz's Fit)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
+    ACES("aces", "ACES (Approximation)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
     /** {@link FalseColor}: stops instead of colors. Single values are shown as by sRGB. */
-    FALSE("false", "False Color by Stops", Srgb::encoded, 1);
+    FALSE("false", "False Color", Srgb::encoded, 1);
 
     private static final double WHITE_16 = 0xFFFF;
 

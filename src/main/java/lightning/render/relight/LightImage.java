@@ -65,7 +65,7 @@ public final class LightImage {
 
     private static float[][] tileImage(CachedTile tile, TileRecomposer painter, WeightedLight[] top, WeightedLight[] mirrors, Scene scene) {
         if (!tile.storesRows()) {
-            throw new IllegalStateException("mirror levels are kept as hit shapes");
+            throw new IllegalStateException("mirror levels are stored as hit shapes");
         }
         // The share has no environment, whose colors alone would ask where the rays go.
         return painter.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),

@@ -166,7 +166,7 @@ public final class LightThumbnails {
         /** @param target for each place of the tile its number in the part, or −1 */
         void renderTile(CachedTile tile, short[] target, TilePart part, float[][] shares) {
             if (!tile.storesRows()) {
-                throw new IllegalStateException("mirror levels are kept as hit shapes");
+                throw new IllegalStateException("mirror levels are stored as hit shapes");
             }
             levels = tile.levels;
             nextLevel = 1;

@@ -36,7 +36,7 @@ public final class PictureTooLargeException extends RuntimeException {
                 case Size size -> "a size of " + size.width + "x" + size.height;
                 case Samples samples -> samples.grid + "x" + samples.grid + " samples";
                 case NoAntialias _ -> "no anti-aliasing";
-                case MirrorsAsShapes _ -> "mirrors kept as shapes";
+                case MirrorsAsShapes _ -> "mirrors stored as shapes";
             };
         }
     }
@@ -67,7 +67,7 @@ public final class PictureTooLargeException extends RuntimeException {
             Function<Suggestion, Optional<String>> describer) {
         String fitting =
                 suggestions.stream().flatMap(suggestion -> describer.apply(suggestion).stream()).collect(Collectors.joining(", or with "));
-        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory and may have %.1f GB; %s", required / GB,
-                Math.max(available, 0) / GB, fitting.isEmpty() ? "no part of it would fit" : "it would fit with " + fitting);
+        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory, and %.1f GB is available; %s", required / GB,
+                Math.max(available, 0) / GB, fitting.isEmpty() ? "it would not fit at any size" : "it would fit with " + fitting);
     }
 }

@@ -166,7 +166,7 @@ public final class Renderer implements AutoCloseable {
      */
     public UpdateResult finish(Progress progress) {
         if (pendingSamples == null) {
-            throw new IllegalStateException("the picture is finished");
+            throw new IllegalStateException("the picture is already finished");
         }
         long start = System.nanoTime();
         PendingSamples pending = pendingSamples;
@@ -247,7 +247,7 @@ public final class Renderer implements AutoCloseable {
      */
     public PixelCache cache() {
         if (cache == null) {
-            throw new IllegalStateException("nothing was rendered yet");
+            throw new IllegalStateException("no scene was rendered yet");
         }
         return cache;
     }

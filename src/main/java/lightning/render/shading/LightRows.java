@@ -39,21 +39,21 @@ public final class LightRows implements LightLayer {
 
     /** All columns that there are: what makes, counts and splices layers knows no others. */
     public enum Column implements ColumnKind {
-        STATE(ElementType.BYTE, "states of the lights"),
+        STATE(ElementType.BYTE, "light states"),
         COSINE(ElementType.FLOAT, "cosines"),
         SPECULAR(ElementType.FLOAT, "specular terms"),
         /** Of a light over metallic materials. */
         GRAZING(ElementType.FLOAT, "grazing terms"),
         FALLOFF(ElementType.FLOAT, "falloffs"),
         /** Of a light that is larger than a point: to which of its samples 0…15, 16…31 and so on a row's ways are free. */
-        SEEN_0(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_1(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_2(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_3(ElementType.SHORT, "samples seen of soft lights"),
+        SEEN_0(ElementType.SHORT, "visible samples of area lights"),
+        SEEN_1(ElementType.SHORT, "visible samples of area lights"),
+        SEEN_2(ElementType.SHORT, "visible samples of area lights"),
+        SEEN_3(ElementType.SHORT, "visible samples of area lights"),
         /** What passes of the light on a free way through clear shapes; 1 where none is in between. */
-        TINT_RED(ElementType.FLOAT, "colors of tinted shadows"),
-        TINT_GREEN(ElementType.FLOAT, "colors of tinted shadows"),
-        TINT_BLUE(ElementType.FLOAT, "colors of tinted shadows");
+        TINT_RED(ElementType.FLOAT, "tinted shadow colors"),
+        TINT_GREEN(ElementType.FLOAT, "tinted shadow colors"),
+        TINT_BLUE(ElementType.FLOAT, "tinted shadow colors");
 
         static final List<Column> SAMPLE_COLUMNS = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
         static final List<Column> TINT_COLUMNS = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);

@@ -95,7 +95,7 @@ class ViewTransformTest {
     void falseColor_isNotSaved() {
         ViewTransform stops = new ViewTransform(0.5, DisplayCurve.FALSE);
         assertThat(stops.forOutput()).isEqualTo(new ViewTransform(0.5));
-        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).description()).isEqualTo("ACES (Narkowicz's Fit), -0.5 stops");
+        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).description()).isEqualTo("ACES (Approximation), -0.5 stops");
     }
 
     @Test

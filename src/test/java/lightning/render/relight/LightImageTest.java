@@ -85,7 +85,7 @@ class LightImageTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withStorage(MirrorStorage.HIT_SHAPES))) {
             renderer.render(mirroring, Progress.NONE);
             assertThatThrownBy(() -> renderer.lightImage(StudioScene.KEY, Progress.NONE)).isInstanceOf(IllegalStateException.class)
-                    .hasMessage("mirror levels are kept as hit shapes");
+                    .hasMessage("mirror levels are stored as hit shapes");
         }
     }
 }

@@ -97,7 +97,7 @@ class MemoryEstimateTest {
         Scene huge = ballsScene(16384, 16384, AntialiasMode.EVERY, 8);
         assertThatThrownBy(() -> MemoryEstimate.check(huge, options)).isInstanceOf(PictureTooLargeException.class)
                 .hasMessageMatching(
-                        "the picture needs about \\d{3,4}\\.\\d GB of memory and may have 1\\.0 GB; it would fit with a size of .+")
+                        "the picture needs about \\d{3,4}\\.\\d GB of memory, and 1\\.0 GB is available; it would fit with a size of .+")
                 .satisfies(e -> {
                     Matcher size = Pattern.compile("(\\d+)x(\\d+)").matcher(e.getMessage());
                     assertThat(size.find()).isTrue();
@@ -138,7 +138,7 @@ class MemoryEstimateTest {
         long full = MemoryForecast.of(scene, OPTIONS).bytes(scene.picture());
         assertThatThrownBy(() -> MemoryEstimate.check(scene, OPTIONS.withMemory(full - 1)))
                 .isInstanceOfSatisfying(PictureTooLargeException.class, e -> {
-                    assertThat(e.message(suggestion -> Optional.of(suggestion.description()))).contains("mirrors kept as shapes");
+                    assertThat(e.message(suggestion -> Optional.of(suggestion.description()))).contains("mirrors stored as shapes");
                     assertThat(e).message().doesNotContain("shapes");
                 });
     }
@@ -149,7 +149,7 @@ class MemoryEstimateTest {
         // 12 bytes a pixel are 3.2 GB.
         assertThatThrownBy(() -> MemoryEstimate.checkFilm(huge, 1_000_000_000)).isInstanceOf(PictureTooLargeException.class)
                 .hasMessageStartingWith(
-                        "the picture needs about 3.2 GB of memory and may have 1.0 GB; it would fit with a size of 9120x9120");
+                        "the picture needs about 3.2 GB of memory, and 1.0 GB is available; it would fit with a size of 9120x9120");
         assertThatCode(() -> MemoryEstimate.checkFilm(huge.withSize(9120, 9120), 1_000_000_000)).doesNotThrowAnyException();
         assertThatCode(() -> MemoryEstimate.checkFilm(huge, 12L << 28)).doesNotThrowAnyException();
     }

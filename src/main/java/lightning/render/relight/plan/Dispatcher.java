@@ -41,26 +41,26 @@ public final class Dispatcher {
      */
     public static UpdatePlan plan(PixelCache cache, Scene target, Geometry geometry, boolean mirrors, UpdateMethod method) {
         if (cache == null) {
-            return new UpdatePlan.FirstPass(Messages.key("no picture yet"));
+            return new UpdatePlan.FirstPass(Messages.key("no image yet"));
         }
         Scene known = cache.scene();
         if (known.picture().width() != target.picture().width() || known.picture().height() != target.picture().height()) {
-            return new UpdatePlan.FirstPass(Messages.key("another size"));
+            return new UpdatePlan.FirstPass(Messages.key("resolution changed"));
         }
         boolean resampled = !known.picture().sampling().hasSameSamples(target.picture().sampling());
         // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
         if (resampled && (hasNoCenters(known) || hasNoCenters(target)
                 || cache.geometry().castsReflections() != MaterialTable.CASTS_REFLECTIONS)) {
-            return new UpdatePlan.FirstPass(Messages.key("other samples"));
+            return new UpdatePlan.FirstPass(Messages.key("anti-aliasing changed"));
         }
         if (!known.camera().equals(target.camera())) {
-            return new UpdatePlan.FirstPass(Messages.key("another camera"));
+            return new UpdatePlan.FirstPass(Messages.key("camera changed"));
         }
         ShapeChange shapes = cache.geometry().canServe(target) ? ShapeChange.NONE
                 : geometry != null ? cache.geometry().changeTo(geometry) : cache.geometry().changeTo(target);
         boolean reshaped = shapes != ShapeChange.NONE;
         if (!shapes.hasUnchanged() || reshaped && resampled) {
-            return new UpdatePlan.FirstPass(Messages.key("other shapes"));
+            return new UpdatePlan.FirstPass(Messages.key("objects changed"));
         }
         int oldDepth = known.picture().depth();
         int newDepth = target.picture().depth();
@@ -73,7 +73,7 @@ public final class Dispatcher {
         LevelPlan mirrored = refresh ? planLevel(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), target,
                 materials, shapes, method) : null;
         if (resampled && !(top.materials().mirroringChanged().isEmpty() && mirrored.materials().mirroringChanged().isEmpty())) {
-            return new UpdatePlan.FirstPass(Messages.key("other samples and mirrors"));
+            return new UpdatePlan.FirstPass(Messages.key("anti-aliasing and reflections changed"));
         }
         return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes);
     }

@@ -43,7 +43,7 @@ public sealed interface UpdatePlan {
     default List<String> steps() {
         return switch (this) {
             case Nothing _ -> List.of(Messages.tr("nothing to do"));
-            case FirstPass first -> List.of(Messages.tr("first pass: {0}", Messages.tr(first.reason())));
+            case FirstPass first -> List.of(Messages.tr("full render: {0}", Messages.tr(first.reason())));
             case Relight relight -> PlanDescription.steps(relight);
         };
     }

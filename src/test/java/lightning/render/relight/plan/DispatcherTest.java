@@ -104,17 +104,17 @@ class DispatcherTest {
         try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, STUDIO)) {
             Camera c = STUDIO.camera();
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24))).update())
-                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+                    .isEqualTo(new UpdatePlan.FirstPass("resolution changed"));
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(30, 25))).update())
-                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+                    .isEqualTo(new UpdatePlan.FirstPass("resolution changed"));
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41))).update())
-                    .isEqualTo(new UpdatePlan.FirstPass("another camera"));
+                    .isEqualTo(new UpdatePlan.FirstPass("camera changed"));
             Scene others = STUDIO.withNodes(STUDIO.nodes().stream().<SceneNode>map(n -> ((Shape) n).withName(n.name() + "2")).toList());
-            assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
+            assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("objects changed"));
             Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)));
-            assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("other samples"));
+            assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("anti-aliasing changed"));
             renderer.clear();
-            assertThat(renderer.plan(STUDIO).update()).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
+            assertThat(renderer.plan(STUDIO).update()).isEqualTo(new UpdatePlan.FirstPass("no image yet"));
         }
     }
 
