@@ -29,21 +29,21 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 
 /**
- * Brings what is known of a picture from one accuracy to the other. Both keep each row's state, so that the terms
- * of one follow from the other's without a ray: contributions by multiplying the terms, terms by computing those of lit
- * rows anew. The picture is then composed anew, so that no error of scaled contributions stays in it.
+ * Converts a pixel cache from one accuracy to the other without casting rays. Both accuracies store each row's state: contributions
+ * are computed by multiplying the terms, and terms by recomputing lit rows. The picture is then recomposed, so that no error of
+ * scaled contributions remains.
  *
- * @param cache what is known; mirror levels must be kept as rows
- * @param options    how it shall be known
+ * @param cache   the cache to convert; its mirror levels must be stored as rows
+ * @param options target options
  */
 record CacheConversion(PixelCache cache, RenderOptions options) {
 
-    /** Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone. */
+    /** Returns whether a cache can be converted. Mirror levels stored as hit shapes have no rows and cannot. */
     static boolean canConvert(PixelCache cache) {
         return cache.allTiles().stream().allMatch(CachedTile::storesRows);
     }
 
-    /** What it does, as a plan. */
+    /** Returns the conversion as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
@@ -51,10 +51,10 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth);
     }
 
-    /** What is known afterwards, and what that took. */
+    /** Converted cache and the work it took. */
     record Result(PixelCache cache, WorkCounts work) {}
 
-    /** @throws CancellationException if {@code progress} asked to stop */
+    /** @throws CancellationException if {@code progress} requested cancellation */
     Result run(WorkerPool workers, Progress progress) {
         var top = LevelLights.of(cache.scene(), cache.lights());
         var mirrors = LevelLights.of(cache.mirroredScene(), cache.mirroredLights());
@@ -86,14 +86,14 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         return lights.stream().map(CachedLight::withComputedStamp).toList();
     }
 
-    /** The lights of a scene that levels show, as they shine, and as they are known. */
+    /** Lights of a scene that levels show: as they shine and as they are cached. */
     private record LevelLights(Scene scene, WeightedLight[] lights, List<CachedLight> cachedLights) {
         static LevelLights of(Scene scene, List<CachedLight> known) {
             return new LevelLights(scene, WeightedLight.ofScene(scene), known);
         }
     }
 
-    /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
+    /** Converts layers with scratch memory: one instance for each thread, and for the first level and those in mirrors. */
     private static final class LayerConverter {
         private final LightKernel kernel;
         private final LayerUpdater updater;
@@ -118,7 +118,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         }
     }
 
-    /** Converts tiles: one for each thread. */
+    /** Converts tiles: one instance per thread. */
     private static final class TileConverter {
         private final LayerConverter eye;
         private final LayerConverter mirror;

@@ -7,8 +7,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * A picture does not fit into the memory that it may take. The message is a sentence without its full stop that says what would
- * fit, for somebody who cannot choose how mirrors are kept.
+ * Reports a picture that does not fit into its memory limit. The message is a sentence without a period that suggests what would
+ * fit. It omits the storage of mirrors, which not every caller can choose.
  */
 public final class PictureTooLargeException extends RuntimeException {
     private static final long serialVersionUID = 1;
@@ -18,19 +18,19 @@ public final class PictureTooLargeException extends RuntimeException {
     private final long availableBytes;
     private final transient List<Suggestion> suggestions;
 
-    /** What of the picture would fit. */
+    /** Change of the picture that would fit. */
     public sealed interface Suggestion {
         record Size(int width, int height) implements Suggestion {}
 
-        /** So many along each side of a pixel. */
+        /** Samples along each side of a pixel. */
         record Samples(int grid) implements Suggestion {}
 
         record NoAntialias() implements Suggestion {}
 
-        /** Of mirror levels only the shapes that rays hit. */
+        /** Store only the hit shapes of mirror levels. */
         record MirrorsAsShapes() implements Suggestion {}
 
-        /** As in "it would fit with …". */
+        /** Returns the phrase after "it would fit with". */
         default String description() {
             return switch (this) {
                 case Size size -> "a size of " + size.width + "x" + size.height;
@@ -42,9 +42,9 @@ public final class PictureTooLargeException extends RuntimeException {
     }
 
     /**
-     * @param required      bytes
-     * @param available bytes
-     * @param suggestions      what would fit; none where nothing would
+     * @param required    bytes
+     * @param available   bytes
+     * @param suggestions changes that would fit; empty if nothing fits
      */
     PictureTooLargeException(long required, long available, List<Suggestion> suggestions) {
         super(text(required, available, suggestions,
@@ -55,9 +55,9 @@ public final class PictureTooLargeException extends RuntimeException {
     }
 
     /**
-     * The message in the words of whoever asked.
+     * Returns the message with suggestions in the caller's words.
      *
-     * @param describer for a way out; empty where it cannot be taken there
+     * @param describer phrase of a suggestion; empty if the caller does not offer it
      */
     public String message(Function<Suggestion, Optional<String>> describer) {
         return text(requiredBytes, availableBytes, suggestions, describer);
