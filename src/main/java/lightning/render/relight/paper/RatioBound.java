@@ -51,11 +51,11 @@ final class RatioBound {
     private RatioBound() {}
 
     /**
-     * The stamp of a layer after it was scaled.
+     * Returns the stamp of a layer after it was scaled.
      *
-     * @param weight       whether weights were scaled
-     * @param falloff      whether falloffs were scaled
-     * @param minFalloff the least falloff, old or new, of rows whose falloff was scaled
+     * @param weight     true if weights were scaled
+     * @param falloff    true if falloffs were scaled
+     * @param minFalloff the smallest old or new falloff of rows whose falloff was scaled
      */
     static ScaledStamp stampAfterScaling(LayerStamp stamp, Light light, boolean weight, boolean falloff, double minFalloff) {
         ScaledStamp before = ScaledStamp.of(stamp);
@@ -67,7 +67,7 @@ final class RatioBound {
                 falloff ? 0 : ofWeight);
     }
 
-    /** What contributions lose that are computed and not scaled, as a share of the weight. */
+    /** Returns the loss of contributions that are computed and not scaled, as a share of the weight. */
     private static double initialLoss(Light light) {
         return 2 * UNDERFLOW * (weight(light) + 1) / minWeight(light);
     }
@@ -76,12 +76,12 @@ final class RatioBound {
         return light.weight().max();
     }
 
-    /** The least weight of a channel that is a normal float; +∞ where there is none. */
+    /** Returns the smallest weight of a channel that is a normal float; +∞ if there is none. */
     private static double minWeight(Light light) {
         double min = Double.POSITIVE_INFINITY;
         Rgb weight = light.weight();
         for (double channel : new double[] {weight.r(), weight.g(), weight.b()}) {
-            // Rounded as the contributions' weight is.
+            // Rounded like the contributions' weight.
             float w = (float) channel;
             min = w >= Float.MIN_NORMAL ? Math.min(min, w) : min;
         }
@@ -89,10 +89,10 @@ final class RatioBound {
     }
 
     /**
-     * The relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 where nothing was scaled.
+     * Returns the relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 if nothing was scaled.
      *
-     * @param mirrors in how many mirrors the level is seen at most
-     * @param samples of how many samples a pixel is the mean
+     * @param mirrors maximum number of mirrors that the level is seen in
+     * @param samples number of samples per pixel
      */
     static double relative(LayerStamp[] stamps, int mirrors, int samples) {
         int max = 0;
@@ -108,20 +108,20 @@ final class RatioBound {
         return gamma / (1 - gamma);
     }
 
-    /** The depth of the balanced sum of so many terms: ⌈log₂ terms⌉. */
+    /** Returns the depth of the balanced sum of this many terms: ⌈log₂ terms⌉. */
     private static int treeDepth(int terms) {
         return 32 - Integer.numberOfLeadingZeros(Math.max(0, terms - 1));
     }
 
-    /** What the terms of one light over rows of these materials at most add up to. */
+    /** Returns the maximum sum of one light's terms over rows of these materials. */
     static double maxTermSum(MaterialTable materials) {
         return materials.hasMetallic() ? 1 + 2 * materials.maxTerm() : 2;
     }
 
     /**
-     * The absolute part A of as many levels as given.
+     * Returns the absolute part A for a number of levels.
      *
-     * @param terms what the terms of one light at most add up to ({@link #maxTermSum})
+     * @param terms maximum sum of one light's terms ({@link #maxTermSum})
      */
     static double absolute(LayerStamp[] stamps, int levels, double terms) {
         double sum = 0;
