@@ -167,7 +167,7 @@ public final class LightKernel {
             terms.computeDistances(rows, source);
         }
         LightRows coneUpdated = count == 0 ? before : moveCone(rows, source, before, columns);
-        // The falloff is written for lit rows; those that the cone change tested are already counted.
+        // The falloff is written for lit rows; rows that the cone change tested are already counted.
         rowsTouched += count + (falloff && !cone.canChange(LightRows.LIT) ? before.litCount : 0);
         if (coneUpdated.litCount == 0) {
             return coneUpdated;

@@ -22,8 +22,8 @@ import lightning.scene.Light;
  */
 public final class LightRows implements LightLayer {
     /**
-     * States, tested in this order. If a cone misses the whole tile, all its rows are outside, even those that face away. Lit means
-     * potentially lit (paper §4.4), even if the falloff is 0.
+     * States, tested in this order. If a cone misses the whole tile, all its rows are outside, including rows that face away. Lit
+     * means potentially lit (paper §4.4), even if the falloff is 0.
      */
     public static final byte FACING_AWAY = 0;
     public static final byte OUTSIDE_CONE = 1;

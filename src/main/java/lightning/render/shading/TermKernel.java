@@ -44,7 +44,7 @@ public interface TermKernel {
      */
     void addPossibleHighlights(HitRows rows, int from, int to, LightSource source, double shininess, int[] candidates);
 
-    /** Computes the distances to a point light, which is all that its falloffs need. */
+    /** Computes the distances to a point light, from which its falloffs follow. */
     void computeDistances(HitRows rows, LightSource source);
 
     /** Computes the cosines from the cone's axis for the light that was aimed at. */

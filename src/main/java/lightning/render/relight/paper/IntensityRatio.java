@@ -7,9 +7,8 @@ record IntensityRatio(float red, float green, float blue) {
     static final IntensityRatio NONE = new IntensityRatio(1, 1, 1);
 
     /**
-     * Returns the ratio between two weights. It is not usable, see {@link #isUsable}, if an old weight is 0 and the new one is not.
-     * The same applies if an old weight is so small that its contributions have lost digits; such contributions are not scaled by
-     * falloffs either.
+     * Returns the ratio between two weights. It is not usable, see {@link #isUsable}, if an old weight is 0 and the new one is not,
+     * or if an old weight is so small that its contributions have lost digits. Falloffs do not scale such contributions either.
      */
     static IntensityRatio between(WeightedLight before, WeightedLight after) {
         return new IntensityRatio(ratio(before.red(), after.red()), ratio(before.green(), after.green()),

@@ -208,7 +208,7 @@ public final class RatioKernel {
         return to;
     }
 
-    /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
+    /** Removes rows that left the cone and adds rows that entered it; {@code scaled} holds the others. */
     private RatioRows updateCone(HitRows rows, WeightedLight light, RatioRows before, RatioRows scaled, ConeChange cone) {
         scratch.reset();
         LightRows known = toTermLayer(before);
