@@ -28,7 +28,7 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 
-/** Another accuracy, in the midst of a session, keeps what is known and breaks no promise. */
+/** Tests that a change of accuracy during a session keeps the cache and stays within its guarantees. */
 class CacheConversionTest {
     private static final RenderOptions EXACT = new RenderOptions(Accuracy.EXACT, ReflectionMode.STALE, MirrorStorage.FULL_ROWS, 1);
     private static final RenderOptions RATIO = EXACT.withAccuracy(Accuracy.RATIO);

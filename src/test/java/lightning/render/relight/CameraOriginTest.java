@@ -14,10 +14,10 @@ import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A camera whose render space begins elsewhere, as that of a preview which moves. */
+/** Tests a camera with another render space origin, as for a moving preview. */
 class CameraOriginTest {
     private static final int SIZE = 80;
-    /** Half a step of a display of 8 bits, about. */
+    /** About half a step of an 8-bit display. */
     private static final float SEEN = 2e-3f;
 
     private static Scene scene(String name) throws Exception {
@@ -25,7 +25,7 @@ class CameraOriginTest {
         return scene.withPicture(scene.picture().withSize(SIZE, SIZE));
     }
 
-    /** The scene from a little to the side and above. */
+    /** Returns a camera slightly to the side and above. */
     private static Camera moved(Camera camera) {
         Vec3 toTarget = camera.to().minus(camera.from());
         return new Camera(camera.from().plus(toTarget.cross(camera.up()).times(0.3)).plus(camera.up().times(0.1 * toTarget.length())),

@@ -27,10 +27,10 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.StatisticsReport;
 
-/** An update that is canceled or fails leaves everything as if it had never begun. */
+/** Tests that a canceled or failed update leaves the state as before. */
 @Slow
 class CancellationTest {
-    /** So many stops that even an underflow would show: at accuracy ratio every scaling is followed by a refresh. */
+    /** Exposure in stops at which even an underflow would be visible: at accuracy ratio a refresh follows every scaling. */
     private static final double REFRESHING = 160;
 
     @Provide
@@ -38,7 +38,7 @@ class CancellationTest {
         return EditSession.sessions();
     }
 
-    /** How an update ends before it is done. */
+    /** Kinds of interruption of an update. */
     enum Interruption {
         CANCELLED {
             @Override
@@ -56,7 +56,7 @@ class CancellationTest {
         abstract Progress after(int checks);
     }
 
-    /** Two renderers go through a session; the updates of one are ended once before they are done. */
+    /** Two renderers run a session; each update of one of them is interrupted once before it completes. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void interruptedUpdates_leaveStateUnchanged(@ForAll("sessions") EditSession session, @ForAll Interruption end,
@@ -83,7 +83,7 @@ class CancellationTest {
         }
     }
 
-    /** An update that may be ended on its way; null if it was, and then nothing may be different. */
+    /** Runs an update that may be interrupted; returns null if it was, after checking that nothing changed. */
     private static UpdateResult interrupted(Renderer renderer, Scene target, Progress ending, EditSession session, int step) {
         Film film = renderer.film().copy();
         Scene scene = renderer.scene();
@@ -98,12 +98,12 @@ class CancellationTest {
         }
     }
 
-    /** What an update says but for its time. */
+    /** Returns the contents of an update result except for its time. */
     private static List<Object> work(UpdateResult update) {
         return List.of(parts(update.plan()), update.rowsTouched(), update.rowsComposed(), update.rays());
     }
 
-    /** All of a plan, but of a change of shapes only that there is one: each is found anew and equal to none but itself. */
+    /** Returns the parts of a plan, but only the existence of a shape change, because each instance equals only itself. */
     private static Object parts(UpdatePlan plan) {
         return plan instanceof UpdatePlan.Relight r
                 ? Arrays.asList(parts(r.top()), parts(r.mirrors()), r.oldDepth(), r.newDepth(), r.resampled(), r.shapes().isEmpty()) : plan;

@@ -35,9 +35,9 @@ import net.jqwik.api.constraints.Size;
 import net.jqwik.api.statistics.StatisticsReport;
 import org.junit.jupiter.api.Test;
 
-/** Pixels' centers first and finer samples when there is time: the finished picture is the same in every bit. */
+/** Tests that pixel centers first and finer samples later give a finished picture with the same bits. */
 class DeferredSamplesTest {
-    /** What happens after the centers of an edit are there. */
+    /** Actions after the centers of an edit are finished. */
     enum NextAction {
         FINISH, LEAVE, CANCEL, RENDER, REFLECT
     }
@@ -152,7 +152,7 @@ class DeferredSamplesTest {
         }
     }
 
-    /** The eye's rays of the samples without those of the centers. */
+    /** Returns the camera rays of the samples without those of the centers. */
     private static long firstSamples() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             return renderer.render(key(0.5, true), Progress.NONE).rays().eye() - 70L * 50;
@@ -212,7 +212,7 @@ class DeferredSamplesTest {
                 renderer.render(studio(), Progress.NONE);
                 renderer.render(lit, Progress.NONE);
                 renderer.render(dark, Progress.NONE);
-                // Mirrors show that the light is off, but what is known of it there is of the intensity before.
+                // Mirrors show that the light is off, but its cached layer there has the intensity before.
                 renderer.updateReflections(Progress.NONE);
             }
             for (Scene scene : List.of(dark.withPicture(dark.picture().withDepth(0)), lit)) {

@@ -25,7 +25,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** One light's share of a picture, from what is known of it. */
+/** Tests the image of one light's contribution, composed from the cache. */
 @Slow
 class LightImageTest {
 
@@ -34,7 +34,7 @@ class LightImageTest {
         return EditSession.sessions();
     }
 
-    /** Each case traces the reference for each light of each scene: as many as take no longer than another property's. */
+    /** Each case traces the reference for each light of each scene, so few cases take as long as another property. */
     @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
     void lightImage_matchesReferenceOfSingleLight(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {

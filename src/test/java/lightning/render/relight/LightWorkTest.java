@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Each edit of a light does the least work: its plan, rows and shadow rays, for every type of light. */
+/** Tests that each edit of a light does the least work: its plan, rows and shadow rays, for every type of light. */
 class LightWorkTest {
     private static final LightUpdate KEEP = new LightUpdate.Keep();
     private static final LightUpdate REWEIGHT = new LightUpdate.Reweight();
@@ -43,7 +43,7 @@ class LightWorkTest {
         assertThat(StudioRenderer.layers(update)).containsExactly(layers);
     }
 
-    /** The edit does not act on the type: nothing at all is done. */
+    /** Asserts that an edit without effect on the light's type does no work. */
     private static void assertNothingDone(UpdateResult update) {
         assertPlan(update, KEEP);
         assertWork(update, 0, 0, 0, 0);
