@@ -76,7 +76,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 fine[i] = options.accuracy().isExact() ? tile.withoutColors() : tile;
             }
         }, progress);
-        WorkCounts work = threads.stream().flatMap(crew -> crew.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
+        WorkCounts work = threads.stream().flatMap(thread -> thread.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
                 WorkCounts::plus);
         return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.scenes(), recomputed(cache.lights()),
                 recomputed(cache.mirroredLights())), work);
@@ -122,13 +122,13 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
     private static final class TileConverter {
         private final LayerConverter eye;
         private final LayerConverter mirror;
-        private final TileRecomposer painter;
+        private final TileRecomposer recomposer;
         private long rowsComposed;
 
         TileConverter(PixelCache cache, RenderOptions to, Engine engine) {
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.geometry().withMaterialsOf(cache.mirroredScene()), to, engine);
-            painter = new TileRecomposer(cache, engine, to.view());
+            recomposer = new TileRecomposer(cache, engine, to.view());
         }
 
         CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
@@ -137,9 +137,10 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
                 rowsComposed += levels[k].rows().count;
             }
-            BounceImages scratch = painter.composeImages(levels, mirrors.lights(), mirrors.scene().world());
+            BounceImages scratch = recomposer.composeImages(levels, mirrors.lights(), mirrors.scene().world());
             BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
-            return new CachedTile(levels, old.hitShapes, images, painter.composeFilm(levels[0], top.lights(), top.scene(), places, images),
+            return new CachedTile(levels, old.hitShapes, images,
+                    recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images),
                     old.codes);
         }
 

@@ -47,11 +47,11 @@ public record LightContribution(String light, boolean shines, double imageShare,
                     largest = Math.max(largest, Math.abs((double) a[i] - b[i]));
                 }
             }
-            int[] seenBefore = view.toPixels(before);
-            int[] seenAfter = view.toPixels(after);
+            int[] pixelsBefore = view.toPixels(before);
+            int[] pixelsAfter = view.toPixels(after);
             long shown = 0;
-            for (int i = 0; i < seenBefore.length; i++) {
-                shown += seenBefore[i] == seenAfter[i] ? 0 : 1;
+            for (int i = 0; i < pixelsBefore.length; i++) {
+                shown += pixelsBefore[i] == pixelsAfter[i] ? 0 : 1;
             }
             return new FilmChange(values, largest, shown);
         }

@@ -50,25 +50,26 @@ public final class LightImage {
         Scene scene = scene(cache.scene(), light);
         WeightedLight[] top = WeightedLight.ofScene(scene);
         WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirroredScene(), light));
-        List<EngineWorkers<TileRecomposer>> painters = EngineWorkers.perThread(workers.count(), options.engines(),
+        List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(),
                 engine -> new TileRecomposer(cache, engine, options.view()));
         int perPixel = scene.picture().sampling().samplesPerPixel();
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
-            Function<CachedTile, float[][]> share = tile -> tileImage(tile, painters.get(worker).forTile(i), top, mirrors, scene);
+            Function<CachedTile, float[][]> share = tile -> tileImage(tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
             CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
             films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fineTile(i).film(center, share, perPixel);
         }, progress);
         return film(scene, films);
     }
 
-    private static float[][] tileImage(CachedTile tile, TileRecomposer painter, WeightedLight[] top, WeightedLight[] mirrors, Scene scene) {
+    private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,
+            Scene scene) {
         if (!tile.storesRows()) {
             throw new IllegalStateException("mirror levels are stored as hit shapes");
         }
         // The contribution has no environment map, whose colors alone would need ray directions.
-        return painter.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
-                painter.composeImages(tile.levels, mirrors, scene.world()));
+        return recomposer.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
+                recomposer.composeImages(tile.levels, mirrors, scene.world()));
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

@@ -36,11 +36,11 @@ final class MemoryForecast {
     private final double edgeBytes;
     private final double edgeExponent;
 
-    private MemoryForecast(Scene scene, RenderOptions options, SmallRender small, SmallRender twice, double edges, double power) {
+    private MemoryForecast(Scene scene, RenderOptions options, SmallRender small, SmallRender large, double edges, double power) {
         this.scene = scene;
         this.options = options;
-        borderBytes = Math.max(0, (small.bytesPerCenter() - twice.bytesPerCenter()) * 2 * SMALL_SIDE);
-        bytesPerCenter = twice.bytesPerCenter() - borderBytes / (2 * SMALL_SIDE);
+        borderBytes = Math.max(0, (small.bytesPerCenter() - large.bytesPerCenter()) * 2 * SMALL_SIDE);
+        bytesPerCenter = large.bytesPerCenter() - borderBytes / (2 * SMALL_SIDE);
         this.edgeBytes = edges;
         this.edgeExponent = power;
     }
@@ -49,13 +49,13 @@ final class MemoryForecast {
     static MemoryForecast of(Scene scene, RenderOptions options) {
         boolean edges = scene.picture().sampling().antialias() == AntialiasMode.EDGES;
         SmallRender small = SmallRender.of(scene, options, SMALL_SIDE, edges);
-        SmallRender twice = SmallRender.of(scene, options, 2 * SMALL_SIDE, false);
+        SmallRender large = SmallRender.of(scene, options, 2 * SMALL_SIDE, false);
         if (!edges || small.fine == 0) {
-            return new MemoryForecast(scene, options, small, twice, 0, 2);
+            return new MemoryForecast(scene, options, small, large, 0, 2);
         }
         SmallRender half = SmallRender.of(scene, options, SMALL_SIDE / 2, true);
         double power = half.fine == 0 ? 2 : Math.clamp(Math.log((double) small.fine / half.fine) / Math.log(2), 1, 2);
-        return new MemoryForecast(scene, options, small, twice, small.fine, power);
+        return new MemoryForecast(scene, options, small, large, small.fine, power);
     }
 
     /**

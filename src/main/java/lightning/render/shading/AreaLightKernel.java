@@ -57,12 +57,12 @@ final class AreaLightKernel {
     private boolean hasSpecular;
     private boolean hasMetallic;
 
-    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter written, RequiredWork demands) {
+    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter writer, RequiredWork required) {
         this.links = links;
         this.tracer = tracer;
         this.terms = terms;
-        this.columnWriter = written;
-        this.requiredWork = demands;
+        this.columnWriter = writer;
+        this.requiredWork = required;
     }
 
     private static int[][] allocateSets() {

@@ -113,7 +113,7 @@ public final class EdgeCodeBuilder {
         return new EdgeCodes(sum(shapes, mirrorShapes), sum(lights, mirrorLights), mirrorShapes, mirrorLights);
     }
 
-    /** Returns the codes if only the first level was added, with known contributions from mirrors. */
+    /** Returns the codes if only the first level was added, with the cached parts from mirrors. */
     public EdgeCodes build(EdgeCodes known) {
         return new EdgeCodes(sum(shapes, known.mirroredShapes()), sum(lights, known.mirroredLights()), known.mirroredShapes(),
                 known.mirroredLights());

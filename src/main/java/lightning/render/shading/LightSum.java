@@ -11,7 +11,7 @@ import java.util.List;
  * bit. A result is valid until the next call.
  *
  * <p>If each half of the tree is a chain of lights, as for up to six lights, one pass adds them all. Otherwise the sum of the left
- * half is computed first and used as a known sum.
+ * half is computed first and used as a precomputed sum.
  */
 final class LightSum {
     private final SumKernel sumKernel;
@@ -38,7 +38,7 @@ final class LightSum {
         return sum();
     }
 
-    /** Returns the sum over all lights from the known branches next to one light's path to the root. */
+    /** Returns the sum over all lights from the cached branches next to one light's path to the root. */
     SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
         begin(count, sceneLights, lightLayers);
         int light = branches.key().light();

@@ -36,7 +36,7 @@ public final class PixelExplainer {
         this(scene, new Geometry(scene), new HashMap<>(), withoutCutouts(scene));
     }
 
-    /** @param known geometry that serves the scene, from its traced picture */
+    /** @param known existing geometry that serves the scene, from its traced picture */
     public PixelExplainer(Scene scene, Geometry known) {
         this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null);
     }

@@ -55,7 +55,7 @@ final class ShadowCaster {
     private final Map<AreaSamples, ShadowRayTarget[]> areaTargets = new HashMap<>();
     private ShadowRayTarget[] currentTargets;
     /** Rows with possibly blocked and possibly unblocked rays to the area, and rows whose rays are all blocked. */
-    private final int[] doubtful = RowBits.allocate();
+    private final int[] possiblyBlocked = RowBits.allocate();
     private final int[] fullyOccluded = RowBits.allocate();
     private final int[] queried = RowBits.allocate();
     private final boolean castsShadows;
@@ -307,7 +307,7 @@ final class ShadowCaster {
             int to = Math.min(words, from + WORDS_PER_GROUP);
             boolean canBlock = any && canBlock(rows, from * RowBits.WIDTH, Math.min(rows.count, to * RowBits.WIDTH));
             boolean isOccluded = canBlock && isFullyOccluded(source);
-            Arrays.fill(doubtful, from, to, canBlock && !isOccluded ? -1 : 0);
+            Arrays.fill(possiblyBlocked, from, to, canBlock && !isOccluded ? -1 : 0);
             Arrays.fill(fullyOccluded, from, to, isOccluded ? -1 : 0);
         }
     }
@@ -325,7 +325,7 @@ final class ShadowCaster {
     /** Returns the chosen rows whose shadow rays to the current area may be blocked; valid until the next call. */
     int[] uncertainRows(HitRows rows, int[] chosen) {
         for (int b = 0; b < RowBits.words(rows.count); b++) {
-            queried[b] = chosen[b] & doubtful[b];
+            queried[b] = chosen[b] & possiblyBlocked[b];
         }
         return queried;
     }

@@ -37,7 +37,7 @@ public final class SumOperands {
     public final float[] red = new float[MAX_LIGHTS];
     public final float[] green = new float[MAX_LIGHTS];
     public final float[] blue = new float[MAX_LIGHTS];
-    /** Number of known sums. */
+    /** Number of precomputed sums. */
     public int sumCount;
     public final float[][] sumRed = new float[MAX_SUMS][];
     public final float[][] sumGreen = new float[MAX_SUMS][];
@@ -73,7 +73,7 @@ public final class SumOperands {
         firstChainLength = lightCount;
     }
 
-    /** Appends a known sum: red, green and blue columns. */
+    /** Appends a precomputed sum: red, green and blue columns. */
     void addSum(float[][] known) {
         sumRed[sumCount] = known[0];
         sumGreen[sumCount] = known[1];

@@ -16,10 +16,10 @@ final class TermColumnWriter {
     private final int[] recomputed = RowBits.allocate();
     private final double[] factors = new double[TermKernel.MAX_ROWS];
 
-    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork demands) {
+    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required) {
         this.materials = materials;
         this.terms = terms;
-        this.requiredWork = demands;
+        this.requiredWork = required;
     }
 
     /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials. */

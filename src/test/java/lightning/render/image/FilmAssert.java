@@ -49,7 +49,7 @@ public final class FilmAssert {
             ImageFile.write(folder.resolve("difference.png"), DifferenceImage.of(actual, expected),
                     ViewTransform.DEFAULT);
         } catch (IOException e) {
-            throw new UncheckedIOException("the pictures of a failed test could not be written", e);
+            throw new UncheckedIOException("could not write the images of a failed test", e);
         }
     }
 

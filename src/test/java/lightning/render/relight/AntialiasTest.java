@@ -170,7 +170,7 @@ class AntialiasTest {
             for (int t = 0; t < renderer.cache().fineCount(); t++) {
                 samples += renderer.cache().fineTile(t).lights().pixels().length * GRID * GRID;
             }
-            assertThat(eye).as("only samples at edges of light are traced anew").isPositive().isLessThanOrEqualTo(samples);
+            assertThat(eye).as("only samples at light edges are traced again").isPositive().isLessThanOrEqualTo(samples);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved");
         }
     }

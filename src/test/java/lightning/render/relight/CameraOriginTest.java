@@ -49,7 +49,7 @@ class CameraOriginTest {
                 different += isUnchanged ? 0 : 1;
             }
         }
-        assertThat(different).as("pixels at edges, where the last bit decides what is hit").isLessThan(SIZE * SIZE / 100);
+        assertThat(different).as("pixels at edges, where the last bit decides the hit").isLessThan(SIZE * SIZE / 100);
     }
 
     private static Film film(Scene scene) {

@@ -75,7 +75,7 @@ class DeferredSamplesTest {
                 later.finish(Progress.NONE);
             }
             SessionAssert.assertSameBits(later.film(), atOnce.film(), "samples-last", session, session.scenes().size() - 1, "finish");
-            SceneCoverage.collect("samples that followed", followed > 0, 15);
+            SceneCoverage.collect("samples updated from the finished picture", followed > 0, 15);
         }
     }
 
@@ -148,7 +148,7 @@ class DeferredSamplesTest {
             UpdateResult finished = renderer.finish(Progress.NONE);
             assertThat(finished.plan()).isEqualTo(edit.plan());
             assertThat(first.plan()).isInstanceOf(UpdatePlan.FirstPass.class);
-            assertThat(finished.rays().eye()).as("of the samples alone").isPositive().isEqualTo(firstSamples());
+            assertThat(finished.rays().eye()).as("rays of the samples only").isPositive().isEqualTo(firstSamples());
         }
     }
 

@@ -80,7 +80,7 @@ class ExtremeLightTest {
         }
         for (double dropoff : new double[] {0, 0.1, 128, 10_000, 1e6}) {
             edit(edits, "dropoff " + dropoff, l -> l.withDropoff(dropoff));
-            edit(edits, "dropoff " + dropoff + ", rows behind it", l -> l.withDropoff(dropoff).withAngle(180));
+            edit(edits, "dropoff " + dropoff + ", rows on its far side", l -> l.withDropoff(dropoff).withAngle(180));
         }
         for (double intensity : new double[] {0, 1e-300, 1e-45, 1e-38, 1e22, 1e30}) {
             edit(edits, "intensity " + intensity, l -> l.withIntensity(intensity));

@@ -57,7 +57,7 @@ class FailedUpdateTest {
             try {
                 done = renderer.render(dim, new FailingProgress(checks, OutOfMemoryError::new));
             } catch (OutOfMemoryError e) {
-                assertThat(renderer.cache()).as("after %s questions", checks).isSameAs(known);
+                assertThat(renderer.cache()).as("after %s checks", checks).isSameAs(known);
                 checks++;
             }
         }

@@ -250,7 +250,7 @@ class LightWorkTest {
                     assertPlan(update, TURN);
                     assertWork(update, reference.count(0, reference.isFacing(before)), rows(studio), 0,
                             reference.count(0, reference.isOutsideCone(before).and(reference.isInsideCone(studio.key()))));
-                    assertThat(studio.edit(_ -> before).rays().shadow()).as("turned back").isZero();
+                    assertThat(studio.edit(_ -> before).rays().shadow()).as("after turning back").isZero();
                 }
             }
         }
@@ -295,7 +295,7 @@ class LightWorkTest {
                 assertPlan(update, TURN);
                 assertWork(update, reference.count(0, reference.isFacing(before)), rows(studio), 0,
                         from == LightType.SPOT ? reference.count(0, reference.isOutsideCone(before)) : 0);
-                assertThat(studio.edit(_ -> before).rays().shadow()).as("back again").isZero();
+                assertThat(studio.edit(_ -> before).rays().shadow()).as("after undo").isZero();
             } else {
                 assertPlan(update, FULL);
                 assertWork(update, rows(studio), rows(studio), 0, reference.count(0, reference.isReached(studio.key())));

@@ -25,7 +25,7 @@ final class ReferenceCheck {
         RenderedScenes compared = promise.isStale() ? promise.scenes() : RenderedScenes.of(promise.scenes().scene());
         Difference difference = Difference.of(renderer.film(), referenceTracer(compared).trace());
         assertThat(promise.isMetBy(difference))
-                .as("%s: %s; %s was promised, %s is off by %s", when, update.plan().description(), promise.text(update),
+                .as("%s: %s; stated %s, but %s differs by %s", when, update.plan().description(), promise.text(update),
                         difference.values(), difference.maxAbsolute())
                 .isTrue();
         return difference;

@@ -100,7 +100,7 @@ class RowOrderTest {
             for (int i = expected.runStart(r); i < expected.runEnd[r]; i++) {
                 int parent = expected.parent[i];
                 int a = byParent.getOrDefault(above == null ? parent : above[parent], -1);
-                assertThat(a).as("the row that is seen from row " + parent).isNotNegative();
+                assertThat(a).as("row seen from row " + parent).isNotNegative();
                 places[i] = a;
                 assertThat(of[a]).isEqualTo(material);
                 assertThat(actual.code == null ? 0 : actual.code[a]).isEqualTo(expected.code == null ? 0 : expected.code[i]);

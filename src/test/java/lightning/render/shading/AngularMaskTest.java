@@ -59,8 +59,8 @@ class AngularMaskTest {
         assertThat(right.factor(0, far, -10)).isEqualTo(1);
         Photometry half = new Photometry(Photometry.Type.C, new double[] {0, 10, 180}, new double[] {0}, new double[] {1, 2, 0});
         Light measured = rect.withProfile(Optional.of(new IesProfile("p.ies", half)));
-        assertThat(AngularMask.of(LightSource.of(measured, scene)).factor(0, 0, -10)).as("nor has it a profile").isEqualTo(1);
-        assertThat(AngularMask.of(LightSource.of(rect.withType(LightType.DISC), scene))).as("a disc has none").isNull();
+        assertThat(AngularMask.of(LightSource.of(measured, scene)).factor(0, 0, -10)).as("no profile either").isEqualTo(1);
+        assertThat(AngularMask.of(LightSource.of(rect.withType(LightType.DISC), scene))).as("a disc has no mask").isNull();
     }
 
     @Test
@@ -72,7 +72,7 @@ class AngularMaskTest {
     @Test
     void feather_fadesInsideEdge() {
         var right = new BarnDoors(90, 10, 90, 90);
-        assertThat(factor(right, 20, 0, 0, -10)).as("half way").isEqualTo(0.5, within(1e-12));
+        assertThat(factor(right, 20, 0, 0, -10)).as("midpoint").isEqualTo(0.5, within(1e-12));
         assertThat(factor(right, 20, -10 * TENTH * 1.01, 0, -10)).isEqualTo(1);
         assertThat(factor(right, 20, 10 * TENTH * 1.01, 0, -10)).isZero();
         double quarter = Math.tan(Math.toRadians(5));
@@ -137,7 +137,7 @@ class AngularMaskTest {
         assertThat(profileFactor(LightType.SPOT, front, p, 0, -10, 0)).isEqualTo(0.375, within(1e-6));
         assertThat(profileFactor(LightType.SPOT, front, p, 10, 0, -10)).as("half way to the right").isEqualTo(0.75, within(1e-6));
         assertThat(profileFactor(LightType.SPOT, front, p, 10, 10, 0)).as("between right and top").isEqualTo(2.5 / 8, within(1e-6));
-        assertThat(profileFactor(LightType.SPOT, front, p, 1, 0, 10)).as("beyond what was measured").isZero();
+        assertThat(profileFactor(LightType.SPOT, front, p, 1, 0, 10)).as("outside the measured range").isZero();
     }
 
     @Test

@@ -178,7 +178,7 @@ class FiniteFilmTest {
     private static void assertTracersAgree(Scene scene) {
         Film film = new ReferenceTracer(scene).trace();
         for (float value : film.toScanlines()) {
-            assertThat(value >= 0 && value <= Float.MAX_VALUE).as("a value of the film is " + value).isTrue();
+            assertThat(value >= 0 && value <= Float.MAX_VALUE).as("film value " + value).isTrue();
         }
         try (WorkerPool workers = new WorkerPool(1)) {
             FilmAssert.assertSameBits(new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), film, "corner");

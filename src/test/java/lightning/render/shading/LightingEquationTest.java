@@ -105,11 +105,11 @@ class LightingEquationTest {
 
     @Test
     void rowOnConeBoundary_isInside() {
-        assertThat(equationAt(spot(0).withAngle(0)).insideCone()).as("on the axis of a cone of no width").isTrue();
+        assertThat(equationAt(spot(0).withAngle(0)).insideCone()).as("on the axis of an empty cone").isTrue();
         Light sideways = spot(0).withDirection(new Vec3(1, 0, 0)).withAngle(90);
         assertThat(equationAt(sideways).insideCone()).as("at a right angle").isTrue();
         Light away = spot(0).withDirection(new Vec3(0, 1, 0)).withAngle(180);
-        assertThat(equationAt(away).insideCone()).as("behind a cone of 180°").isTrue();
+        assertThat(equationAt(away).insideCone()).as("opposite to a cone of 180°").isTrue();
     }
 
     /** Rounding makes the cosine less than −1, the cosine of 180°, for some of these. */

@@ -88,7 +88,7 @@ class VectorLanesTest {
                 assertSameBits(falloff[i], equation.falloff(), "falloff");
             }
             if (i < from || !RowBits.contains(queried, i)) {
-                assertSameBits(specular[i], -1, "specular of a row not asked for");
+                assertSameBits(specular[i], -1, "specular term of an unselected row");
             } else {
                 assertSameBits(specular[i], equation.specular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
                         rows.vz[i], shininess), "specular");

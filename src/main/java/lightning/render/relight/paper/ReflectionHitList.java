@@ -13,7 +13,7 @@ import lightning.render.trace.MaterialSet;
  * instance per thread.
  */
 public final class ReflectionHitList {
-    /** List of a tile without known levels. */
+    /** List of a tile without cached levels. */
     public static final int[][] NONE = {};
 
     private final List<int[]> recorded = new ArrayList<>();
@@ -42,24 +42,24 @@ public final class ReflectionHitList {
                 .anyMatch(shape -> shape >= 0 && materials.contains(geometry.materialIndex(shape)));
     }
 
-    /** Starts a tile with its known levels. */
+    /** Starts a tile with its cached levels. */
     public void begin(int[][] shapes) {
         recorded.clear();
         known = shapes;
         next = 0;
     }
 
-    /** Returns whether the next level is known. */
+    /** Returns whether the next level is cached. */
     public boolean hasNext() {
         return next < known.length;
     }
 
-    /** Returns the shapes of the next level; null if it is not known. */
+    /** Returns the shapes of the next level; null if it is not cached. */
     public int[] next() {
         return hasNext() ? known[next++] : null;
     }
 
-    /** Drops the known shapes of all further levels. */
+    /** Drops the cached shapes of all further levels. */
     public void dropRest() {
         next = known.length;
     }

@@ -66,7 +66,7 @@ final class BounceLevels {
      * Traces all levels.
      *
      * @param top         the first level
-     * @param shapes      known hit shapes of the rays
+     * @param shapes      cached hit shapes of the rays
      * @param codeBuilder collects edge codes; null without edge detection
      */
     TracedLevels traceAll(TileLevel top, int[][] shapes, EdgeCodeBuilder codeBuilder) {
@@ -81,7 +81,7 @@ final class BounceLevels {
     }
 
     /**
-     * Updates all levels. Levels stored as rows keep known rows and cast rays only for the rest; others are traced from their hit
+     * Updates all levels. Levels stored as rows keep cached rows and cast rays only for the rest; others are traced from their hit
      * shapes.
      *
      * @param before      the old tile
@@ -114,7 +114,7 @@ final class BounceLevels {
 
     private void trace(HitRows rows, BounceKind bounce, int depth, int nodeIndex) {
         if (hitShapes.hasNext() && !worker.visibility().raysThroughBoxes(rows, bounce, job.shapeChange().visibleChanges()).isEmpty()) {
-            // Other rows may be visible from these rows, so nothing is known about the levels seen from them.
+            // Other rows may be visible from these rows, so the cached levels seen from them are invalid.
             hitShapes.dropRest();
         }
         int[] shapes = hitShapes.next();
@@ -244,9 +244,9 @@ final class BounceLevels {
      *
      * @param top the converted first level
      */
-    TileLevel[] retraceHits(CachedTile tile, TileLevel top, boolean detectEdges, RetraceHandler answer) {
+    TileLevel[] retraceHits(CachedTile tile, TileLevel top, boolean detectEdges, RetraceHandler handler) {
         begin(top, tile.levels, ReflectionHitList.NONE, null);
-        retrace(top.rows(), 0, detectEdges, answer);
+        retrace(top.rows(), 0, detectEdges, handler);
         return levels.toArray(TileLevel[]::new);
     }
 
@@ -256,15 +256,15 @@ final class BounceLevels {
         TileLevel apply(TileLevel level, HitRows retracedRows);
     }
 
-    private void retrace(HitRows rows, int depth, boolean detectEdges, RetraceHandler answer) {
+    private void retrace(HitRows rows, int depth, boolean detectEdges, RetraceHandler handler) {
         for (BounceKind bounce : BounceKind.values()) {
             if (depth < job.depthBefore() && bounce.rowCount(rows) > 0 && nextOldLevel < oldLevels.length) {
                 HitRows retracedRows = worker.visibility().traceBounceRays(rows, bounce, null,
                         (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, job.needsOwners()));
                 rayCount += worker.visibility().rayCount();
-                TileLevel level = answer.apply(oldLevels[nextOldLevel++], retracedRows);
+                TileLevel level = handler.apply(oldLevels[nextOldLevel++], retracedRows);
                 levels.add(level);
-                retrace(level.rows(), depth + 1, detectEdges, answer);
+                retrace(level.rows(), depth + 1, detectEdges, handler);
             }
         }
     }

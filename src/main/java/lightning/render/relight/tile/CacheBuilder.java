@@ -21,7 +21,7 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 
 /**
- * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of known centers.
+ * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.
  * Use one instance per job.
  */
 public final class CacheBuilder {
@@ -73,7 +73,7 @@ public final class CacheBuilder {
     }
 
     /**
-     * Adds the finer samples to known centers.
+     * Adds the finer samples to existing centers.
      *
      * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
@@ -156,7 +156,7 @@ public final class CacheBuilder {
     }
 
     private Stream<TileWorker> allWorkers() {
-        return tileWorkers.stream().flatMap(crew -> crew.workers().stream());
+        return tileWorkers.stream().flatMap(thread -> thread.workers().stream());
     }
 
     private WorkCounts work() {

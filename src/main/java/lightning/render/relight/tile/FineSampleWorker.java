@@ -21,7 +21,7 @@ final class FineSampleWorker {
     private static final short[] NO_PIXELS = new short[0];
 
     private final RenderJob job;
-    private final EngineWorkers<TileWorker> crew;
+    private final EngineWorkers<TileWorker> tileWorkers;
     private final EdgeDetector edges;
     private final EdgeDetector previousEdges;
 
@@ -29,9 +29,9 @@ final class FineSampleWorker {
      * @param edges the current edges; unread if all pixels have several samples
      * @param known the edges of the previous picture, or null
      */
-    FineSampleWorker(RenderJob job, EngineWorkers<TileWorker> crew, EdgeDetector edges, EdgeDetector known) {
+    FineSampleWorker(RenderJob job, EngineWorkers<TileWorker> tileWorkers, EdgeDetector edges, EdgeDetector known) {
         this.job = job;
-        this.crew = crew;
+        this.tileWorkers = tileWorkers;
         this.edges = edges;
         this.previousEdges = known;
     }
@@ -69,7 +69,7 @@ final class FineSampleWorker {
     /** @param old old samples of the same pixels, or null */
     private FineSamples samples(int tile, short[] pixels, FineSamples old, SampledTile film) {
         int batchSize = SampleMean.pixelsPerBatch(job.sampling().samplesPerPixel());
-        TileWorker worker = crew.forTile(tile);
+        TileWorker worker = tileWorkers.forTile(tile);
         CachedTile[] blocks = new CachedTile[(pixels.length + batchSize - 1) / batchSize];
         for (int b = 0; b < blocks.length; b++) {
             int from = b * batchSize;

@@ -180,9 +180,9 @@ final class LevelWorker {
     }
 
     /**
-     * Returns a level spliced from known rows and others.
+     * Returns a level spliced from cached rows and new ones.
      *
-     * @param old   layers of the shown lights over the known rows
+     * @param old   layers of the shown lights over the cached rows
      * @param added rows newly lit by {@link #lightLevel}, with their layers. A layer that either level lacks is dropped: its light
      *              does not shine, and the layer is recomputed once it does.
      */
