@@ -40,7 +40,7 @@ class CacheConversionTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
-    void accuracySwitch_keepsPromiseOfEachAccuracy(@ForAll("sessions") EditSession session,
+    void accuracySwitch_keepsGuaranteeOfEachAccuracy(@ForAll("sessions") EditSession session,
             @ForAll @Size(13) List<Accuracy> accuracies, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {
         RenderOptions options = EXACT.withReflections(reflections).withThreads(threads);
@@ -51,7 +51,7 @@ class CacheConversionTest {
                 if (accuracies.get(step) == Accuracy.EXACT) {
                     assertThat(update.errorBound()).isZero();
                 }
-                ReferenceCheck.assertPromise(renderer, update, "after edit " + step);
+                ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step);
             }
         }
     }

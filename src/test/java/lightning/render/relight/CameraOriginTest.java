@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CameraOriginTest {
     private static final int SIZE = 80;
     /** About half a step of an 8-bit display. */
-    private static final float SEEN = 2e-3f;
+    private static final float VISIBLE = 2e-3f;
 
     private static Scene scene(String name) throws Exception {
         Scene scene = JenReader.read(Path.of("scenes/" + name + ".jen")).scene();
@@ -43,9 +43,9 @@ class CameraOriginTest {
         int different = 0;
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
-                boolean isUnchanged =
-                        Math.abs(own.red(x, y) - elsewhere.red(x, y)) <= SEEN && Math.abs(own.green(x, y) - elsewhere.green(x, y)) <= SEEN
-                                && Math.abs(own.blue(x, y) - elsewhere.blue(x, y)) <= SEEN;
+                boolean isUnchanged = Math.abs(own.red(x, y) - elsewhere.red(x, y)) <= VISIBLE
+                        && Math.abs(own.green(x, y) - elsewhere.green(x, y)) <= VISIBLE
+                        && Math.abs(own.blue(x, y) - elsewhere.blue(x, y)) <= VISIBLE;
                 different += isUnchanged ? 0 : 1;
             }
         }

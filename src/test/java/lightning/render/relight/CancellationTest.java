@@ -31,7 +31,7 @@ import net.jqwik.api.statistics.StatisticsReport;
 @Slow
 class CancellationTest {
     /** Exposure in stops at which even an underflow would be visible: at accuracy ratio a refresh follows every scaling. */
-    private static final double REFRESHING = 160;
+    private static final double REFRESH_EXPOSURE = 160;
 
     @Provide
     Arbitrary<EditSession> sessions() {
@@ -63,20 +63,20 @@ class CancellationTest {
             @ForAll @IntRange(min = 0, max = 12) int checks, @ForAll MirrorStorage storage, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Accuracy accuracy, @ForAll boolean refreshing) {
         RenderOptions options = new RenderOptions(accuracy, reflections, storage, threads);
-        try (Renderer undisturbed = new Renderer(options); Renderer disturbed = new Renderer(options)) {
-            undisturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
-            disturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
+        try (Renderer uninterrupted = new Renderer(options); Renderer disrupted = new Renderer(options)) {
+            uninterrupted.setView(refreshing ? REFRESH_EXPOSURE : 0, DisplayCurve.SRGB);
+            disrupted.setView(refreshing ? REFRESH_EXPOSURE : 0, DisplayCurve.SRGB);
             Scene first = session.scenes().getFirst();
-            undisturbed.render(first, Progress.NONE);
-            disturbed.render(first, Progress.NONE);
+            uninterrupted.render(first, Progress.NONE);
+            disrupted.render(first, Progress.NONE);
             int cancelled = 0;
             for (int step = 1; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
-                UpdateResult actual = interrupted(disturbed, scene, end.after(checks + step % 3), session, step);
+                UpdateResult actual = interrupted(disrupted, scene, end.after(checks + step % 3), session, step);
                 cancelled += actual == null ? 1 : 0;
-                actual = actual == null ? disturbed.render(scene, Progress.NONE) : actual;
-                assertThat(work(actual)).isEqualTo(work(undisturbed.render(scene, Progress.NONE)));
-                SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-canceled-update", session, step,
+                actual = actual == null ? disrupted.render(scene, Progress.NONE) : actual;
+                assertThat(work(actual)).isEqualTo(work(uninterrupted.render(scene, Progress.NONE)));
+                SessionAssert.assertSameBits(disrupted.film(), uninterrupted.film(), "after-a-canceled-update", session, step,
                         actual.plan().description());
             }
             SceneCoverage.collect("canceled", cancelled > 0, 35);

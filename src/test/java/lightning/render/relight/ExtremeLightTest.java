@@ -98,15 +98,15 @@ class ExtremeLightTest {
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("edits")
-    void editAndUndo_keepPromises(String name, UnaryOperator<Light> edit) {
+    void editAndUndo_keepGuarantees(String name, UnaryOperator<Light> edit) {
         Light key = STUDIO.lights().getFirst();
         Light edited = edit.apply(key);
         // Undoes one attribute at a time: ratios are then multiplied one after the other.
         Light half = edited.withIntensity(key.intensity()).withColor(key.color());
-        keepPromises(name, List.of(STUDIO, STUDIO.withLight(edited), STUDIO, STUDIO.withLight(edited), STUDIO.withLight(half), STUDIO));
+        keepGuarantees(name, List.of(STUDIO, STUDIO.withLight(edited), STUDIO, STUDIO.withLight(edited), STUDIO.withLight(half), STUDIO));
     }
 
-    private static void keepPromises(String name, List<Scene> scenes) {
+    private static void keepGuarantees(String name, List<Scene> scenes) {
         try (Renderer exact = renderer(Accuracy.EXACT); Renderer ratio = renderer(Accuracy.RATIO)) {
             for (Scene scene : scenes) {
                 var reference = new ReferenceTracer(scene).trace();
@@ -132,7 +132,7 @@ class ExtremeLightTest {
         }
         Scene bright = STUDIO.withLights(lights);
         Scene reduced = STUDIO.withLights(lights.stream().filter(l -> l.intensity() < 1e16).toList());
-        keepPromises("thirty lights", List.of(bright, reduced, bright, reduced.withLight(lights.getFirst().withIntensity(2)), reduced));
+        keepGuarantees("thirty lights", List.of(bright, reduced, bright, reduced.withLight(lights.getFirst().withIntensity(2)), reduced));
         assertThat(FilmError.largestError(new ReferenceTracer(reduced).trace(), new ReferenceTracer(bright).trace())).isGreaterThan(1e13);
     }
 
@@ -142,6 +142,6 @@ class ExtremeLightTest {
         Light key = STUDIO.lights().getFirst();
         Scene dim = STUDIO.withLight(key.withIntensity(1e-25));
         Scene narrow = STUDIO.withLight(key.withIntensity(1e-25).withDropoff(1500));
-        keepPromises("underflow", List.of(STUDIO, dim, narrow, dim, STUDIO, dim, narrow, dim, STUDIO));
+        keepGuarantees("underflow", List.of(STUDIO, dim, narrow, dim, STUDIO, dim, narrow, dim, STUDIO));
     }
 }

@@ -172,7 +172,7 @@ class MirrorWorkTest {
         }
     }
 
-    static Stream<Arguments> picturesThatRefresh() {
+    static Stream<Arguments> refreshingImages() {
         PictureSettings edges = StudioScene.of(LightType.POINT).picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 2));
         return Stream.of(Arguments.of("depth", edges, edges.withDepth(1)), Arguments.of("size", edges, edges.withSize(20, 16)),
                 Arguments.of("antialias", edges, edges.withSampling(new SamplingSettings(AntialiasMode.OFF, 2))),
@@ -180,7 +180,7 @@ class MirrorWorkTest {
     }
 
     @ParameterizedTest(name = "{0}")
-    @MethodSource("picturesThatRefresh")
+    @MethodSource("refreshingImages")
     void changedImageSettings_refreshMirrors(String description, PictureSettings before, PictureSettings after) {
         Scene scene = StudioScene.of(LightType.POINT).withPicture(before);
         Scene edited = scene.withLight(scene.lights().getFirst().withIntensity(0.3));

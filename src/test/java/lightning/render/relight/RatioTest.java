@@ -57,7 +57,7 @@ class RatioTest {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
-                differs |= !ReferenceCheck.assertPromise(renderer, update, "after edit " + step).isNone();
+                differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
             SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
@@ -78,7 +78,7 @@ class RatioTest {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
-                differs |= !ReferenceCheck.assertPromise(renderer, update, "after edit " + step).isNone();
+                differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
             SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
@@ -103,7 +103,7 @@ class RatioTest {
                 Scene edited = scene.withLight(dim.withIntensity(bright));
                 UpdateResult update = renderer.render(edited, Progress.NONE);
                 assertThat(renderer.scene()).isEqualTo(edited);
-                ReferenceCheck.assertPromise(renderer, update, "at " + bright);
+                ReferenceCheck.assertGuarantee(renderer, update, "at " + bright);
             }
         }
     }

@@ -19,13 +19,13 @@ final class ReferenceCheck {
     }
 
     /** Asserts the accuracy statement of a picture; returns its difference from the reference. */
-    static Difference assertPromise(Renderer renderer, UpdateResult update, String when) {
-        AccuracyGuarantee promise = AccuracyGuarantee.of(renderer, update);
+    static Difference assertGuarantee(Renderer renderer, UpdateResult update, String when) {
+        AccuracyGuarantee guarantee = AccuracyGuarantee.of(renderer, update);
         // A picture that is not reported as stale is compared with its own scene only.
-        RenderedScenes compared = promise.isStale() ? promise.scenes() : RenderedScenes.of(promise.scenes().scene());
+        RenderedScenes compared = guarantee.isStale() ? guarantee.scenes() : RenderedScenes.of(guarantee.scenes().scene());
         Difference difference = Difference.of(renderer.film(), referenceTracer(compared).trace());
-        assertThat(promise.isMetBy(difference))
-                .as("%s: %s; stated %s, but %s differs by %s", when, update.plan().description(), promise.text(update),
+        assertThat(guarantee.isMetBy(difference))
+                .as("%s: %s; stated %s, but %s values differ by up to %s", when, update.plan().description(), guarantee.text(update),
                         difference.values(), difference.maxAbsolute())
                 .isTrue();
         return difference;

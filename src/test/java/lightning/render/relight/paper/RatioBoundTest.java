@@ -101,13 +101,13 @@ class RatioBoundTest {
     /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 for the equation, 2 per mirror. */
     @ParameterizedTest
     @CsvSource({"1,0,0", "2,0,1", "3,0,2", "4,0,2", "5,0,3", "8,1,3", "9,10,4"})
-    void relativePart_countsRoundingsToFilm(int lights, int mirrors, int levelsOfTheSum) {
+    void relativePart_countsRoundingsToFilm(int lights, int mirrors, int sumDepth) {
         LayerStamp[] stamps = new LayerStamp[lights];
         stamps[0] = new ScaledStamp(ONE, 4, 0, 0);
         if (lights > 2) {
             stamps[2] = new ScaledStamp(ONE, 2, 0, 0);
         }
-        double n = 6 + 4 + 2 * (levelsOfTheSum + 5 + 2 * mirrors);
+        double n = 6 + 4 + 2 * (sumDepth + 5 + 2 * mirrors);
         assertThat(RatioBound.relative(stamps, mirrors, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
 
