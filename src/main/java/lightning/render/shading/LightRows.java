@@ -82,7 +82,7 @@ public final class LightRows implements LightLayer {
     private static final Set<Column> UNIFORM_COLUMNS = EnumSet.of(Column.COSINE);
     private static final float[] ONES = ones();
     private static final float[] ZEROS = new float[TermKernel.MAX_ROWS];
-    /** Flag in a file for the shared {@link #UNREACHED} layer. */
+    /** Flags in a file for shared columns that are not stored. */
     private static final int UNREACHED_FLAG = 1;
     private static final int PREMULTIPLIED_FLAG = 2;
     /** For each state and flag, a uniform state column that layers share. Not counted as memory. */

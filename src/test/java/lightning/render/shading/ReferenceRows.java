@@ -44,7 +44,7 @@ public final class ReferenceRows {
         return hits;
     }
 
-    /** Returns whether a clear surface that the camera sees shows anything. */
+    /** Returns whether a refracted ray from the first level hits anything. */
     public boolean hasRefractedHits() {
         return rowsOfLevel(0).stream().filter(row -> row.backSide() != null).map(SurfacePoint::refractedRay)
                 .anyMatch(ray -> ray != null && geometry.nearestBruteForce(ray) >= 0);

@@ -10,8 +10,8 @@ import lightning.render.shading.BranchSums;
  */
 public final class RepeatedEditDetector {
     /**
-     * Minimum number of lights. With fewer, adding them again reads less memory than their sums need. New falloffs then take more
-     * time than is saved if premultiplied layers must be recomputed (measured in docs/performance.md).
+     * Minimum number of lights. With fewer, adding them again reads less memory than their sums need. Premultiplied layers also
+     * make new falloffs slower by more than the cached sums save (measured in docs/performance.md).
      */
     public static final int MIN_LIGHTS = 8;
 

@@ -153,7 +153,7 @@ final class TileWorker {
         return eyeWorker.visibility().traceEyeRays(places.x0(), places.y0(), Film.TILE_SIZE, allocator(detectEdges));
     }
 
-    /** Adds or removes the owner shapes of a tile's rows, depending on whether a light needs them. */
+    /** Adds, remaps or removes the owner shapes of a tile's rows, depending on whether a light needs them. */
     private CachedTile updateOwners(SamplePositions places, CachedTile old) {
         boolean known = old.levels[0].rows().owner != null;
         return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
