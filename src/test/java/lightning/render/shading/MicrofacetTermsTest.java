@@ -180,7 +180,10 @@ class MicrofacetTermsTest {
         }
     }
 
-    /** A white surface reflects no more than it receives; the integration error is less than twice the difference from a coarser grid. */
+    /**
+     * A white surface reflects at most the light it receives; the integration error is less than twice the difference from a
+     * coarser grid.
+     */
     @Property(tries = 60)
     @Slow
     void whiteSurface_conservesEnergy(@ForAll @DoubleRange(min = 0, max = 1) double roughness,
