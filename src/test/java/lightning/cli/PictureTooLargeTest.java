@@ -68,7 +68,7 @@ class PictureTooLargeTest {
     @Test
     void storage_isSuggestedIfSupported() {
         PictureTooLargeException refusal = refusal();
-        assertThat(errorText(refusal, _ -> true)).contains("mirrors kept as shapes (--storage shapes)");
+        assertThat(errorText(refusal, _ -> true)).contains("mirrors stored as shapes (--storage shapes)");
         assertThat(errorText(refusal, option -> option.equals("--size"))).contains("(--size ").doesNotContain("shapes");
     }
 

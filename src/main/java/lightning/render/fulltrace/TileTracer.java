@@ -28,7 +28,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 
-/** Traces one tile after the other and keeps nothing but their pixels. One for each thread and engine. */
+/** Traces tiles one after the other and stores only their pixels. Use one instance per thread and engine. */
 final class TileTracer {
     private final SamplingSettings sampling;
     private final int depth;
@@ -42,7 +42,7 @@ final class TileTracer {
     private long eyeRays;
     private long bounceRays;
 
-    /** What is needed of the first level, or of those in mirrors. */
+    /** Data needed for the first level, or for the levels in mirrors. */
     private static final class LevelContext {
         private final WeightedLight[] lights;
         private final Scene scene;
@@ -75,7 +75,7 @@ final class TileTracer {
         samples = sampling.isSupersampled() ? new float[3][Film.TILE_PIXELS] : null;
     }
 
-    /** The rays cast so far. */
+    /** Returns the rays cast so far. */
     RayCounts rays() {
         return new RayCounts(eyeRays, bounceRays,
                 eyeLevel.kernel.shadowRays() + (mirrorLevels == eyeLevel ? 0 : mirrorLevels.kernel.shadowRays()));
@@ -86,7 +86,7 @@ final class TileTracer {
         traceCenters(film, tile, false, progress);
     }
 
-    /** Traces the centers of a tile's pixels; returns what anti-aliasing sees of them. */
+    /** Traces the centers of a tile's pixels; returns their edge codes. */
     EdgeCodes traceCentersWithCodes(Film film, int tile, Progress progress) {
         coder.begin();
         traceCenters(film, tile, true, progress);
@@ -102,7 +102,7 @@ final class TileTracer {
                 progress);
     }
 
-    /** Makes some pixels of a tile of all their samples; {@code pixels} are indices in the tile, ascending. */
+    /** Traces all samples of some pixels of a tile; {@code pixels} are ascending indices in the tile. */
     void traceSamples(Film film, int tile, short[] pixels, Progress progress) {
         int x0 = tile % film.tilesX() * Film.TILE_SIZE;
         int y0 = tile / film.tilesX() * Film.TILE_SIZE;
@@ -118,7 +118,7 @@ final class TileTracer {
         }
     }
 
-    /** From the first level's rows to colors. */
+    /** Composes the colors of the first level's rows. */
     private void composeTile(SamplePositions places, boolean detectEdges, float[][] colors, Progress progress) {
         if (detectEdges) {
             coder.addShapes(0, 0, levels[0], eyeLevel.materials);
@@ -128,7 +128,7 @@ final class TileTracer {
         compose(eyeLevel, 0, 0, detectEdges, images, colors, progress);
     }
 
-    /** Follows the rays that go on from the rows of a level; what they bring. */
+    /** Traces the rays that bounce from the rows of a level; returns their colors. */
     private BounceImages traceImages(int level, int nodeIndex, boolean detectEdges, Progress progress) {
         HitRows rows = levels[level];
         if (level == depth || rows.reflectiveCount == 0) {

@@ -16,10 +16,7 @@ import lightning.render.trace.Geometry;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
-/**
- * The yardstick of every saving: a full trace by the fastest code there is, tile by tile, which keeps
- * nothing but the film.
- */
+/** Fastest full tracer without a cache, tile by tile: the baseline of all measured savings. */
 public final class TraditionalTracer {
     private final Geometry geometry;
     private final Geometry mirroredGeometry;
@@ -28,13 +25,13 @@ public final class TraditionalTracer {
     private final SamplingSettings sampling;
     private final EngineChoice engines;
 
-    /** Prepares a trace, the tree of boxes included. */
+    /** Prepares a trace and builds the BVH. */
     public TraditionalTracer(Scene scene) {
         this(scene, new Geometry(scene));
     }
 
     /**
-     * Prepares a trace over geometry that is there already.
+     * Prepares a trace with existing geometry.
      *
      * @throws IllegalArgumentException if it does not serve the scene
      */
@@ -43,8 +40,8 @@ public final class TraditionalTracer {
     }
 
     /**
-     * Prepares a trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale
-     * reflections must be (paper §4.8). The two may differ in lights, world and materials.
+     * Prepares a trace of {@code scene} whose mirrors show {@code mirrored}: the reference for outdated reflections (paper §4.8).
+     * The two may differ in lights, world and materials.
      *
      * @throws IllegalArgumentException if the geometry does not serve both
      */
@@ -61,18 +58,18 @@ public final class TraditionalTracer {
         mirroredGeometry = geometry.withMaterialsOf(mirrored);
     }
 
-    /** The same trace by engines of one's choice. */
+    /** Returns the same trace with other engines. */
     public TraditionalTracer withEngines(EngineChoice choice) {
         return new TraditionalTracer(scene, mirrored, geometry, choice);
     }
 
-    /** A finished picture and the rays it took. */
+    /** Finished picture and its ray counts. */
     public record Result(Film film, RayCounts rays) {}
 
     /**
      * Traces the whole picture.
      *
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     public Result trace(WorkerPool workers, Progress progress) {
         return trace(workers, allTiles(), progress);
@@ -87,8 +84,8 @@ public final class TraditionalTracer {
     /**
      * Traces some tiles; the others stay black.
      *
-     * @param tiles the numbers of the film's tiles that are wanted
-     * @throws java.util.concurrent.CancellationException if {@code progress} asked to stop
+     * @param tiles numbers of the film's tiles to trace
+     * @throws java.util.concurrent.CancellationException if {@code progress} requested cancellation
      */
     public Result trace(WorkerPool workers, int[] tiles, Progress progress) {
         Film film = Film.black(scene.picture().width(), scene.picture().height());
@@ -112,7 +109,7 @@ public final class TraditionalTracer {
         return new Result(film, rays);
     }
 
-    /** First all centers, the neighbors' too, for the edges between them; then the pixels on an edge again, finer. */
+    /** Traces all centers first, those of neighboring tiles too, to find edges; then traces the pixels on an edge with all samples. */
     private void traceEdges(Film film, WorkerPool workers, List<EngineWorkers<TileTracer>> threads, int[] tiles, Progress progress) {
         int[] codedTiles = EdgeDetector.addNeighborTiles(film, tiles);
         boolean[] target = new boolean[film.tileCount()];
@@ -120,7 +117,7 @@ public final class TraditionalTracer {
             target[tile] = true;
         }
         EdgeCodes[] codes = new EdgeCodes[film.tileCount()];
-        // What is traced for its codes alone goes to a film that nobody sees.
+        // Tiles that are traced only for their codes go to a scratch film.
         Film scratchFilm = codedTiles.length == tiles.length ? film : Film.black(film.width(), film.height());
         workers.run(codedTiles.length, (worker, i) -> {
             int tile = codedTiles[i];

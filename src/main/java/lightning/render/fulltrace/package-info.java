@@ -1,4 +1,2 @@
-/**
- * The yardstick of every saving: {@link lightning.render.fulltrace.TraditionalTracer} traces a whole picture and keeps nothing of it.
- */
+/** Full trace without a cache, the baseline of all measured savings: {@link lightning.render.fulltrace.TraditionalTracer}. */
 package lightning.render.fulltrace;

@@ -1,15 +1,15 @@
 package lightning.render.image;
 
 /**
- * What a display cuts off: a film is not clamped, 8 bits are.
+ * Clipping of a displayed film: 8-bit codes are clamped, the film is not.
  *
- * @param clippedPixels    pixels that hold a value above display white
- * @param totalPixels       pixels of the film
- * @param brightest the film's brightest value over display white; 1 is white itself
+ * @param clippedPixels number of pixels with a value above display white
+ * @param totalPixels   number of pixels of the film
+ * @param brightest     the film's largest value relative to display white; 1 is white
  */
 public record Clipping(long clippedPixels, long totalPixels, double brightest) {
 
-    /** Counts what a view transform clamps at white. */
+    /** Counts the pixels that a view transform clamps at white. */
     public static Clipping of(Film film, ViewTransform view) {
         float gain = view.gain();
         double white = view.curve().white();

@@ -4,33 +4,33 @@ import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A rising curve from linear values to the codes 0 to 255 as a table: for every float the same code as the formula
- * {@code floor(255 · curve + 0.5)}, without computing it.
+ * Lookup table of a rising curve from linear values to codes 0 to 255. For every float it gives the same code as the formula {@code
+ * floor(255 · curve + 0.5)}.
  *
- * @param entry     for each bucket of all floats, in the order of their bits taken as a number without a sign, the number which, added to
- *                  the low bits of a float, gives the code in the eight bits above: the code of the bucket's smallest float, and such a
- *                  fraction that the sum carries from the threshold onwards. Infinity shares its bucket with NaNs, whose sum carries to
- *                  256, as code 0. Negative floats and other NaNs have 0. Half a megabyte, of which a picture touches some kilobytes
- * @param threshold {@code float[257]}: the smallest float of each code; one more that is never reached
+ * @param entry     one number for each bucket of floats, ordered by their bits as unsigned numbers; half a megabyte, of which a
+ *                  picture touches a few kilobytes. Added to the low bits of a float, it gives the code in the next eight bits: the
+ *                  code of the bucket's smallest float, plus a fraction whose sum carries from the threshold on. Infinity shares
+ *                  its bucket with NaNs, whose sum carries to 256, as code 0. Negative floats and other NaNs have 0
+ * @param threshold {@code float[257]}: the smallest float of each code, and an end that is never reached
  */
 record CodeTable(int[] entry, float[] threshold) {
-    // Arrays in a record: written once by their maker, never after.
+    // Arrays in a record: written once by their creator, never after.
 
-    /** The bits of 2⁻¹³, below which every curve must still be at code 0. */
+    /** Bits of 2⁻¹³, below which every curve must have code 0. */
     private static final int MIN_BITS = Float.floatToRawIntBits(0x1p-13f);
     private static final int INFINITY_BITS = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
-    /** 256 buckets for each factor of two, so that none holds more than one threshold. */
+    /** 256 buckets per factor of two, so that none contains more than one threshold. */
     private static final int BUCKET_SHIFT = 23 - 8;
     private static final int LOW_BITS = (1 << BUCKET_SHIFT) - 1;
     private static final int CODES = 0xFF;
     private static final double WHITE = 255;
 
     /**
-     * Makes the table of a curve.
+     * Creates the table of a curve.
      *
-     * @param curve from linear values above 0 to 0…1, rising
-     * @param white a value from which on it is 1, a power of two
-     * @throws IllegalArgumentException if the codes of the curve lie closer together than the table can tell
+     * @param curve rising function from linear values above 0 to 0…1
+     * @param white a power of two from which on the curve is 1
+     * @throws IllegalArgumentException if the codes of the curve are too close together for the table
      */
     static CodeTable of(DoubleUnaryOperator curve, float white) {
         int whiteBits = Float.floatToRawIntBits(white);
@@ -38,12 +38,12 @@ record CodeTable(int[] entry, float[] threshold) {
         return new CodeTable(entries(curve, thresholds, whiteBits), thresholds);
     }
 
-    /** The definition: the code of a linear value; below 0 and NaN count as 0. */
+    /** Returns the code of a linear value by the formula; below 0 and NaN count as 0. */
     static int formula(DoubleUnaryOperator curve, float linear) {
         return linear > 0 ? (int) StrictMath.floor(WHITE * Math.clamp(curve.applyAsDouble(linear), 0, 1) + 0.5) : 0;
     }
 
-    /** The same, fast. */
+    /** Returns the same code as {@link #formula} from the table. */
     int encode(float linear) {
         int bits = Float.floatToRawIntBits(linear);
         return entry[bits >>> BUCKET_SHIFT] + (bits & LOW_BITS) >> BUCKET_SHIFT & CODES;
@@ -52,7 +52,7 @@ record CodeTable(int[] entry, float[] threshold) {
     private static float[] thresholds(DoubleUnaryOperator curve, int white) {
         float[] thresholds = new float[257];
         for (int code = 1; code < 256; code++) {
-            // The bits of floats ≥ 0 are ordered as the floats are, so that bisection runs on them.
+            // The bits of floats ≥ 0 have the order of the floats, so bisection works on them.
             int below = 0;
             int above = white;
             while (above - below > 1) {

@@ -3,18 +3,16 @@ package lightning.render.image;
 import java.nio.file.Path;
 
 /**
- * A table of colors for other colors, as files of the Cube LUT Specification 1.0 (Adobe, 2013) hold it: one for each channel, or a lattice
- * of all three.
+ * Color lookup table of the Cube LUT Specification 1.0 (Adobe, 2013): one curve per channel, or a 3D lattice.
  *
- * <p>Between the entries of a channel's table it is linear; between the points of a lattice tetrahedral: each cell is cut into the six
- * tetrahedra about its gray diagonal (Kasson, Nin, Plouffe and Hafner, Performing color space conversions with three-dimensional linear
- * interpolation, Journal of Electronic Imaging 4(3), 1995), so that grays depend on grays alone. What lies outside the domain is moved to
- * its border, channel by channel.
+ * <p>Curves are interpolated linearly. Lattices are interpolated tetrahedrally: each cell is cut into six tetrahedra around its
+ * gray diagonal (Kasson, Nin, Plouffe and Hafner, Performing color space conversions with three-dimensional linear interpolation,
+ * Journal of Electronic Imaging 4(3), 1995), so that grays depend only on grays. Each channel is clamped to the domain.
  */
 public final class CubeLut {
-    /** The most entries of a channel's table. */
+    /** Maximum number of entries of a channel's curve. */
     public static final int MAX_ENTRIES = 65536;
-    /** The most points along an edge of a lattice. */
+    /** Maximum number of points along an edge of a lattice. */
     public static final int MAX_POINTS = 129;
 
     private final Path file;
@@ -25,8 +23,9 @@ public final class CubeLut {
     private final double[] scale;
 
     /**
-     * @param lattice whether {@code colors} is {@code float[3 * size³]}, red first and fastest, then green, then blue; else {@code float[3 * size]}
-     * @param min     of each channel's domain, below that of {@code max}
+     * @param lattice true if {@code colors} is {@code float[3 * size³]}, red first and fastest, then green, then blue; otherwise
+     *                {@code float[3 * size]}
+     * @param min     lower bound of each channel's domain, below {@code max}
      */
     public CubeLut(Path file, boolean lattice, int size, float[] colors, float[] min, float[] max) {
         this.file = file;
@@ -40,25 +39,25 @@ public final class CubeLut {
         }
     }
 
-    /** What it was read from. */
+    /** Returns the source file. */
     public Path file() {
         return file;
     }
 
-    /** As in {@code 33 × 33 × 33}. */
+    /** Returns the size as text, for example {@code 33 × 33 × 33}. */
     public String sizeText() {
         return is3d ? size + " × " + size + " × " + size : "3 × " + size;
     }
 
     /**
-     * Looks a color up.
+     * Replaces a color by its table value.
      *
-     * @param color {@code double[3]}: red, green and blue, which become those of the table; what is no number counts as the domain's least
+     * @param color {@code double[3]}: red, green and blue; NaN counts as the lower bound of the domain
      */
     void apply(double[] color) {
         for (int c = 0; c < 3; c++) {
             double at = (color[c] - min[c]) * scale[c];
-            // What is no number is not above 0.
+            // NaN is not above 0.
             color[c] = at > 0 ? Math.min(at, size - 1) : 0;
         }
         if (is3d) {
@@ -72,7 +71,7 @@ public final class CubeLut {
         }
     }
 
-    /** From a corner of the cell along the axes, the one of the largest share first, to the corner across. */
+    /** Interpolates from a corner of the cell along the axes, the largest fraction first, to the opposite corner. */
     private void tetrahedral(double[] color) {
         int r = Math.min((int) color[0], size - 2);
         int g = Math.min((int) color[1], size - 2);

@@ -3,19 +3,19 @@ package lightning.render.image;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A curve over all floats from 0 on as straight lines between 256 values in each factor of two.
+ * Piecewise linear approximation of a curve over all floats from 0 on, with 256 segments per factor of two.
  *
- * @param start the curve at the smallest float of each bucket, and at the next one's
+ * @param start the curve at the smallest float of each bucket, and at that of the next bucket
  */
 record CurveTable(float[] start) {
-    // An array in a record: written once by its maker, never after.
+    // An array in a record: written once by its creator, never after.
 
     private static final int BUCKET_SHIFT = 23 - 8;
     private static final int LOW_BITS = (1 << BUCKET_SHIFT) - 1;
     private static final int BUCKETS = Float.floatToRawIntBits(Float.POSITIVE_INFINITY) >> BUCKET_SHIFT;
     private static final double SHARE = 1.0 / (1 << BUCKET_SHIFT);
 
-    /** @param curve from linear values ≥ 0 to 0…1 */
+    /** @param curve function from linear values ≥ 0 to 0…1 */
     static CurveTable of(DoubleUnaryOperator curve) {
         float[] start = new float[BUCKETS + 2];
         for (int i = 0; i < BUCKETS; i++) {
@@ -26,7 +26,7 @@ record CurveTable(float[] start) {
         return new CurveTable(start);
     }
 
-    /** The curve at a value; below 0 and NaN count as 0. */
+    /** Returns the curve at a value; below 0 and NaN count as 0. */
     double value(float linear) {
         if (!(linear > 0)) {
             return start[0];

@@ -1,25 +1,25 @@
 package lightning.render.image;
 
 /**
- * How much two films of the same size differ, measured on every visible pixel.
+ * Difference of two films of the same size, measured on every visible pixel.
  *
- * <p>"Values" are the three channels of each pixel. Absolute errors, mean, RMSE and linear PSNR are of linear values;
- * the display measures are of the 8-bit codes that {@link ViewTransform#DEFAULT} gives. A value with the same bits in
- * both films differs by 0, infinities and NaNs included; a NaN beside anything else differs by infinity.
+ * <p>"Values" are the three channels of each pixel. Absolute errors, mean, RMSE and linear PSNR use linear values; the display
+ * measures use the 8-bit codes of {@link ViewTransform#DEFAULT}. A value with the same bits in both films differs by 0, infinities
+ * and NaNs included. A NaN and any other value differ by infinity.
  *
  * @param pixels       number of pixels with at least one value of different bits
  * @param values       number of values of different bits
- * @param maxUlp       largest distance of two values in units in the last place, that is the number of floats from one
- *                     to the other; 0 and −0 are 0 apart, NaNs lie beyond infinity
+ * @param maxUlp       largest distance of two values in units in the last place, which is the number of floats from one to the
+ *                     other; 0 and −0 are 0 apart, NaNs lie beyond infinity
  * @param maxLevels    largest distance of two 8-bit codes, 0 to 255
  * @param maxAbsolute  largest absolute difference, linear, ≥ 0
  * @param meanAbsolute mean absolute difference over all values, linear, ≥ 0
  * @param rmse         square root of the mean squared difference over all values, linear, ≥ 0
- * @param linearPsnr   peak signal-to-noise ratio in dB, {@code 20·log10(1 / rmse)} for the peak 1; infinite where equal
- * @param displayPsnr  the same of 8-bit codes, for the peak 255
- * @param ssim         structural similarity of the displayed luma, 1 where equal; see {@link Ssim}
- * @param x            column of the pixel with the largest absolute difference; of the first pixel of different bits
- *                     where none is larger than 0; −1 if all bits are equal
+ * @param linearPsnr   peak signal-to-noise ratio in dB, {@code 20·log10(1 / rmse)} for the peak 1; infinite if equal
+ * @param displayPsnr  peak signal-to-noise ratio of 8-bit codes in dB, for the peak 255
+ * @param ssim         structural similarity of the displayed luma, 1 if equal; see {@link Ssim}
+ * @param x            column of the pixel with the largest absolute difference; if all are 0, of the first pixel with different
+ *                     bits; −1 if all bits are equal
  * @param y            its row from the top, or −1
  */
 public record Difference(
@@ -56,17 +56,17 @@ public record Difference(
                 Ssim.displayedLuma(a, b), sums.x, sums.y);
     }
 
-    /** Whether every visible value has the same bits. */
+    /** Returns whether every visible value has the same bits. */
     public boolean isNone() {
         return values == 0;
     }
 
-    /** The number of floats from {@code a} to {@code b}, ≥ 0: 1 for neighbors, 0 for 0 and −0. */
+    /** Returns the number of floats from {@code a} to {@code b}, ≥ 0: 1 for neighbors, 0 for 0 and −0. */
     static long ulps(float a, float b) {
         return Math.abs(orderIndex(a) - orderIndex(b));
     }
 
-    /** The absolute difference; 0 for the same bits, infinite for a NaN beside anything else. */
+    /** Returns the absolute difference; 0 for the same bits, infinity for a NaN and any other value. */
     static double absolute(float a, float b) {
         if (Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b)) {
             return 0;
@@ -77,12 +77,12 @@ public record Difference(
 
     static void requireSameSize(Film a, Film b) {
         if (a.width() != b.width() || a.height() != b.height()) {
-            throw new IllegalArgumentException("pictures to compare must have the same size, one has " + a.width() + " × "
+            throw new IllegalArgumentException("pictures to compare must have the same size; one has " + a.width() + " × "
                     + a.height() + " pixels, the other " + b.width() + " × " + b.height());
         }
     }
 
-    /** The rank of a float in the order of all floats, both zeros at 0. */
+    /** Returns the rank of a float in the order of all floats, both zeros at 0. */
     private static long orderIndex(float value) {
         int bits = Float.floatToRawIntBits(value);
         return bits >= 0 ? bits : -(long) (bits & 0x7FFFFFFF);

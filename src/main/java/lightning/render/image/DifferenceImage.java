@@ -1,19 +1,19 @@
 package lightning.render.image;
 
 /**
- * A picture in false colors of where two films differ, and how much.
+ * False-color image of the differences between two films.
  *
- * <p>Black pixels agree in every bit. Every other pixel shows the largest absolute linear difference of its channels on
- * a logarithmic scale: dark violet up to 2⁻²⁴ (the last bit of a value just below 1), orange at about 2⁻⁸ (one step of an
- * 8-bit display), pale yellow from 1 upwards and for anything that is not finite. So a single differing bit is visible.
- * Lightness grows all the way, so that the order reads without a legend and without color vision.
+ * <p>Black pixels agree in every bit. Every other pixel shows the largest absolute linear difference of its channels on a
+ * logarithmic scale: dark violet up to 2⁻²⁴ (the last bit of a value just below 1), orange at about 2⁻⁸ (one step of an 8-bit
+ * display), pale yellow from 1 upwards and for non-finite values. A single differing bit is visible. Lightness increases along the
+ * scale, so the order is clear without a legend and without color vision.
  */
 public final class DifferenceImage {
 
-    /** The share of the scale, 0…1, where differences begin: the darkest color that stands out from black. */
+    /** Position on the scale, 0…1, where differences begin: the darkest color that is distinct from black. */
     private static final double MIN_SHARE = 0.25;
 
-    /** log2 of the difference that is as good as none. */
+    /** log2 of the largest difference that counts as negligible. */
     private static final double MIN_LOG2 = -24;
 
     /** Equidistant display colors from black through violet, red and orange to pale yellow. */
@@ -24,7 +24,7 @@ public final class DifferenceImage {
     private DifferenceImage() {}
 
     /**
-     * The picture, for {@link ViewTransform#DEFAULT}.
+     * Returns the image, for {@link ViewTransform#DEFAULT}.
      *
      * @throws IllegalArgumentException if the sizes of the films differ
      */
@@ -41,7 +41,7 @@ public final class DifferenceImage {
         return picture;
     }
 
-    /** The display color 0xRRGGBB at a share 0…1 of the scale. */
+    /** Returns the display color 0xRRGGBB at a position 0…1 of the scale. */
     static int color(double share) {
         double at = share * (SCALE.length - 1);
         int i = Math.min((int) at, SCALE.length - 2);
@@ -55,7 +55,7 @@ public final class DifferenceImage {
         return rgb;
     }
 
-    /** The share of the scale, VISIBLE to 1, that stands for an absolute linear difference ≥ 0. */
+    /** Returns the position on the scale, {@link #MIN_SHARE} to 1, of an absolute linear difference ≥ 0. */
     static double scalePosition(double difference) {
         double log2 = Math.log(difference) / Math.log(2);
         return MIN_SHARE + (1 - MIN_SHARE) * Math.clamp((log2 - MIN_LOG2) / -MIN_LOG2, 0, 1);

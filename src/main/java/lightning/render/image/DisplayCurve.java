@@ -2,23 +2,21 @@ package lightning.render.image;
 
 import java.util.function.DoubleUnaryOperator;
 
-/** How linear light becomes 8 or 16 bits of a display, correctly rounded. */
+/** Tone curve from linear light to 8- or 16-bit display codes, correctly rounded. */
 public enum DisplayCurve {
-    /**
-     * What displays expect (IEC 61966-2-1): {@code 12.92 · v} up to v = 0.0031308, else {@code 1.055 · v^(1/2.4) − 0.055}.
-     */
+    /** sRGB encoding (IEC 61966-2-1): {@code 12.92 · v} up to v = 0.0031308, else {@code 1.055 · v^(1/2.4) − 0.055}. */
     SRGB("srgb", "sRGB", Srgb::encoded, 1),
     /**
-     * As computed in 1998: the linear value itself, {@code 255 · v}. Programs of that time sent it to the display as it was,
-     * which shows mid tones darker and shadows deeper than they are.
+     * No curve: the linear value itself, {@code 255 · v}. Programs of 1998 sent it to the display unchanged, which shows midtones
+     * and shadows too dark.
      */
-    LINEAR("1998", "As Computed in 1998 (Linear)", v -> v, 1),
+    LINEAR("1998", "Linear (No Curve)", v -> v, 1),
     /** {@link ToneCurves#filmic}, then sRGB. */
     FILMIC("filmic", "Filmic (Hable)", v -> Srgb.encoded(ToneCurves.filmic(v)), ToneCurves.FILMIC_WHITE),
     /** {@link ToneCurves#aces}, then sRGB. */
-    ACES("aces", "ACES (Narkowicz's Fit)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
-    /** {@link FalseColor}: stops instead of colors. Single values are shown as by sRGB. */
-    FALSE("false", "False Color by Stops", Srgb::encoded, 1);
+    ACES("aces", "ACES (Approximation)", v -> Srgb.encoded(ToneCurves.aces(v)), ToneCurves.ACES_WHITE),
+    /** {@link FalseColor}: exposure stops as colors. Single values are encoded as sRGB. */
+    FALSE("false", "False Color", Srgb::encoded, 1);
 
     private static final double WHITE_16 = 0xFFFF;
 
@@ -36,22 +34,22 @@ public enum DisplayCurve {
         this.white = white;
     }
 
-    /** As an artist types it. */
+    /** Returns the keyword for files and options. */
     public String word() {
         return keyword;
     }
 
-    /** As menus have it. */
+    /** Returns the menu title. */
     public String title() {
         return title;
     }
 
-    /** The linear value that is shown as white, and all above too. */
+    /** Returns the smallest linear value that is shown as white. */
     public double white() {
         return white;
     }
 
-    /** The codes, made when they are needed first: that takes some milliseconds. */
+    /** Returns the code table, created on first use in a few milliseconds. */
     CodeTable table() {
         synchronized (this) {
             if (table == null) {
@@ -62,8 +60,8 @@ public enum DisplayCurve {
     }
 
     /**
-     * What the display would get of a linear value, 0 to 1, before it is rounded to a code; the linear curve's own value, which is not cut
-     * off. Within 10⁻⁶ of the curve; below 0 and NaN count as 0.
+     * Returns the display value, 0 to 1, of a linear value before rounding to a code. The linear curve returns its value unclamped.
+     * Within 10⁻⁶ of the curve; below 0 and NaN count as 0.
      */
     double value(float linear) {
         if (this == LINEAR) {
@@ -81,12 +79,12 @@ public enum DisplayCurve {
         }
     }
 
-    /** The definition of the codes, without a table. */
+    /** Returns the code of a linear value by the formula, without a table. */
     int formula(float linear) {
         return CodeTable.formula(curve, linear);
     }
 
-    /** The code of 16 bits, 0 to 65535, of a linear value; below 0 and NaN count as 0. */
+    /** Returns the 16-bit code, 0 to 65535, of a linear value; below 0 and NaN count as 0. */
     int encode16(float linear) {
         return linear > 0 ? (int) StrictMath.floor(WHITE_16 * Math.clamp(curve.applyAsDouble(linear), 0, 1) + 0.5) : 0;
     }

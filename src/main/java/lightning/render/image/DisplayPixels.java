@@ -6,14 +6,14 @@ import java.awt.image.DataBuffer;
 import java.awt.image.Raster;
 import lightning.base.math.SrgbCurve;
 
-/** Display pixels read from a file. */
+/** Converts image files with display codes to films. */
 public final class DisplayPixels {
 
     private DisplayPixels() {}
 
     private static final double MAX_16 = 0xFFFF;
 
-    /** The film whose values are the linear ones of the picture's sRGB codes, of 8 bits, or of 16 where it has them. */
+    /** Returns a film with the linear values of the image's sRGB codes, 8 or 16 bits. */
     public static Film toFilm(BufferedImage image) {
         if (image.getSampleModel().getDataType() == DataBuffer.TYPE_USHORT && image.getColorModel() instanceof ComponentColorModel) {
             return toFilm16(image.getRaster());
@@ -33,7 +33,7 @@ public final class DisplayPixels {
 
     private static Film toFilm16(Raster raster) {
         Film film = Film.black(raster.getWidth(), raster.getHeight());
-        // Gray is all three colors; what follows the colors is transparency.
+        // Gray is used for all three channels; a channel after the colors is alpha.
         int step = raster.getNumBands() < 3 ? 0 : 1;
         int[] row = new int[raster.getWidth() * raster.getNumBands()];
         for (int y = 0; y < film.height(); y++) {
@@ -50,7 +50,7 @@ public final class DisplayPixels {
         return film;
     }
 
-    /** Gives pixel (x, y) of a film the linear values of a display color 0x--RRGGBB. */
+    /** Sets pixel (x, y) of a film to the linear values of a display color 0x--RRGGBB. */
     static void set(Film film, int x, int y, int rgb) {
         int tile = film.tileOf(x, y);
         int pixel = Film.pixelInTile(x, y);

@@ -1,16 +1,17 @@
 package lightning.render.image;
 
 /**
- * Makes films smaller: each pixel is the mean of those that it covers.
+ * Box filter that makes films smaller: each pixel is the mean of the pixels that it covers.
  *
- * @param width  of what comes of it, pixels; likewise {@code height}
+ * @param width  width of the result in pixels
+ * @param height height of the result in pixels
  */
 public record Downscale(int width, int height) {
     /**
-     * To the largest size of the same shape, to the pixel, that has room; never to a larger one.
+     * Returns the largest size with the same aspect ratio, to the pixel, that fits; never larger than the image.
      *
-     * @param width     of the picture, pixels; likewise {@code height}
-     * @param maxWidth the room, pixels, ≥ 1; likewise {@code maxHeight}
+     * @param width    width of the image in pixels, with {@code height}
+     * @param maxWidth maximum width in pixels, ≥ 1, with {@code maxHeight}
      */
     public static Downscale fit(int width, int height, int maxWidth, int maxHeight) {
         double shrink = Math.min(1, Math.min((double) maxHeight / height, (double) maxWidth / width));
@@ -21,7 +22,7 @@ public record Downscale(int width, int height) {
         return (int) Math.max(1, Math.rint(pixels));
     }
 
-    /** A film of this size, or a smaller one as it is. */
+    /** Returns a film of this size, or the film itself if it is smaller. */
     public Film apply(Film film) {
         if (film.width() <= width && film.height() <= height) {
             return film;

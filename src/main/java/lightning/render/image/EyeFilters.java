@@ -1,12 +1,12 @@
 package lightning.render.image;
 
 /**
- * The filters of {@link Flip} for an observer to whom one degree of the visual field spans a number of pixels: the blur of
- * the eye for each opponent channel (contrast sensitivity), and the detectors of edges and points.
+ * Filters of {@link Flip} for a number of pixels per degree of the visual field: the eye's blur for each opponent channel (contrast
+ * sensitivity), and the edge and point detectors.
  *
- * <p>All are products of one factor across and one down, each {@code double[2 * radius + 1]}. The published constants are
- * those of Andersson et al. 2020, table 1 (contrast sensitivity, from Johnson and Fairchild) and section 4.2 (0.082
- * degrees from peak to trough of the edge detector).
+ * <p>All filters are separable: one factor across and one down, each {@code double[2 * radius + 1]}. The published constants are
+ * those of Andersson et al. 2020, table 1 (contrast sensitivity, from Johnson and Fairchild) and section 4.2 (0.082 degrees from
+ * peak to trough of the edge detector).
  */
 final class EyeFilters {
     /** Degrees from the peak of the edge detector to its trough: two standard deviations of its Gaussian. */
@@ -17,18 +17,18 @@ final class EyeFilters {
     private static final double[] BLUE_YELLOW_A = {34.1, 13.5};
     private static final double[] BLUE_YELLOW_B = {0.04, 0.025};
 
-    /** The sums of these are 1. */
+    /** Weights with sum 1, for each of these. */
     final double[] light;
     final double[] redGreen;
     /** Two blurs to add; the sum of each is the square root of its share. */
     final double[][] blueYellow;
-    /** The sum is 1. */
+    /** Weights with sum 1. */
     final double[] gauss;
-    /** Its positive weights sum to 1, its negative ones to −1. */
+    /** Weights whose positive part sums to 1 and whose negative part sums to −1. */
     final double[] edge;
-    /** Its positive weights sum to 1, its negative ones to −1. */
+    /** Weights whose positive part sums to 1 and whose negative part sums to −1. */
     final double[] point;
-    /** The largest radius of all, in pixels. */
+    /** Largest radius of all filters, in pixels. */
     final int radius;
 
     EyeFilters(double pixelsPerDegree) {
@@ -85,7 +85,7 @@ final class EyeFilters {
         return weights;
     }
 
-    /** Weights whose positive ones sum to 1, and the negative ones, if any, to −1. */
+    /** Scales weights so that the positive ones sum to 1 and the negative ones, if any, to −1. */
     private static double[] normalized(double[] weights) {
         double positive = 0;
         double negative = 0;

@@ -1,22 +1,22 @@
 package lightning.render.image;
 
 /**
- * The linear, unclamped picture, kept in square tiles so that a renderer can write tiles in parallel and an editor can
- * refresh only those that changed.
+ * Linear, unclamped picture, stored in square tiles so that a renderer can write tiles in parallel and an editor can refresh only
+ * the changed ones.
  *
- * <p>Tile number {@code tile = tileY * tilesX() + tileX} holds the pixels with {@code x / 32 == tileX} and
- * {@code y / 32 == tileY}; inside it, pixel (x, y) is at index {@code (y & 31) * 32 + (x & 31)}. Tiles at the right and
- * bottom border are full-size arrays too; their pixels outside the picture are unused and may hold anything.
+ * <p>Tile number {@code tile = tileY * tilesX() + tileX} holds the pixels with {@code x / 32 == tileX} and {@code y / 32 == tileY};
+ * inside it, pixel (x, y) is at index {@code (y & 31) * 32 + (x & 31)}. Tiles at the right and bottom border are full-size arrays
+ * too; their pixels outside the picture are unused and undefined.
  *
- * <p>A film does not copy its arrays. One that a renderer hands out is never written again: an update makes a new film,
- * which shares the tiles that did not change.
+ * <p>A film does not copy its arrays. A renderer never writes to a film that it returned: an update creates a new film, which
+ * shares the tiles that did not change.
  */
 public final class Film {
 
-    /** The width and the height of a tile, in pixels. */
+    /** Width and height of a tile in pixels. */
     public static final int TILE_SIZE = 32;
 
-    /** The number of pixels of a tile. */
+    /** Number of pixels of a tile. */
     public static final int TILE_PIXELS = TILE_SIZE * TILE_SIZE;
 
     private final int width;
@@ -28,14 +28,14 @@ public final class Film {
     private final float[][] blue;
 
     /**
-     * A film over the given arrays, which are used as they are, not copied.
+     * Creates a film over the given arrays without copying them.
      *
      * @param width  pixels, ≥ 1
      * @param height pixels, ≥ 1
      * @param red    {@code float[tileCount][TILE_PIXELS]}, linear
      * @param green  as {@code red}
      * @param blue   as {@code red}
-     * @throws IllegalArgumentException if a size is below 1, or an array has not the shape that the size demands
+     * @throws IllegalArgumentException if a size is below 1, or an array does not have the shape that the size requires
      */
     public Film(int width, int height, float[][] red, float[][] green, float[][] blue) {
         this.width = width;
@@ -51,7 +51,7 @@ public final class Film {
     }
 
     /**
-     * A black film with arrays of its own.
+     * Creates a black film with its own arrays.
      *
      * @param width  pixels, ≥ 1
      * @param height pixels, ≥ 1
@@ -64,12 +64,12 @@ public final class Film {
     }
 
     /**
-     * The film of an ordinary picture.
+     * Creates a film from scanlines.
      *
      * @param width  pixels, ≥ 1
      * @param height pixels, ≥ 1
      * @param rgb    {@code float[width * height * 3]}, interleaved linear RGB, the top row first
-     * @throws IllegalArgumentException if a size is below 1 or {@code rgb} is not exactly as long as they demand
+     * @throws IllegalArgumentException if a size is below 1 or {@code rgb} does not have the required length
      */
     public static Film ofScanlines(int width, int height, float[] rgb) {
         Film film = black(width, height);
@@ -89,65 +89,65 @@ public final class Film {
         return film;
     }
 
-    /** The width in pixels. */
+    /** Returns the width in pixels. */
     public int width() {
         return width;
     }
 
-    /** The height in pixels. */
+    /** Returns the height in pixels. */
     public int height() {
         return height;
     }
 
-    /** The number of tiles in a row. */
+    /** Returns the number of tiles in a row. */
     public int tilesX() {
         return tilesX;
     }
 
-    /** The number of rows of tiles. */
+    /** Returns the number of rows of tiles. */
     public int tilesY() {
         return tilesY;
     }
 
-    /** The number of all tiles. */
+    /** Returns the number of all tiles. */
     public int tileCount() {
         return tilesX * tilesY;
     }
 
-    /** The red values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
+    /** Returns the red values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
     public float[] red(int tile) {
         return red[tile];
     }
 
-    /** The green values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
+    /** Returns the green values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
     public float[] green(int tile) {
         return green[tile];
     }
 
-    /** The blue values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
+    /** Returns the blue values of a tile: the film's own {@code float[TILE_PIXELS]}, linear. */
     public float[] blue(int tile) {
         return blue[tile];
     }
 
-    /** The linear red of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
+    /** Returns the linear red of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
     public float red(int x, int y) {
         return red[tileOf(x, y)][pixelInTile(x, y)];
     }
 
-    /** The linear green of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
+    /** Returns the linear green of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
     public float green(int x, int y) {
         return green[tileOf(x, y)][pixelInTile(x, y)];
     }
 
-    /** The linear blue of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
+    /** Returns the linear blue of pixel (x, y); 0 ≤ x &lt; width, 0 ≤ y &lt; height. */
     public float blue(int x, int y) {
         return blue[tileOf(x, y)][pixelInTile(x, y)];
     }
 
     /**
-     * How many tiles lie beside each other along a side.
+     * Returns the number of tiles along a side.
      *
-     * @param pixels the side's length
+     * @param pixels length of the side
      * @throws IllegalArgumentException if that is less than 1
      */
     public static int tilesAlong(int pixels) {
@@ -157,22 +157,22 @@ public final class Film {
         return (pixels - 1) / TILE_SIZE + 1;
     }
 
-    /** The number of the tile that holds pixel (x, y). */
+    /** Returns the number of the tile that holds pixel (x, y). */
     public int tileOf(int x, int y) {
         return (y / TILE_SIZE) * tilesX + x / TILE_SIZE;
     }
 
-    /** The index of pixel (x, y) inside its tile. */
+    /** Returns the index of pixel (x, y) inside its tile. */
     public static int pixelInTile(int x, int y) {
         return (y & (TILE_SIZE - 1)) * TILE_SIZE + (x & (TILE_SIZE - 1));
     }
 
-    /** An equal film with arrays of its own. */
+    /** Returns an equal film with its own arrays. */
     public Film copy() {
         return new Film(width, height, copyOf(red), copyOf(green), copyOf(blue));
     }
 
-    /** The visible pixels as {@code float[width * height * 3]}: interleaved linear RGB, the top row first. */
+    /** Returns the visible pixels as {@code float[width * height * 3]}: interleaved linear RGB, the top row first. */
     public float[] toScanlines() {
         float[] rgb = new float[Math.multiplyExact(Math.multiplyExact(width, height), 3)];
         for (int y = 0, at = 0; y < height; y++) {
@@ -188,8 +188,8 @@ public final class Film {
     }
 
     /**
-     * Whether both films have the same size and, in every visible pixel, the very same bits: 0 differs from −0, and a
-     * NaN equals only itself with the same payload.
+     * Returns whether both films have the same size and the same bits in every visible pixel: 0 differs from −0, and a NaN equals
+     * only a NaN with the same payload.
      */
     public boolean hasSameBits(Film other) {
         if (width != other.width || height != other.height) {

@@ -4,13 +4,13 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * ꟻLIP: how much a person sees that two pictures differ, who flips between them at a given distance from the screen; 0 for
- * pictures that look the same to 1 for the worst. LDR-ꟻLIP as defined by Andersson, Nilsson, Akenine-Möller, Oskarsson,
+ * ꟻLIP error metric: the perceived difference when a viewer alternates between two pictures at a given distance from the screen, from
+ * 0 (indistinguishable) to 1. LDR-ꟻLIP as defined by Andersson, Nilsson, Akenine-Möller, Oskarsson,
  * Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating Images", HPG 2020; every constant is from there.
  *
- * <p>Both pictures are displayed ({@link ViewTransform#DEFAULT}), blurred as the eye blurs, and compared in two ways at each
- * pixel: by color (HyAB distance of Hunt-adjusted L*a*b*, compressed to 0…1), and by edges and points that only one
- * has. The error is {@code color^(1 − features)}.
+ * <p>Both pictures are displayed ({@link ViewTransform#DEFAULT}) and blurred like the eye's image. Each pixel is compared by color (HyAB
+ * distance of Hunt-adjusted L*a*b*, compressed to 0…1) and by features, the edges and points that only one picture has. The error is
+ * {@code color^(1 − features)}.
  *
  * <pre>{@code
  * double error = Flip.mean(updated, traced);
@@ -18,17 +18,14 @@ import java.util.stream.IntStream;
  */
 public final class Flip {
 
-    /**
-     * Pixels that one degree of the visual field spans for the definition's observer, 0.7 m before a screen 0.7 m wide with
-     * 3840 pixels a row: 67.02.
-     */
+    /** Pixels per degree for the definition's observer, 0.7 m from a screen 0.7 m wide with 3840 pixels a row: 67.02. */
     public static final double PIXELS_PER_DEGREE = 0.7 * 3840 / 0.7 * Math.PI / 180;
 
-    /** Enough that margins cost little, few enough that the planes of a band stay in the cache. */
+    /** Large enough that margins cost little, small enough that the planes of a band stay in the cache. */
     private static final int BAND_ROWS = 64;
 
     private static final double COLOR_EXPONENT = 0.7;
-    /** Color differences up to this share of the largest one… */
+    /** Color differences up to this share of the largest one … */
     private static final double COMMON_SHARE = 0.4;
     /** … take this share of the scale. */
     private static final double COMMON_SCALE = 0.95;
@@ -37,7 +34,7 @@ public final class Flip {
     private Flip() {}
 
     /**
-     * The mean error over all pixels, 0…1, at {@link #PIXELS_PER_DEGREE}.
+     * Returns the mean error over all pixels, 0…1, at {@link #PIXELS_PER_DEGREE}.
      *
      * @throws IllegalArgumentException if the sizes of the films differ
      */
@@ -46,10 +43,10 @@ public final class Flip {
     }
 
     /**
-     * The mean error over all pixels, 0…1.
+     * Returns the mean error over all pixels, 0…1.
      *
-     * @param pixelsPerDegree pixels that one degree of the visual field spans, 1 to 1000
-     * @throws IllegalArgumentException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside
+     * @param pixelsPerDegree pixels per degree of the visual field, 1 to 1000
+     * @throws IllegalArgumentException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside its range
      */
     public static double mean(Film a, Film b, double pixelsPerDegree) {
         double sum = 0;
@@ -60,10 +57,10 @@ public final class Flip {
     }
 
     /**
-     * The error of each pixel, 0…1, as {@code float[width * height]}, the top row first.
+     * Returns the error of each pixel, 0…1, as {@code float[width * height]}, the top row first.
      *
-     * @param pixelsPerDegree pixels that one degree of the visual field spans, 1 to 1000
-     * @throws IllegalArgumentException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside
+     * @param pixelsPerDegree pixels per degree of the visual field, 1 to 1000
+     * @throws IllegalArgumentException if the sizes of the films differ, or {@code pixelsPerDegree} is NaN or outside its range
      */
     public static float[] errors(Film a, Film b, double pixelsPerDegree) {
         Difference.requireSameSize(a, b);
@@ -99,14 +96,14 @@ public final class Flip {
         }
     }
 
-    /** HyAB: lightness apart plus chroma apart. */
+    /** Returns the HyAB distance: lightness difference plus chroma distance. */
     private static double distance(double[][] a, double[][] b, int i, int j) {
         double greenRed = a[1][i] - b[1][j];
         double blueYellow = a[2][i] - b[2][j];
         return Math.abs(a[0][i] - b[0][j]) + Math.sqrt(greenRed * greenRed + blueYellow * blueYellow);
     }
 
-    /** A color difference ≥ 0 on a scale of 0…1, on which the common ones take most of the room. */
+    /** Maps a color difference ≥ 0 to 0…1; common differences use most of the scale. */
     private static double compress(double difference) {
         double common = COMMON_SHARE * MAX_DISTANCE;
         return difference < common
@@ -114,7 +111,7 @@ public final class Flip {
                 : COMMON_SCALE + (difference - common) / (MAX_DISTANCE - common) * (1 - COMMON_SCALE);
     }
 
-    /** The largest distance of two displayable colors. */
+    /** Returns the largest distance of two displayable colors. */
     private static double maxColorDistance() {
         double[][] lab = new double[3][2];
         OpponentColor.writeHuntLab(0, 1, 0, lab, 0);

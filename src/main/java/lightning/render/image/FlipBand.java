@@ -3,10 +3,10 @@ package lightning.render.image;
 import java.util.Arrays;
 
 /**
- * Some rows of a displayed picture as {@link Flip} sees them: what color the eye sees where, and where it sees edges and
- * points. Beyond the picture its border goes on.
+ * Band of rows of a displayed picture in the perceptual space of {@link Flip}: perceived colors, edges and points. The picture is
+ * clamped at its border.
  *
- * <p>In doubles: the root of a detector's answer turns the rounding errors of floats in a flat picture into errors of 1e-4.
+ * <p>Uses doubles: the root in a detector's response turns float rounding errors in a flat picture into errors of 1e-4.
  */
 final class FlipBand {
     private final EyeFilters filters;
@@ -20,7 +20,7 @@ final class FlipBand {
     /** The strength of a point, 0…√2: {@code double[rows * width]}. */
     final double[] points;
 
-    /** The rows {@code top} to {@code top + rows − 1} of a picture of display codes. */
+    /** Prepares the rows {@code top} to {@code top + rows − 1} of a picture of display codes. */
     FlipBand(int[] pixels, int width, int height, int top, int rows, EyeFilters filters) {
         this.filters = filters;
         this.width = width;
@@ -36,7 +36,7 @@ final class FlipBand {
         lab = perceivedLab(opponent);
     }
 
-    /** Y, Cx, Cz of the rows and of a margin above and below. */
+    /** Returns Y, Cx, Cz of the rows and of a margin above and below. */
     private double[][] opponent(int[] pixels, int height, int top) {
         int margin = filters.radius;
         double[][] planes = new double[3][(rows + 2 * margin) * width];
@@ -68,7 +68,7 @@ final class FlipBand {
         return filterVertically(filterHorizontally(plane, weights), weights);
     }
 
-    /** The length of the vector of a detector's answers across and down. */
+    /** Returns the length of the vector of a detector's responses across and down. */
     private double[] strength(double[] detectedAcross, double[] smoothAcross, double[] detector) {
         double[] x = filterVertically(detectedAcross, filters.gauss);
         double[] y = filterVertically(smoothAcross, detector);
@@ -78,7 +78,7 @@ final class FlipBand {
         return x;
     }
 
-    /** A plane with margins, filtered across. */
+    /** Filters a plane with margins across. */
     private double[] filterHorizontally(double[] plane, double[] weights) {
         int radius = weights.length / 2;
         double[] to = new double[plane.length];
@@ -97,7 +97,7 @@ final class FlipBand {
         return to;
     }
 
-    /** A plane with margins, filtered down: the rows alone. */
+    /** Filters a plane with margins down; returns only the rows. */
     private double[] filterVertically(double[] plane, double[] weights) {
         int radius = weights.length / 2;
         double[] to = new double[rows * width];

@@ -1,11 +1,11 @@
 package lightning.render.image;
 
 /**
- * The color spaces of {@link Flip}: from linear sRGB by way of CIE XYZ (D65) to the linear opponent space YCxCz, in which
- * the eye's blur is applied, and to CIE L*a*b*, whose chroma is scaled by lightness (Hunt: dark colors look less colourful).
+ * Color spaces of {@link Flip}: from linear sRGB through CIE XYZ (D65) to the linear opponent space YCxCz, in which the eye's blur
+ * is applied, and to CIE L*a*b*, whose chroma is scaled by lightness (Hunt effect: dark colors look less colorful).
  *
- * <p>The matrix is that of the sRGB primaries in exact fractions, as the published definition of FLIP has it; its inverse
- * and the white point are computed from it, so that gray is exactly without chroma.
+ * <p>The matrix is that of the sRGB primaries in exact fractions, as in the published definition of FLIP. Its inverse and the white
+ * point are computed from it, so that gray has exactly no chroma.
  */
 final class OpponentColor {
     private static final double[][] TO_XYZ = {
@@ -15,7 +15,7 @@ final class OpponentColor {
     };
     /** Row sums of the matrix: XYZ of linear RGB (1, 1, 1). */
     private static final double[] WHITE = {sum(TO_XYZ[0]), sum(TO_XYZ[1]), sum(TO_XYZ[2])};
-    /** XYZ relative to white, from linear RGB. */
+    /** Matrix from linear RGB to XYZ relative to white. */
     private static final double[][] TO_RELATIVE = relativeMatrix();
     private static final double[][] FROM_RELATIVE = inverse(TO_RELATIVE);
     /** CIE: below (6/29)³ the cube root continues as a line. */
@@ -81,7 +81,7 @@ final class OpponentColor {
         return m;
     }
 
-    /** By cofactors. */
+    /** Inverts by cofactors. */
     private static double[][] inverse(double[][] m) {
         double[][] inverse = new double[3][3];
         for (int i = 0; i < 3; i++) {

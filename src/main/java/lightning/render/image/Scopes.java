@@ -3,25 +3,25 @@ package lightning.render.image;
 import java.util.Arrays;
 
 /**
- * How the codes of a displayed picture are spread: how many pixels have each (a histogram), and how many of each column have it (a
- * waveform). By the curve and exposure of a view; false colors are no codes, and count as sRGB.
+ * Histogram and waveform of a displayed picture's codes, by the curve and exposure of a view. False colors are not codes and count
+ * as sRGB.
  *
  * @param histogram {@code int[3][256]}: pixels of each code, red, green and blue
- * @param waveform  {@code int[3][columns * 256]}: the same of each column, one column after the other
- * @param columns   of the waveform: those of the picture, or fewer that each stand for several
- * @param pixels    of the picture
+ * @param waveform  {@code int[3][columns * 256]}: pixels of each code in each column, one column after the other
+ * @param columns   columns of the waveform: those of the picture, or fewer that each combine several
+ * @param pixels    number of pixels of the picture
  */
 public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixels) {
-    /** Codes of a channel. */
+    /** Codes per channel. */
     public static final int CODES = 256;
 
     private static final int MAX_COLUMNS = 512;
-    /** Of so many codes that occur one may rise above the histogram. */
+    /** One in this many occurring codes may exceed the histogram's top. */
     private static final int CODES_PER_OUTLIER = 16;
     private static final int BACKGROUND = 0x16;
     private static final int BRIGHT = 0xE6;
 
-    /** Counts a picture: some 10 ms of one thread for 1920×1080. */
+    /** Counts a picture; about 10 ms on one thread for 1920×1080. */
     public static Scopes of(Film film, ViewTransform view) {
         int columns = Math.min(film.width(), MAX_COLUMNS);
         int[][] histogram = new int[3][CODES];
@@ -39,9 +39,9 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
     }
 
     /**
-     * The histogram as a picture of 256 columns, black at the left, opaque 0xFFRRGGBB; where channels overlap their colors add. Black,
-     * white and one in sixteen of the other codes that occur, the most frequent ones, may be cut off at the top: one even background would
-     * press all else into the ground line.
+     * Draws the histogram as an image of 256 columns, black at the left, opaque 0xFFRRGGBB; overlapping channels add their colors.
+     * Black, white and the most frequent sixteenth of the other occurring codes may be clipped at the top. Otherwise one even
+     * background would flatten all other bars.
      *
      * @param height pixels
      */
@@ -52,7 +52,7 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
             for (int code = 0; code < CODES; code++) {
                 int rgb = 0xFF;
                 for (int[] channel : histogram) {
-                    // A code that any pixel has is seen.
+                    // A code of any pixel is visible.
                     long bar = channel[code] == 0 ? 0 : Math.max(1, (long) channel[code] * height / max);
                     rgb = rgb << 8 | (height - y <= bar ? BRIGHT : BACKGROUND);
                 }
@@ -62,16 +62,19 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
         return to;
     }
 
-    /** How many pixels reach the top of the histogram's picture. */
+    /** Returns the pixel count at the top of the histogram's image. */
     private int histogramTop() {
         int[] bars = Arrays.stream(histogram).flatMapToInt(channel -> Arrays.stream(channel, 1, CODES - 1)).filter(n -> n > 0).sorted()
                 .toArray();
         return bars.length == 0 ? 1 : bars[bars.length - 1 - bars.length / CODES_PER_OUTLIER];
     }
 
-    /** The waveform as a picture of {@link #columns} × 256 pixels, white at the top, opaque; brighter where more pixels have the code. */
+    /**
+     * Draws the waveform as an image of {@link #columns} × 256 pixels, white at the top, opaque; brighter for more pixels with the
+     * code.
+     */
     public int[] waveformPixels() {
-        // Of a column whose codes are spread evenly over a sixteenth of all, every one is half bright.
+        // In a column whose codes are spread evenly over a sixteenth of all codes, each of them has half brightness.
         double even = (double) pixels / columns / (CODES / 16);
         int[] to = new int[columns * CODES];
         for (int x = 0; x < columns; x++) {
@@ -87,7 +90,7 @@ public record Scopes(int[][] histogram, int[][] waveform, int columns, long pixe
         return to;
     }
 
-    /** The largest share of pixels, 0…1, that have a code in one channel. */
+    /** Returns the largest share of pixels, 0…1, with a code in one channel. */
     public double pixelShare(int code) {
         int max = 0;
         for (int[] channel : histogram) {

@@ -3,39 +3,39 @@ package lightning.render.image;
 import lightning.base.math.SrgbCurve;
 
 /**
- * The sRGB encoding to and from 8 bits (IEC 61966-2-1), correctly rounded.
+ * sRGB encoding to and from 8 bits (IEC 61966-2-1), correctly rounded.
  *
- * <p>For a linear value v in 0…1 the code is {@code round(255 · s)}, where {@code s = 12.92 · v} up to v = 0.0031308 and
- * {@code s = 1.055 · v^(1/2.4) − 0.055} above. {@link #formula} is just that; {@link #encode} gives the same code for
- * every float from a table, without a power.
+ * <p>For a linear value v in 0…1 the code is {@code round(255 · s)}, where {@code s = 12.92 · v} up to v = 0.0031308 and {@code s =
+ * 1.055 · v^(1/2.4) − 0.055} above. {@link #formula} computes this directly; {@link #encode} gives the same code for every float
+ * from a table.
  */
 final class Srgb {
 
     private static final CodeTable TABLE = CodeTable.of(Srgb::encoded, 1);
 
-    /** {@code THRESHOLD[c]} is the smallest float whose code is c; one more that is never reached. */
+    /** {@code THRESHOLD[c]} is the smallest float whose code is c; the last entry is never reached. */
     static final float[] THRESHOLD = TABLE.threshold();
 
     private static final float[] LINEAR = linearTable();
 
     private Srgb() {}
 
-    /** The definition: the code, 0 to 255, of a linear value; below 0 and NaN count as 0, above 1 as 1. */
+    /** Returns the code, 0 to 255, of a linear value by the formula; below 0 and NaN count as 0, above 1 as 1. */
     static int formula(float linear) {
         return CodeTable.formula(v -> encoded(Math.min(v, 1)), linear);
     }
 
-    /** What a display is sent for a linear value, both 0…1. */
+    /** Returns the sRGB value of a linear value, both 0…1. */
     static double encoded(double v) {
         return v <= 0.0031308 ? 12.92 * v : 1.055 * StrictMath.pow(v, 1 / 2.4) - 0.055;
     }
 
-    /** The same as {@link #formula}, fast. */
+    /** Returns the same code as {@link #formula} from the table. */
     static int encode(float linear) {
         return TABLE.encode(linear);
     }
 
-    /** The linear value, 0…1, of a code 0 to 255; {@code encode(linear(c)) == c}. */
+    /** Returns the linear value, 0…1, of a code 0 to 255; {@code encode(linear(c)) == c}. */
     static float linear(int code) {
         return LINEAR[code];
     }

@@ -3,12 +3,12 @@ package lightning.render.image;
 import java.util.Arrays;
 
 /**
- * Structural similarity (Wang, Bovik, Sheikh and Simoncelli, "Image quality assessment: from error visibility to
- * structural similarity", 2004): the mean over all windows of
- * {@code (2·μa·μb + C1)(2·σab + C2) / ((μa² + μb² + C1)(σa² + σb² + C2))}, with C1 = (0.01·255)² and C2 = (0.03·255)².
+ * Structural similarity (Wang, Bovik, Sheikh and Simoncelli, "Image quality assessment: from error visibility to structural
+ * similarity", 2004): the mean over all windows of {@code (2·μa·μb + C1)(2·σab + C2) / ((μa² + μb² + C1)(σa² + σb² + C2))}, with C1
+ * = (0.01·255)² and C2 = (0.03·255)².
  *
- * <p>The window is the paper's: 11 × 11 pixels weighted by a Gaussian of 1.5 pixels, everywhere where it lies wholly
- * inside the picture. A picture with a shorter side has a window cut to that side.
+ * <p>The window is the paper's: 11 × 11 pixels weighted by a Gaussian of 1.5 pixels, at every position inside the picture. If a
+ * side of the picture is shorter, the window is cut to it.
  */
 final class Ssim {
 
@@ -22,13 +22,13 @@ final class Ssim {
 
     private Ssim() {}
 
-    /** The similarity of the luma 0…255 (weights of BT.709 on sRGB codes) that two films of one size show. */
+    /** Returns the similarity of the displayed luma 0…255 (weights of BT.709 on sRGB codes) of two films of one size. */
     static double displayedLuma(Film a, Film b) {
         int width = a.width();
         double[] across = gaussian(Math.min(WINDOW, width));
         double[] down = gaussian(Math.min(WINDOW, a.height()));
         int positions = width - across.length + 1;
-        // Only the rows under the window are kept, blurred across, each in the slot of its number modulo their count.
+        // Only the rows under the window are stored, blurred across, in a ring buffer by row number.
         double[][] rows = new double[down.length][MOMENTS * positions];
         double[] lumaA = new double[width];
         double[] lumaB = new double[width];
@@ -46,7 +46,7 @@ final class Ssim {
         return sum / ((double) positions * (a.height() - down.length + 1));
     }
 
-    /** Gaussian weights around the middle of {@code size} pixels, their sum 1. */
+    /** Returns Gaussian weights around the middle of {@code size} pixels, with sum 1. */
     private static double[] gaussian(int size) {
         double[] weights = new double[size];
         double sum = 0;

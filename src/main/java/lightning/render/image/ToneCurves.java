@@ -1,17 +1,17 @@
 package lightning.render.image;
 
-/** Curves that bring what is brighter than the display's white below it, from linear values ≥ 0 to linear light of the display. */
+/** Tone mapping curves that compress highlights above display white, from linear values ≥ 0 to linear display light. */
 final class ToneCurves {
-    /** What is white by the filmic curve. */
+    /** White point of the filmic curve. */
     static final double FILMIC_WHITE = 5.6;
-    /** Where the fit of ACES is 1: 0.08·v² − 0.56·v − 0.14 = 0. */
+    /** White point of the ACES fit: 0.08·v² − 0.56·v − 0.14 = 0. */
     static final double ACES_WHITE = (0.56 + StrictMath.sqrt(0.56 * 0.56 + 4 * 0.08 * 0.14)) / 0.16;
 
     private ToneCurves() {}
 
     /**
-     * Filmic: Hable's curve with a long shoulder (Filmic Tonemapping Operators, filmicworlds.com, 2010), its constants and its exposure of 2;
-     * linear 5.6 is white.
+     * Filmic: Hable's curve with a long shoulder (Filmic Tonemapping Operators, filmicworlds.com, 2010), with its constants and
+     * exposure of 2; linear 5.6 is white.
      */
     static double filmic(double v) {
         return v >= FILMIC_WHITE ? 1 : hable(2 * v) / hable(2 * FILMIC_WHITE);
@@ -28,8 +28,8 @@ final class ToneCurves {
     }
 
     /**
-     * ACES: Narkowicz's fit of its reference and output transforms for sRGB displays (ACES Filmic Tone Mapping Curve, 2015), each channel
-     * for itself; linear 1 is shown at 0.80, and 7.25 is white.
+     * ACES: Narkowicz's fit of the reference and output transforms for sRGB displays (ACES Filmic Tone Mapping Curve, 2015), per
+     * channel; linear 1 is shown at 0.80, and 7.25 is white.
      */
     static double aces(double v) {
         return v >= ACES_WHITE ? 1 : v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14);

@@ -6,31 +6,31 @@ import java.util.Optional;
 import lightning.base.text.Quote;
 
 /**
- * How a linear film becomes display pixels: clamped, which a film never is.
+ * View transform from a linear film to clamped display pixels. The film itself is never clamped.
  *
- * <p>Each channel becomes {@code curve(linear · 2^exposure)} cut to 0…1, in 8 bits, correctly rounded. The gain
- * {@code 2^exposure} is rounded to float and so is the product; NaN counts as 0.
+ * <p>Each channel becomes {@code curve(linear · 2^exposure)} clamped to 0…1, in 8 bits, correctly rounded. The gain {@code
+ * 2^exposure} is rounded to float and so is the product; NaN counts as 0.
  *
- * @param exposure stops, −64 to 64; one more doubles the brightness
- * @param lut     what the curve gives passes this table last, if there is one; what {@link DisplayCurve#LINEAR} gives is not cut off
- *                 before. Stops in colors do without it
- * @param marksClipping   whether pixels that are cut off are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; stops in colors are not
+ * @param exposure      stops, −64 to 64; one more doubles the brightness
+ * @param lut           lookup table applied after the curve, if any; {@link DisplayCurve#LINEAR} is not clamped before it; ignored
+ *                      for false colors
+ * @param marksClipping true if clipped pixels are shown in {@link #CLIPPED_MARK} and {@link #BLACK_MARK}; ignored for false colors
  */
 @RecordBuilder
 public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLut> lut, boolean marksClipping)
         implements ViewTransformBuilder.With {
-    /** 0xRRGGBB: the mark of a pixel with a channel that the curve cuts off at white. */
+    /** 0xRRGGBB: marks a pixel with a channel clipped at white. */
     public static final int CLIPPED_MARK = 0xFF00C8;
-    /** 0xRRGGBB: the mark of a pixel that is shown as black. */
+    /** 0xRRGGBB: marks a pixel that is shown as black. */
     public static final int BLACK_MARK = 0x0050FF;
 
     private static final double CODES = 255;
     private static final double CODES_16 = 65535;
 
-    /** The largest absolute exposure, in stops. */
+    /** Largest absolute exposure in stops. */
     public static final double MAX_EXPOSURE = 64;
 
-    /** sRGB; linear white 1 is display white. */
+    /** sRGB; linear 1 is display white. */
     public static final ViewTransform DEFAULT = new ViewTransform(0);
 
     /** @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64 */
@@ -41,7 +41,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     /**
-     * For an sRGB display.
+     * Creates a transform for an sRGB display.
      *
      * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
      */
@@ -50,7 +50,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     /**
-     * Without a table and marks.
+     * Creates a transform without a lookup table and clipping marks.
      *
      * @throws IllegalArgumentException if {@code exposure} is NaN or outside −64…64
      */
@@ -58,20 +58,20 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         this(exposure, curve, Optional.empty(), false);
     }
 
-    /** The factor on linear values, {@code 2^exposure}. */
+    /** Returns the factor of linear values, {@code 2^exposure}. */
     public float gain() {
         return (float) StrictMath.pow(2, exposure);
     }
 
-    /** The display code, 0 to 255, of one linear value, without the table. */
+    /** Returns the display code, 0 to 255, of one linear value, without the lookup table. */
     public int encode(float linear) {
         return curve.table().encode(linear * gain());
     }
 
     /**
-     * The codes of 16 bits, 0 to 65535, of a linear pixel, rounded as those of 8 bits are; without marks.
+     * Writes the 16-bit codes, 0 to 65535, of a linear pixel, rounded as the 8-bit codes are; without marks.
      *
-     * @param to {@code short[]}: red, green and blue from {@code at} on
+     * @param to {@code short[]}: receives red, green and blue from {@code at} on
      */
     public void pack16(float red, float green, float blue, short[] to, int at) {
         float gain = gain();
@@ -91,7 +91,7 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return lut.isPresent() && curve != DisplayCurve.FALSE;
     }
 
-    /** What the table makes of what the curve gives. */
+    /** Applies the lookup table to the curve's values. */
     private double[] applyLut(float red, float green, float blue) {
         double[] color = {curve.value(red), curve.value(green), curve.value(blue)};
         lut.orElseThrow().apply(color);
@@ -102,12 +102,12 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return (int) Math.floor(max * Math.clamp(v, 0, 1) + 0.5);
     }
 
-    /** The linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
+    /** Returns the linear value, 0…1, that {@link #DEFAULT} shows as {@code code}, 0 to 255: the inverse of sRGB. */
     public static float linear(int code) {
         return Srgb.linear(code);
     }
 
-    /** The whole picture as {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
+    /** Returns the whole picture as {@code int[width * height]}, opaque 0xFFRRGGBB, the top row first. */
     public int[] toPixels(Film film) {
         int[] pixels = new int[Math.multiplyExact(film.width(), film.height())];
         for (int tile = 0; tile < film.tileCount(); tile++) {
@@ -117,11 +117,11 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     /**
-     * Writes the visible pixels of one tile into the picture that holds them all, and nothing else, so that different
-     * tiles may be packed at the same time.
+     * Writes only the visible pixels of one tile into the whole picture's array, so that threads can pack different tiles at the
+     * same time.
      *
      * @param tile   0 ≤ tile &lt; {@code film.tileCount()}
-     * @param pixels {@code int[width * height]} of the whole film, as {@link #toPixels} gives it
+     * @param pixels {@code int[width * height]} of the whole film, as {@link #toPixels} returns it
      */
     public void packTile(Film film, int tile, int[] pixels) {
         packTile(film.red(tile), film.green(tile), film.blue(tile), tile % film.tilesX() * Film.TILE_SIZE,
@@ -130,12 +130,12 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
     }
 
     /**
-     * Writes the visible pixels of a tile that is in no film yet.
+     * Writes the visible pixels of a tile that is not in a film yet.
      *
-     * @param red    {@code float[1024]}, linear; likewise {@code green} and {@code blue}
-     * @param left   the picture's column of the tile's first; likewise {@code top}
-     * @param width  the picture's
-     * @param pixels {@code int[width * height]}, as {@link #toPixels} gives it
+     * @param red    {@code float[1024]}, linear, as {@code green} and {@code blue}
+     * @param left   the picture's column of the tile's first pixel, with {@code top} as its row
+     * @param width  width of the picture
+     * @param pixels {@code int[width * height]}, as {@link #toPixels} returns it
      */
     public void packTile(float[] red, float[] green, float[] blue, int left, int top, int width, int[] pixels) {
         if (curve == DisplayCurve.FALSE || hasLut() || marksClipping) {
@@ -170,13 +170,13 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         }
     }
 
-    /** One pixel of linear values as it is displayed, opaque 0xFFRRGGBB. */
+    /** Returns the display color of one linear pixel, opaque 0xFFRRGGBB. */
     public int pack(float red, float green, float blue) {
         float gain = gain();
         return displayedPixel(red * gain, green * gain, blue * gain);
     }
 
-    /** The pixel of values that have their exposure. */
+    /** Returns the display color of values after exposure. */
     private int displayedPixel(float r, float g, float b) {
         if (curve == DisplayCurve.FALSE) {
             return 0xFF000000 | FalseColor.rgb(r, g, b);
@@ -199,17 +199,17 @@ public record ViewTransform(double exposure, DisplayCurve curve, Optional<CubeLu
         return code(color[0], CODES) << 16 | code(color[1], CODES) << 8 | code(color[2], CODES);
     }
 
-    /** What a saved picture is shown by where nobody asked for another: stops and marks are for looking alone. */
+    /** Returns the transform for a saved image by default: without false colors and marks, which are for viewing only. */
     public ViewTransform forOutput() {
         return new ViewTransform(exposure, curve == DisplayCurve.FALSE ? DisplayCurve.SRGB : curve, lut, false);
     }
 
-    /** A curve by which every error shows that shows in this view: how steep a table is nobody knows. */
+    /** Returns a curve that shows every error that this view shows. The slope of a lookup table is unknown. */
     public DisplayCurve steepestCurve() {
         return hasLut() ? DisplayCurve.FILMIC : curve;
     }
 
-    /** As in {@code Filmic (Hable), look.cube, +0.5 stops}. */
+    /** Returns a description, for example {@code Filmic (Hable), look.cube, +0.5 stops}. */
     public String description() {
         return curve.title() + lut.map(table -> ", " + Quote.path(table.file().getFileName())).orElse("") + (exposure == 0 ? ""
                 : ", " + (exposure > 0 ? "+" : "") + BigDecimal.valueOf(exposure).stripTrailingZeros().toPlainString() + " stops");

@@ -29,21 +29,21 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.Scene;
 
 /**
- * Brings what is known of a picture from one accuracy to the other. Both keep each row's state, so that the terms
- * of one follow from the other's without a ray: contributions by multiplying the terms, terms by computing those of lit
- * rows anew. The picture is then composed anew, so that no error of scaled contributions stays in it.
+ * Converts a pixel cache from one accuracy to the other without casting rays. Both accuracies store each row's state: contributions
+ * are computed by multiplying the terms, and terms by recomputing lit rows. The picture is then recomposed, so that no error of
+ * scaled contributions remains.
  *
- * @param cache what is known; mirror levels must be kept as rows
- * @param options    how it shall be known
+ * @param cache   the cache to convert; its mirror levels must be stored as rows
+ * @param options target options
  */
 record CacheConversion(PixelCache cache, RenderOptions options) {
 
-    /** Whether a picture can be converted: not where mirror levels are kept as hit shapes, whose rows are gone. */
+    /** Returns whether a cache can be converted. Mirror levels stored as hit shapes have no rows and cannot. */
     static boolean canConvert(PixelCache cache) {
         return cache.allTiles().stream().allMatch(CachedTile::storesRows);
     }
 
-    /** What it does, as a plan. */
+    /** Returns the conversion as a plan. */
     UpdatePlan plan() {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();
@@ -51,10 +51,10 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 LevelPlan.refresh(cache.mirroredScene(), cache.mirroredLights(), materials, light -> light.stamp() != null), depth, depth);
     }
 
-    /** What is known afterwards, and what that took. */
+    /** Converted cache and the work it took. */
     record Result(PixelCache cache, WorkCounts work) {}
 
-    /** @throws CancellationException if {@code progress} asked to stop */
+    /** @throws CancellationException if {@code progress} requested cancellation */
     Result run(WorkerPool workers, Progress progress) {
         var top = LevelLights.of(cache.scene(), cache.lights());
         var mirrors = LevelLights.of(cache.mirroredScene(), cache.mirroredLights());
@@ -76,7 +76,7 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 fine[i] = options.accuracy().isExact() ? tile.withoutColors() : tile;
             }
         }, progress);
-        WorkCounts work = threads.stream().flatMap(crew -> crew.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
+        WorkCounts work = threads.stream().flatMap(thread -> thread.workers().stream()).map(TileConverter::work).reduce(WorkCounts.NONE,
                 WorkCounts::plus);
         return new Result(new PixelCache(cache.geometry(), tiles, fine, cache.scenes(), recomputed(cache.lights()),
                 recomputed(cache.mirroredLights())), work);
@@ -86,14 +86,14 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         return lights.stream().map(CachedLight::withComputedStamp).toList();
     }
 
-    /** The lights of a scene that levels show, as they shine, and as they are known. */
+    /** Lights of a scene that levels show: as they shine and as they are cached. */
     private record LevelLights(Scene scene, WeightedLight[] lights, List<CachedLight> cachedLights) {
         static LevelLights of(Scene scene, List<CachedLight> known) {
             return new LevelLights(scene, WeightedLight.ofScene(scene), known);
         }
     }
 
-    /** Converts layers, with scratch memory: one for each thread and each of the first level and those in mirrors. */
+    /** Converts layers with scratch memory: one instance for each thread, and for the first level and those in mirrors. */
     private static final class LayerConverter {
         private final LightKernel kernel;
         private final LayerUpdater updater;
@@ -118,17 +118,17 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
         }
     }
 
-    /** Converts tiles: one for each thread. */
+    /** Converts tiles: one instance per thread. */
     private static final class TileConverter {
         private final LayerConverter eye;
         private final LayerConverter mirror;
-        private final TileRecomposer painter;
+        private final TileRecomposer recomposer;
         private long rowsComposed;
 
         TileConverter(PixelCache cache, RenderOptions to, Engine engine) {
             eye = new LayerConverter(cache.geometry(), to, engine);
             mirror = new LayerConverter(cache.geometry().withMaterialsOf(cache.mirroredScene()), to, engine);
-            painter = new TileRecomposer(cache, engine, to.view());
+            recomposer = new TileRecomposer(cache, engine, to.view());
         }
 
         CachedTile convert(SamplePositions places, CachedTile old, LevelLights top, LevelLights mirrors) {
@@ -137,9 +137,10 @@ record CacheConversion(PixelCache cache, RenderOptions options) {
                 levels[k] = k == 0 ? eye.convert(old.levels[k], top) : mirror.convert(old.levels[k], mirrors);
                 rowsComposed += levels[k].rows().count;
             }
-            BounceImages scratch = painter.composeImages(levels, mirrors.lights(), mirrors.scene().world());
+            BounceImages scratch = recomposer.composeImages(levels, mirrors.lights(), mirrors.scene().world());
             BounceImages images = scratch == null ? null : scratch.compact(levels[0].rows());
-            return new CachedTile(levels, old.hitShapes, images, painter.composeFilm(levels[0], top.lights(), top.scene(), places, images),
+            return new CachedTile(levels, old.hitShapes, images,
+                    recomposer.composeFilm(levels[0], top.lights(), top.scene(), places, images),
                     old.codes);
         }
 

@@ -10,24 +10,24 @@ import lightning.scene.Material;
 import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
-/** What first passes take for the shapes of a scene: what is known of them already, as far as it serves. */
+/** Supplies first passes with geometry; reuses cached or shared geometry that serves the scene. */
 final class GeometrySource {
-    /** What is known elsewhere; may be null. */
+    /** Geometry shared by another renderer; may be null. */
     private Geometry shared;
 
-    /** Offers what is known elsewhere of some shapes; null is nothing. */
+    /** Sets shared geometry; null removes it. */
     void set(Geometry geometry) {
         shared = geometry;
     }
 
     /**
-     * What rays of a scene can meet: of the cache, or offered, where one of them serves, else made.
+     * Returns the geometry of a scene: the cached or shared geometry if it serves the scene, otherwise a new one.
      *
-     * @param target as the view shows it
-     * @param cache  what is kept of a picture; null for none
+     * @param target scene as the view shows it
+     * @param cache  cache of a picture, or null
      */
     Geometry get(Scene target, PixelCache cache, ViewEffects view) {
-        // Anti-aliasing looks into mirrors for edges, so what mirrors nothing must not be followed then.
+        // Anti-aliasing finds edges in mirrors, so rays must then not be followed from materials that do not mirror.
         Predicate<Material> mirrors =
                 RenderJob.needsEdges(target) ? MaterialTable.CASTS_REFLECTIONS : RequiredWork.of(view).mirrorMaterials();
         Geometry own = cache == null ? null : cache.geometry();

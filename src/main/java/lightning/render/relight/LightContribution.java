@@ -4,25 +4,25 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
 /**
- * How much one light matters to a picture.
+ * Contribution of one light to a picture.
  *
- * @param light   its name
- * @param shines  whether it adds anything at all: it is on and nobody's solo silences it
- * @param imageShare its part of the picture's mean luminance; 0 of a black picture
- * @param regionShare  the same of a part of the picture
- * @param changeWhenOff what is another in the picture without this light
+ * @param light         name of the light
+ * @param shines        true if it contributes at all: it is on and not muted by a solo light
+ * @param imageShare    its part of the picture's mean luminance; 0 for a black picture
+ * @param regionShare   its part of a region's mean luminance
+ * @param changeWhenOff change of the picture when the light is switched off
  */
 public record LightContribution(String light, boolean shines, double imageShare, double regionShare, FilmChange changeWhenOff) {
 
     /**
-     * What differs between two pictures of one size.
+     * Difference between two pictures of one size.
      *
-     * @param changedValues  how many linear values differ in any bit
-     * @param maxDifference by how much at most
-     * @param changedPixels   how many pixels are displayed in another color
+     * @param changedValues number of linear values that differ in any bit
+     * @param maxDifference largest difference of a linear value
+     * @param changedPixels number of pixels with another display color
      */
     public record FilmChange(long changedValues, double maxDifference, long changedPixels) {
-        /** Nothing at all. */
+        /** No difference. */
         public static final FilmChange NONE = new FilmChange(0, 0, 0);
 
         /**
@@ -47,21 +47,21 @@ public record LightContribution(String light, boolean shines, double imageShare,
                     largest = Math.max(largest, Math.abs((double) a[i] - b[i]));
                 }
             }
-            int[] seenBefore = view.toPixels(before);
-            int[] seenAfter = view.toPixels(after);
+            int[] pixelsBefore = view.toPixels(before);
+            int[] pixelsAfter = view.toPixels(after);
             long shown = 0;
-            for (int i = 0; i < seenBefore.length; i++) {
-                shown += seenBefore[i] == seenAfter[i] ? 0 : 1;
+            for (int i = 0; i < pixelsBefore.length; i++) {
+                shown += pixelsBefore[i] == pixelsAfter[i] ? 0 : 1;
             }
             return new FilmChange(values, largest, shown);
         }
 
-        /** Whether every value has the same bits. */
+        /** Returns whether every value has the same bits. */
         public boolean isNone() {
             return changedValues == 0;
         }
 
-        /** Whether every pixel is displayed as before. */
+        /** Returns whether every pixel has the same display color. */
         public boolean isInvisible() {
             return changedPixels == 0;
         }

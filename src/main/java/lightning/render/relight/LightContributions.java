@@ -17,28 +17,29 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * Which lights matter to a picture, from what is kept of it. A light's share is composed; what the picture is without a light is rendered as any edit is,
- * which only composes, but for finer samples where the light threw an edge.
+ * Contributions of all lights to a picture, computed from its cache. A light's share is composed. The picture without a light is
+ * rendered as an edit, which only composes, except for finer samples at the light's edges.
  *
- * @param lights      one for each light of the scene, in its order
- * @param environment of the environment with what is seen of it, where the scene has one; its shares are what the picture loses without it
- * @param idleLights   lights that shine, and of which no pixel is displayed in another color while all of them are off
- * @param changeWhenIdleOff what is another in the picture without all of these
+ * @param lights            one contribution for each light of the scene, in its order
+ * @param environment       contribution of the environment including its visible background, if the scene has one; its shares are
+ *                          the losses without it
+ * @param idleLights        lights that shine, but change the display color of no pixel when all of them are off
+ * @param changeWhenIdleOff change of the picture when all of these are off
  */
 public record LightContributions(List<LightContribution> lights, Optional<LightContribution> environment, List<String> idleLights,
         LightContribution.FilmChange changeWhenIdleOff) {
 
-    /** What the environment is called among lights. */
+    /** Name of the environment among lights. */
     public static final String ENVIRONMENT = "environment";
 
     /**
-     * A part of a picture.
+     * Region of a picture.
      *
-     * @param left   the first column; likewise {@code top}
-     * @param right  behind the last column; likewise {@code bottom}
+     * @param left  the first column, with {@code top} as the first row
+     * @param right the column after the last, with {@code bottom} as the row after the last
      */
     public record Region(int left, int top, int right, int bottom) {
-        /** All of a picture. */
+        /** Returns the region of a whole film. */
         public static Region ofFilm(Film film) {
             return new Region(0, 0, film.width(), film.height());
         }
@@ -55,14 +56,14 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
     }
 
     /**
-     * Asks all lights of a picture.
+     * Computes the contributions of all lights to a picture.
      *
-     * @param cache    a finished picture's, never changed here
-     * @param options  those that it was rendered with
-     * @param view     how it is displayed
-     * @param region   the part of which shares are told too
+     * @param cache    cache of a finished picture; not modified
+     * @param options  options of its render
+     * @param view     view transform of its display
+     * @param region   region whose shares are computed too
      * @param progress counts lights
-     * @throws CancellationException if {@code progress} asked to stop
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public static LightContributions of(PixelCache cache, RenderOptions options, ViewTransform view, Region region, Progress progress) {
         Scene scene = cache.scene();
@@ -90,7 +91,7 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
             List<LightContribution> idle = new ArrayList<>(lights.stream().filter(c -> c.shines() && c.changeWhenOff().isInvisible())
                     .sorted(Comparator.comparingDouble(LightContribution::imageShare)).toList());
             LightContribution.FilmChange together = LightContribution.FilmChange.NONE;
-            // What each does not show, all may show together: the brightest stay then.
+            // Lights that are invisible alone may be visible together: the brightest ones then stay.
             while (!idle.isEmpty()) {
                 renderer.restore(cache);
                 together =
@@ -138,7 +139,7 @@ public record LightContributions(List<LightContribution> lights, Optional<LightC
         return LightContribution.FilmChange.between(picture, renderer.film(), view);
     }
 
-    /** The scene with some of its lights switched off. */
+    /** Returns the scene with some of its lights switched off. */
     public static Scene switchOff(Scene scene, Iterable<String> lights) {
         Set<String> switchedOff = new HashSet<>();
         lights.forEach(switchedOff::add);

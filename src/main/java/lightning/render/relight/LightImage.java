@@ -20,56 +20,56 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 
 /**
- * What one light gives to a picture: the picture that is left when all other lights, the ambience and the background are
- * taken away, in the mirrors too. The shares of all lights and that of the ambience and the background add up to the
- * picture, but for rounding.
+ * Image of one light's contribution: the picture without all other lights, the ambience and the background, in mirrors too. Apart
+ * from rounding, the images of all lights and that of ambience and background add up to the picture.
  */
 public final class LightImage {
     private LightImage() {}
 
     /**
-     * The scene whose picture is a light's share. A light that is off, or that another's solo darkens, has a black one.
+     * Returns the scene whose picture is a light's contribution; black if the light is off or muted by a solo light.
      *
-     * @param light the name; all is black where no light has it
+     * @param light name of the light; the picture is black if no light has it
      */
     public static Scene scene(Scene scene, String light) {
         List<Light> lights = new ArrayList<>();
         for (Light l : scene.lights()) {
-            // A solo light that is switched off darkens nobody any more.
+            // A solo light that is switched off mutes no light.
             lights.add(l.name().equals(light) && scene.isActive(l) ? l : l.withOn(false));
         }
         return new Scene(scene.picture(), scene.camera(), new World(0, Rgb.BLACK), scene.stage(), scene.rig().withLights(lights));
     }
 
     /**
-     * The share in a picture, from what is known of it; in mirrors it is the share in the scene that they show.
+     * Composes the contribution from the cache of a picture; in mirrors it is the contribution to the mirrored scene.
      *
-     * @throws IllegalStateException if mirror levels are not kept as rows
-     * @throws CancellationException if {@code progress} asked to stop
+     * @throws IllegalStateException if mirror levels are not stored as rows
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     static Film film(PixelCache cache, RenderOptions options, String light, WorkerPool workers, Progress progress) {
         Scene scene = scene(cache.scene(), light);
         WeightedLight[] top = WeightedLight.ofScene(scene);
         WeightedLight[] mirrors = WeightedLight.ofScene(scene(cache.mirroredScene(), light));
-        List<EngineWorkers<TileRecomposer>> painters = EngineWorkers.perThread(workers.count(), options.engines(),
+        List<EngineWorkers<TileRecomposer>> recomposers = EngineWorkers.perThread(workers.count(), options.engines(),
                 engine -> new TileRecomposer(cache, engine, options.view()));
         int perPixel = scene.picture().sampling().samplesPerPixel();
         float[][][] films = new float[Math.max(cache.tileCount(), cache.fineCount())][][];
         workers.run(films.length, (worker, i) -> {
-            Function<CachedTile, float[][]> share = tile -> tileImage(tile, painters.get(worker).forTile(i), top, mirrors, scene);
+            Function<CachedTile, float[][]> share = tile -> tileImage(tile, recomposers.get(worker).forTile(i), top, mirrors, scene);
             CachedTile center = cache.tileCount() == 0 ? null : cache.tile(i);
             films[i] = cache.fineCount() == 0 ? share.apply(center) : cache.fineTile(i).film(center, share, perPixel);
         }, progress);
         return film(scene, films);
     }
 
-    private static float[][] tileImage(CachedTile tile, TileRecomposer painter, WeightedLight[] top, WeightedLight[] mirrors, Scene scene) {
+    private static float[][] tileImage(CachedTile tile, TileRecomposer recomposer, WeightedLight[] top, WeightedLight[] mirrors,
+            Scene scene) {
         if (!tile.storesRows()) {
-            throw new IllegalStateException("mirror levels are kept as hit shapes");
+            throw new IllegalStateException("mirror levels are stored as hit shapes");
         }
-        // The share has no environment, whose colors alone would ask where the rays go.
-        return painter.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
-                painter.composeImages(tile.levels, mirrors, scene.world()));
+        // The contribution has no environment map, whose colors alone would need ray directions.
+        return recomposer.composeFilm(tile.levels[0], top, scene, SamplePositions.centers(0, 0),
+                recomposer.composeImages(tile.levels, mirrors, scene.world()));
     }
 
     private static Film film(Scene scene, float[][][] tiles) {

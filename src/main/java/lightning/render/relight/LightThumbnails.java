@@ -15,18 +15,18 @@ import lightning.render.trace.HitRows;
 import lightning.scene.Scene;
 
 /**
- * What each light gives to some of a picture's pixels, those of the picture at a small size, from what is known: no ray is
- * cast, and only the rows of these pixels are looked at, so that all lights together take less than one picture's composing.
+ * Thumbnails of every light's contribution to a picture, composed from its cache. No ray is cast, and only the rows of the
+ * thumbnail's pixels are processed, so all lights together take less time than composing one picture.
  *
- * <p>A pixel is shown by its center, or by its first sample where all pixels have several. There each value has the bits of
- * {@link Renderer#lightImage} of a picture without anti-aliasing. What is kept of a picture is never written over, so that this may
- * run on any thread beside the renderer.
+ * <p>A pixel is represented by its center, or by its first sample if all pixels have several. Each value then has the bits of
+ * {@link Renderer#lightImage} of a picture without anti-aliasing. A cache is never modified, so this may run on any thread
+ * concurrently with the renderer.
  */
 public final class LightThumbnails {
     private final Scene scene;
     private final int width;
     private final int height;
-    /** Of each light, those of the environment last: red, green, blue of each pixel, the top row first. */
+    /** Image of each light, the environment last: red, green, blue of each pixel, the top row first. */
     private final float[][] lightImages;
     private final float[] image;
 
@@ -39,10 +39,10 @@ public final class LightThumbnails {
     }
 
     /**
-     * At a small size, in the shape of the picture.
+     * Creates thumbnails with the picture's aspect ratio.
      *
-     * @param maxWidth  pixels, ≥ 1; likewise {@code maxHeight}
-     * @throws IllegalStateException if mirror levels are kept as hit shapes
+     * @param maxWidth pixels, ≥ 1, with {@code maxHeight}
+     * @throws IllegalStateException if mirror levels are stored as hit shapes
      */
     public static LightThumbnails of(PixelCache cache, int maxWidth, int maxHeight) {
         int w = cache.scene().picture().width();
@@ -51,12 +51,12 @@ public final class LightThumbnails {
         return of(cache, pixelPositions(w, (int) Math.max(1, w / shrink)), pixelPositions(h, (int) Math.max(1, h / shrink)));
     }
 
-    /** Of one pixel, in column {@code x} from the left and row {@code y} from the top. */
+    /** Creates the thumbnails of one pixel, in column {@code x} from the left and row {@code y} from the top. */
     public static LightThumbnails pixel(PixelCache cache, int x, int y) {
         return of(cache, new int[] {x}, new int[] {y});
     }
 
-    /** The middles of {@code count} equal parts of a side. */
+    /** Returns the midpoints of {@code count} equal parts of a side. */
     private static int[] pixelPositions(int side, int count) {
         int[] places = new int[count];
         Arrays.setAll(places, i -> (int) ((2L * i + 1) * side / (2L * count)));
@@ -84,7 +84,7 @@ public final class LightThumbnails {
                 Arrays.fill(target, (short) -1);
                 for (int y = y0; y < y1; y++) {
                     for (int x = x0; x < x1; x++) {
-                        // Places of a tile are few enough to be counted in it.
+                        // The positions of one tile fit into its pixel count.
                         target[Film.pixelInTile(columns[x], rows[y])] = (short) ((y - y0) * (x1 - x0) + x - x0);
                     }
                 }
@@ -97,7 +97,7 @@ public final class LightThumbnails {
         return shares;
     }
 
-    /** Behind the last place that is in the same tile as the one at {@code from}. */
+    /** Returns the end of the positions in the tile of the one at {@code from}. */
     private static int tileEnd(int[] places, int from) {
         int end = from;
         while (end < places.length && places[end] / Film.TILE_SIZE == places[from] / Film.TILE_SIZE) {
@@ -106,7 +106,7 @@ public final class LightThumbnails {
         return end;
     }
 
-    /** Where the pixels of one tile stand among all that are looked at. */
+    /** Position of one tile's pixels among all selected ones. */
     private record TilePart(int left, int top, int width, int across) {
         int index(int i) {
             return (top + i / width) * across + left + i % width;
@@ -131,18 +131,18 @@ public final class LightThumbnails {
         }
     }
 
-    /** The rows of single pixels, and of all that is seen from there in mirrors and through clear surfaces. */
+    /** Rows of single pixels and of everything seen from there in mirrors and through clear surfaces. */
     private static final class LevelWalk {
         private final WeightedLight[] lights;
-        /** The lights that the mirrors show, each at the place of the light of that name; null where there is none. */
+        /** Lights that the mirrors show, each at the index of the light with its name; null if there is none. */
         private final WeightedLight[] mirrorLights;
-        /** Where each of these stands among the layers of a mirror level. */
+        /** Layer index of each of these lights in a mirror level. */
         private final int[] mirrorLayer;
         private final RowContribution eyeShader;
         private final RowContribution mirrorShader;
         private final int depth;
         private TileLevel[] levels;
-        /** The level to be looked at next. */
+        /** Next level of the walk. */
         private int nextLevel;
 
         LevelWalk(PixelCache cache, WeightedLight[] top) {
@@ -163,10 +163,10 @@ public final class LightThumbnails {
             mirrorShader = new RowContribution(cache.mirroredGeometry().materials());
         }
 
-        /** @param target for each place of the tile its number in the part, or −1 */
+        /** @param target for each position of the tile its index in the part, or −1 */
         void renderTile(CachedTile tile, short[] target, TilePart part, float[][] shares) {
             if (!tile.storesRows()) {
-                throw new IllegalStateException("mirror levels are kept as hit shapes");
+                throw new IllegalStateException("mirror levels are stored as hit shapes");
             }
             levels = tile.levels;
             nextLevel = 1;
@@ -179,7 +179,7 @@ public final class LightThumbnails {
             }
         }
 
-        /** A level and all that is seen from it; the walk is that of {@code relight.tile.BounceLevels}. */
+        /** Collects a level and all levels seen from it, in the order of {@code relight.tile.BounceLevels}. */
         private SelectedRows collectLevel(int at, int level, short[] above) {
             SelectedRows selected = new SelectedRows(levels[at], above);
             short[] numbers = selected.numbers();
@@ -192,18 +192,18 @@ public final class LightThumbnails {
         }
     }
 
-    /** Those rows of a level that are looked at, and what is seen from them. */
+    /** Selected rows of a level and the levels seen from them. */
     private static final class SelectedRows {
         private final TileLevel level;
-        /** What is seen from these rows, by the {@link BounceKind}; null where nothing is followed. */
+        /** Levels seen from these rows, by {@link BounceKind}; null if no ray bounces. */
         private final SelectedRows[] bounces = new SelectedRows[BounceKind.values().length];
         private final int[] row;
         private final int[] material;
-        /** The number that each row's parent had. */
+        /** Number of each row's parent. */
         private final short[] parentNumber;
         private int count;
 
-        /** @param numbers of the rows, or pixels, that the level is seen from: those that are looked at; else −1 */
+        /** @param numbers numbers of the rows or pixels that the level is seen from; −1 if not selected */
         SelectedRows(TileLevel level, short[] numbers) {
             this.level = level;
             HitRows rows = level.rows();
@@ -225,7 +225,7 @@ public final class LightThumbnails {
             }
         }
 
-        /** For each row of the level its number here, −1 where it is not looked at. */
+        /** Returns for each row of the level its number here, −1 if it is not selected. */
         short[] numbers() {
             short[] numbers = new short[level.rows().count];
             Arrays.fill(numbers, (short) -1);
@@ -235,7 +235,7 @@ public final class LightThumbnails {
             return numbers;
         }
 
-        /** A light's share of the color of each row: red, green, blue. */
+        /** Returns a light's contribution to the color of each row: red, green, blue. */
         float[] colors(RowContribution equation, WeightedLight light, int layer, LevelWalk levels) {
             float[] mirrored = bounceColors(BounceKind.MIRRORED, layer, levels);
             float[] refracted = bounceColors(BounceKind.REFRACTED, layer, levels);
@@ -247,7 +247,7 @@ public final class LightThumbnails {
             return colors;
         }
 
-        /** What the rays bring that go on in one way from each row; 0 where none does. */
+        /** Returns the colors of one kind of bounce from each row; 0 if no ray bounces. */
         private float[] bounceColors(BounceKind bounce, int layer, LevelWalk levels) {
             float[] images = new float[3 * count];
             SelectedRows selected = bounces[bounce.ordinal()];
@@ -261,32 +261,32 @@ public final class LightThumbnails {
         }
     }
 
-    /** What the picture shows. */
+    /** Returns the scene that the picture shows. */
     public Scene scene() {
         return scene;
     }
 
-    /** Pixels. */
+    /** Returns the width in pixels. */
     public int width() {
         return width;
     }
 
-    /** Pixels. */
+    /** Returns the height in pixels. */
     public int height() {
         return height;
     }
 
-    /** The picture at these pixels: red, green, blue of each, linear, the top row first. */
+    /** Returns the picture at these pixels: red, green, blue of each, linear, the top row first. */
     public float[] image() {
         return image.clone();
     }
 
-    /** What the scene's light at a place gives, as {@link #image}. */
+    /** Returns the contribution of the scene's light at an index, in the layout of {@link #image}. */
     public float[] lightImage(int nodeIndex) {
         return lightImages[nodeIndex].clone();
     }
 
-    /** What several lights give together, likewise. */
+    /** Returns the summed contributions of several lights, in the layout of {@link #image}. */
     public float[] sumOfLights(int... places) {
         float[] sum = new float[image.length];
         for (int nodeIndex : places) {
@@ -295,7 +295,7 @@ public final class LightThumbnails {
         return sum;
     }
 
-    /** What the environment gives as a light, likewise. */
+    /** Returns the contribution of the environment as a light, in the layout of {@link #image}. */
     public float[] environmentImage() {
         float[] sum = new float[image.length];
         for (int l = scene.lights().size(); l < lightImages.length; l++) {
@@ -310,7 +310,7 @@ public final class LightThumbnails {
         }
     }
 
-    /** The mean luminance of some of it, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). */
+    /** Returns the mean luminance, 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709). */
     public static double brightness(float[] rgb) {
         double sum = 0;
         for (int i = 0; i < rgb.length; i += 3) {

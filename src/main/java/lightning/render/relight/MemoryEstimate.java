@@ -16,21 +16,21 @@ import lightning.scene.Scene;
 import lightning.scene.SceneLimits;
 
 /**
- * How much memory a picture takes, before any work begins: by the formula of docs/architecture.md, where every ray hits and every
- * light falls on everything; and where that is too much, by a {@link MemoryForecast}, which knows what is hit.
+ * Memory estimate of a picture before any work begins. The upper bound follows the formula of docs/architecture.md, in which every
+ * ray hits and every light reaches everything. If that is too much, a {@link MemoryForecast} measures small pictures.
  */
 public final class MemoryEstimate {
     /** Bytes of a color in a film or a row. */
     static final long BYTES_PER_COLOR = 3L * Float.BYTES;
-    /** What a suggested size is shrunk by until it fits: samples at edges shrink more slowly than pixels do. */
+    /** Factor by which a suggested size shrinks until it fits. Edge samples shrink more slowly than pixels. */
     private static final double SHRINK_STEP = 0.9;
 
     private MemoryEstimate() {}
 
     /**
-     * The most bytes that rows, layers, samples and film of a first pass can take.
+     * Returns the maximum bytes of rows, layers, samples and film of a first pass.
      *
-     * @param scene as the view shows it
+     * @param scene scene as the view shows it
      */
     public static long upperBound(Scene scene, RenderOptions options) {
         PictureSettings picture = scene.picture();
@@ -45,7 +45,7 @@ public final class MemoryEstimate {
         long row = ColumnGroup.HIT.bytesPerRow() + ColumnGroup.TEXEL.bytesPerRow() + (edges ? ColumnGroup.CODE.bytesPerRow() : 0)
                 + (scene.lights().stream().allMatch(l -> l.illuminates().isAll()) ? 0 : ColumnGroup.OWNER.bytesPerRow())
                 + (clear ? ColumnGroup.TRANSPARENT.bytesPerRow() : 0) + lights;
-        // Of a clear surface two rays go on, and of each of these two again.
+        // A clear surface sends two rays, and each of these may send two again.
         long levels = clear ? (2L << picture.depth()) - 2 : mirrors ? picture.depth() : 0;
         long mirrored =
                 mirrors ? (clear ? 2 : 1) * BYTES_PER_COLOR + levels * (options.storage().storesRows() ? row : Integer.BYTES) : 0;
@@ -54,29 +54,29 @@ public final class MemoryEstimate {
             case EDGES -> 1L + sampling.samplesPerPixel();
             case EVERY -> sampling.samplesPerPixel();
         };
-        // Samples keep their colors where errors are bounded.
+        // Samples store their colors if errors are bounded.
         long colored = !options.accuracy().isExact() ? samples : sampling.antialias() == AntialiasMode.EVERY ? 0 : 1;
         return pixels(picture)
                 * (samples * (row + mirrored) + colored * BYTES_PER_COLOR + edgeCodeBytes(sampling)
                         + (sampling.isSupersampled() ? BYTES_PER_COLOR : 0));
     }
 
-    /** The bytes that a kept picture takes: columns, colors and film. */
+    /** Returns the bytes of a cached picture: columns, colors and film. */
     public static long usedBytes(PixelCache cache) {
         PictureSettings picture = cache.scene().picture();
         return cache.bytes() + cache.colorBytes() + (picture.sampling().isSupersampled() ? BYTES_PER_COLOR * pixels(picture) : 0);
     }
 
     /**
-     * About how many bytes a first pass will take, by small ones: a fraction of a second.
+     * Returns the approximate bytes of a first pass, measured with small pictures in a fraction of a second.
      *
-     * @param scene as the view shows it
+     * @param scene scene as the view shows it
      */
     public static long forecast(Scene scene, RenderOptions options) {
         return MemoryForecast.of(scene, options).bytes(scene.picture());
     }
 
-    /** The pixels of whole tiles. */
+    /** Returns the pixels of whole tiles. */
     private static long pixels(PictureSettings picture) {
         return padded(picture.width()) * padded(picture.height());
     }
@@ -85,17 +85,17 @@ public final class MemoryEstimate {
         return (side + Film.TILE_SIZE - 1L) / Film.TILE_SIZE * Film.TILE_SIZE;
     }
 
-    /** What is kept of each pixel to know its edges. */
+    /** Returns the bytes of edge codes per pixel. */
     private static long edgeCodeBytes(SamplingSettings sampling) {
         return sampling.antialias() == AntialiasMode.EDGES ? 4L * Integer.BYTES : 0;
     }
 
     /**
-     * Refuses a picture that does not fit.
+     * Rejects a picture that does not fit.
      *
-     * @param scene as the view shows it
-     * @throws PictureTooLargeException if its first pass takes more than {@link RenderOptions#memory}, less what the scene's meshes and their trees
-     *                         take; the message says what would fit
+     * @param scene scene as the view shows it
+     * @throws PictureTooLargeException if its first pass needs more than {@link RenderOptions#memory} minus the scene's meshes and
+     *         their trees; the message suggests what would fit
      */
     public static void check(Scene scene, RenderOptions options) {
         long memory = options.memory() - MeshMemory.bytes(scene);
@@ -121,17 +121,17 @@ public final class MemoryEstimate {
     }
 
     /**
-     * Refuses a picture whose film alone does not fit: what a trace that keeps nothing takes.
+     * Rejects a picture whose film alone does not fit, for a trace without a cache.
      *
-     * @param memory bytes that it may take
-     * @throws PictureTooLargeException if it takes more
+     * @param memory available bytes
+     * @throws PictureTooLargeException if the film needs more
      */
     public static void checkFilm(PictureSettings picture, long memory) {
         long each = BYTES_PER_COLOR + edgeCodeBytes(picture.sampling());
         long required = pixels(picture) * each;
         if (required > memory) {
             double shrink = Math.sqrt((double) Math.max(memory, 0) / required);
-            // Whole tiles, as they are reckoned.
+            // Whole tiles, as in the estimate.
             int width = (int) (picture.width() * shrink) / Film.TILE_SIZE * Film.TILE_SIZE;
             int height = (int) (picture.height() * shrink) / Film.TILE_SIZE * Film.TILE_SIZE;
             throw new PictureTooLargeException(required, memory,

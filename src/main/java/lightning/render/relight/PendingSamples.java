@@ -12,24 +12,27 @@ import lightning.render.relight.tile.WorkCounts;
 import lightning.scene.Scene;
 
 /**
- * What a picture of pixels' centers still lacks: its finer samples. They are not made of the samples of the centers' own updates,
- * which may have been several, but at once of those of the last picture that had its samples.
+ * Finer samples that a picture of pixel centers still lacks. They are not updated with every update of the centers, but in one step
+ * from the last picture that had its samples.
  *
- * @param finishedCache       that picture; null where there is none that serves, and samples are traced from nothing
- * @param plan        of the first update since; where there is none such, of the newest
- * @param deferredWork        of all updates since that one
- * @param nanoseconds likewise
+ * @param finishedCache cache of that picture; null if there is none to start from, and samples are traced from nothing
+ * @param plan          plan of the first update since; of the newest update if there is no such picture
+ * @param deferredWork  work of all updates since that picture
+ * @param nanoseconds   time of all updates since that picture
  */
 record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts deferredWork, long nanoseconds) {
-    /** Samples follow where nothing is scaled. */
+    /** Samples can be deferred only if nothing is scaled. */
     private static final UpdateMethod EXACT = new ExactMethod();
 
-    /** Nothing was done yet. */
+    /** Creates the state before any update. */
     PendingSamples(PixelCache finished, UpdatePlan plan) {
         this(finished, plan, WorkCounts.NONE, 0);
     }
 
-    /** What is lacking after one more update: what there was of a picture that never had samples, and its time, was told by itself. */
+    /**
+     * Returns the pending samples after one more update. A picture that never had samples starts again, because its time was
+     * already reported.
+     */
     PendingSamples afterUpdate(UpdatePlan update) {
         return finishedCache == null ? new PendingSamples(null, update) : this;
     }
@@ -39,20 +42,22 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
     }
 
     /**
-     * What an update goes on from, and how.
+     * Start of an update and its plan.
      *
-     * @param from the newest picture, or the whole one before it
+     * @param from the newest picture, or the finished one before it
      */
     record Start(PixelCache from, UpdatePlan plan) {}
 
     /**
-     * How an update gets to a scene: from the centers known, or, where the samples could then not follow, from the whole picture.
-     * They follow where both ways lead to layers that were computed for the same lights: a light that changed and then ceased to
-     * shine leaves older layers behind. Both ways lead to the same mirrors: where a change of depth makes them anew they show the
-     * wanted scene, though the whole picture may have the wanted depth already, and no reason of its own to touch them.
+     * Chooses the start of an update: the cached centers, or the finished picture if the samples could not follow otherwise.
      *
-     * @param centers the newest picture, of centers alone
-     * @param mirrors whether mirror images shall show the wanted scene too
+     * <p>The samples can follow if both starts lead to layers computed for the same lights. A light that changed and was then
+     * switched off leaves older layers in the centers. Both starts must also lead to the same reflections: if a depth change
+     * recomputes them, they show the target scene, but the finished picture may already have the target depth and then keeps its
+     * reflections.
+     *
+     * @param centers cache of the newest picture, centers only
+     * @param mirrors true if mirror images must show the target scene too
      */
     Start chooseStart(PixelCache centers, Scene target, boolean mirrors) {
         UpdatePlan fromCenters = Dispatcher.plan(centers, target, mirrors, EXACT);
@@ -66,14 +71,14 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
                 : new Start(finishedCache, fromWhole);
     }
 
-    /** What mirrors show after an update of the centers. */
+    /** Returns the scene that mirrors show after an update of the centers. */
     private static Scene mirroredScene(PixelCache centers, UpdatePlan.Relight next, Scene target) {
         return next.mirrors() == null ? centers.mirroredScene() : target;
     }
 
     /**
-     * Whether one update leads from the whole picture to mirrors that show what they do after an update of the centers. It does not
-     * where a change of depth made them anew between two edits that leave mirrors alone.
+     * Returns whether one update leads from the finished picture to the reflections that an update of the centers would show. It
+     * does not if a depth change recomputed them between two edits that keep reflections.
      */
     boolean canReuseMirrors(PixelCache centers, UpdatePlan.Relight next, Scene target) {
         Scene mirrored = mirroredScene(centers, next, target);
@@ -81,7 +86,7 @@ record PendingSamples(PixelCache finishedCache, UpdatePlan plan, WorkCounts defe
                 || mirrored.equals(finishedCache.mirroredScene()) && finishedCache.scene().picture().depth() == target.picture().depth();
     }
 
-    /** What leads from that picture to these centers; of the newest update where there is none. */
+    /** Returns the plan from the finished picture to these centers; the newest update if there is none. */
     UpdatePlan plan(PixelCache centers) {
         return finishedCache == null ? plan
                 : Dispatcher.plan(finishedCache, centers.scene(), centers.geometry(), centers.mirroredScene().equals(centers.scene()),

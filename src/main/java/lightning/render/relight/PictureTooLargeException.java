@@ -7,8 +7,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * A picture does not fit into the memory that it may take. The message is a sentence without its full stop that says what would
- * fit, for somebody who cannot choose how mirrors are kept.
+ * Reports a picture that does not fit into its memory limit. The message is a sentence without a period that suggests what would
+ * fit. It omits the storage of mirrors, which not every caller can choose.
  */
 public final class PictureTooLargeException extends RuntimeException {
     private static final long serialVersionUID = 1;
@@ -18,33 +18,33 @@ public final class PictureTooLargeException extends RuntimeException {
     private final long availableBytes;
     private final transient List<Suggestion> suggestions;
 
-    /** What of the picture would fit. */
+    /** Change of the picture that would fit. */
     public sealed interface Suggestion {
         record Size(int width, int height) implements Suggestion {}
 
-        /** So many along each side of a pixel. */
+        /** Samples along each side of a pixel. */
         record Samples(int grid) implements Suggestion {}
 
         record NoAntialias() implements Suggestion {}
 
-        /** Of mirror levels only the shapes that rays hit. */
+        /** Store only the hit shapes of mirror levels. */
         record MirrorsAsShapes() implements Suggestion {}
 
-        /** As in "it would fit with …". */
+        /** Returns the phrase after "it would fit with". */
         default String description() {
             return switch (this) {
                 case Size size -> "a size of " + size.width + "x" + size.height;
                 case Samples samples -> samples.grid + "x" + samples.grid + " samples";
                 case NoAntialias _ -> "no anti-aliasing";
-                case MirrorsAsShapes _ -> "mirrors kept as shapes";
+                case MirrorsAsShapes _ -> "mirrors stored as shapes";
             };
         }
     }
 
     /**
-     * @param required      bytes
-     * @param available bytes
-     * @param suggestions      what would fit; none where nothing would
+     * @param required    bytes
+     * @param available   bytes
+     * @param suggestions changes that would fit; empty if nothing fits
      */
     PictureTooLargeException(long required, long available, List<Suggestion> suggestions) {
         super(text(required, available, suggestions,
@@ -55,9 +55,9 @@ public final class PictureTooLargeException extends RuntimeException {
     }
 
     /**
-     * The message in the words of whoever asked.
+     * Returns the message with suggestions in the caller's words.
      *
-     * @param describer for a way out; empty where it cannot be taken there
+     * @param describer phrase of a suggestion; empty if the caller does not offer it
      */
     public String message(Function<Suggestion, Optional<String>> describer) {
         return text(requiredBytes, availableBytes, suggestions, describer);
@@ -67,7 +67,7 @@ public final class PictureTooLargeException extends RuntimeException {
             Function<Suggestion, Optional<String>> describer) {
         String fitting =
                 suggestions.stream().flatMap(suggestion -> describer.apply(suggestion).stream()).collect(Collectors.joining(", or with "));
-        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory and may have %.1f GB; %s", required / GB,
-                Math.max(available, 0) / GB, fitting.isEmpty() ? "no part of it would fit" : "it would fit with " + fitting);
+        return String.format(Locale.ROOT, "the picture needs about %.1f GB of memory, and %.1f GB is available; %s", required / GB,
+                Math.max(available, 0) / GB, fitting.isEmpty() ? "it would not fit at any size" : "it would fit with " + fitting);
     }
 }

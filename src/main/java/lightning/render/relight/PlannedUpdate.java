@@ -5,27 +5,27 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.scene.Scene;
 
 /**
- * What a renderer is about to do, planned once for what it knew then: told before it begins, and then carried out by
- * {@link Renderer#render(PlannedUpdate, lightning.base.work.Progress)}.
+ * Planned update of a renderer, computed once for its current cache. It can be shown before {@link Renderer#render(PlannedUpdate,
+ * lightning.base.work.Progress)} runs it.
  */
 public final class PlannedUpdate {
-    /** The scene wanted, as the view shows it. */
+    /** Target scene, as the view shows it. */
     final Scene target;
-    /** Whether mirror images shall show it too. */
+    /** True if mirror images must show it too. */
     final boolean updatesMirrors;
-    /** What leads from the scene shown to the scene wanted. */
+    /** Plan from the shown scene to the target scene. */
     final UpdatePlan difference;
     private final UpdatePlan update;
-    /** What it goes on from: what is known, or an older picture; null for nothing. */
+    /** Start of the update: the current cache or an older picture; null for none. */
     final PixelCache base;
     private final PixelCache plannedFor;
-    /** What planning took. */
+    /** Time taken by planning. */
     final long nanoseconds;
 
     /**
-     * @param update as it is told: the difference, or where there is none the change of accuracy
-     * @param base   what it goes on from, or null
-     * @param known  what it was planned for, or null
+     * @param update plan to report: the difference, or the change of accuracy if there is none
+     * @param base   start of the update, or null
+     * @param known  cache that it was planned for, or null
      */
     PlannedUpdate(Scene target, boolean mirrors, UpdatePlan difference, UpdatePlan update, PixelCache base, PixelCache known,
             long nanoseconds) {
@@ -38,12 +38,12 @@ public final class PlannedUpdate {
         this.nanoseconds = nanoseconds;
     }
 
-    /** What will be done. */
+    /** Returns the plan. */
     public UpdatePlan update() {
         return update;
     }
 
-    /** Whether it was planned for what is known now. */
+    /** Returns whether it was planned for the current cache. */
     boolean isPlannedFor(PixelCache current) {
         return plannedFor == current;
     }

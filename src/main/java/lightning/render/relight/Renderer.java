@@ -20,19 +20,16 @@ import lightning.render.shading.RenderedScenes;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
-/**
- * The running renderer: keeps the pixel cache of one picture and brings it to whatever scene is
- * wanted, with the least work. Not for use by two threads at once.
- */
+/** Incremental renderer: owns the pixel cache of one picture and updates it to any target scene with the least work. Not thread-safe. */
 public final class Renderer implements AutoCloseable {
     private RenderOptions options;
     private WorkerPool workers;
     private final RepeatedEditDetector.LevelDetectors repeatedEdits = new RepeatedEditDetector.LevelDetectors();
     private PixelCache cache;
-    /** What the cache lacks, where it holds pixels' centers alone; else null. */
+    /** Samples missing from the cache if it holds only pixel centers; otherwise null. */
     private PendingSamples pendingSamples;
     private final GeometrySource geometrySource = new GeometrySource();
-    /** How the cache is known; its accuracy differs from the wanted one after a change, until the next update. */
+    /** Accuracy of the cache. It differs from the options after a change, until the next update. */
     private Accuracy cacheAccuracy;
     private double exposure;
     private DisplayCurve curve = DisplayCurve.SRGB;
@@ -47,9 +44,9 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Tells how the film is shown, which decides when an error of accuracy ratio would become visible.
+     * Sets the display of the film, which decides when an error of accuracy ratio would be visible.
      *
-     * @param stops the exposure, in stops
+     * @param stops exposure in stops
      */
     public void setView(double stops, DisplayCurve displayCurve) {
         exposure = stops;
@@ -57,12 +54,12 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Goes on in another way of working. What is known is kept, and brought to another accuracy by the next update, without
-     * a ray; only another view, or another storage of mirror levels, forgets it.
+     * Switches to new options. Keeps the cache and converts its accuracy on the next update, without casting rays. Discards the
+     * cache only if the view or the mirror storage changes.
      */
     public void setOptions(RenderOptions to) {
         if (pendingSamples != null && (to.accuracy() != options.accuracy() || to.reflections() != options.reflections())) {
-            // Samples could not follow centers that are known in another way.
+            // Samples cannot follow centers of another accuracy.
             restore(pendingSamples.finishedCache());
         }
         if (to.threads() != options.threads()) {
@@ -77,7 +74,7 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    /** What it takes to make the film show the wanted scene. */
+    /** Plans the update of the film to the target scene. */
     public PlannedUpdate plan(Scene target) {
         return plan(options.view().apply(target), options.reflections() == ReflectionMode.CURRENT);
     }
@@ -100,22 +97,22 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Makes the film show the wanted scene. Whatever is thrown, an {@link OutOfMemoryError} included, everything is then as before the
+     * Updates the film to the target scene. If anything is thrown, {@link OutOfMemoryError} included, the state is as before the
      * call.
      *
-     * @throws PictureTooLargeException if it needs a first pass that does not fit into memory beside what is known of the picture, which a
-     *                         canceled pass goes back to
-     * @throws CancellationException if {@code progress} asked to stop
+     * @throws PictureTooLargeException if it needs a first pass that does not fit into memory next to the current cache, which a
+     *         canceled pass would return to
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public UpdateResult render(Scene target, Progress progress) {
         return render(plan(target), progress);
     }
 
     /**
-     * The same; where a first pass does not fit beside what is known of the picture, it begins without that.
+     * Updates the film to the target scene. If a first pass does not fit next to the current cache, discards the cache first.
      *
-     * @throws PictureTooLargeException       if it does not fit even so; nothing is known then
-     * @throws CancellationException likewise
+     * @throws PictureTooLargeException if it does not fit even then; the cache is then empty
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public UpdateResult renderOrClear(Scene target, Progress progress) {
         try {
@@ -130,43 +127,43 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Does what was planned; where something else is known of the picture since, it is planned anew.
+     * Runs a planned update; plans again if the cache changed since.
      *
-     * @param planned by {@link #plan}
-     * @throws PictureTooLargeException       as {@link #render(Scene, Progress)}
-     * @throws CancellationException likewise
+     * @param planned result of {@link #plan}
+     * @throws PictureTooLargeException as {@link #render(Scene, Progress)}
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public UpdateResult render(PlannedUpdate planned, Progress progress) {
         return runOrRestore(() -> update(replanIfStale(planned), false, progress));
     }
 
     /**
-     * Does what was planned, and leaves it to {@link #finish} to make the finer samples where only edges have them: the film then
-     * shows the pixels' centers, as if there were no anti-aliasing. Updates go on from there, whether it was finished or not.
+     * Runs a planned update without the finer samples at edges, which {@link #finish} adds later. The film then shows pixel
+     * centers, as without anti-aliasing. Later updates start from there, finished or not.
      *
-     * @param planned by {@link #plan}
-     * @throws PictureTooLargeException       as {@link #render(Scene, Progress)}
-     * @throws CancellationException likewise
+     * @param planned result of {@link #plan}
+     * @throws PictureTooLargeException as {@link #render(Scene, Progress)}
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public UpdateResult renderCenters(PlannedUpdate planned, Progress progress) {
         return runOrRestore(() -> update(replanIfStale(planned), true, progress));
     }
 
-    /** Whether the film has all samples that its scene asks for. */
+    /** Returns whether the film has all samples that its scene requires. */
     public boolean isFinished() {
         return pendingSamples == null;
     }
 
     /**
-     * Makes the finer samples that {@link #renderCenters} left out.
+     * Renders the finer samples that {@link #renderCenters} left out.
      *
-     * @return all that was done since the last picture that had its samples; where none had them yet, since the newest edit
+     * @return all work since the last picture with samples, or since the newest edit if there was none
      * @throws IllegalStateException if the picture is finished
-     * @throws CancellationException if {@code progress} asked to stop; everything is then as before the call
+     * @throws CancellationException if {@code progress} requested cancellation; the state is then as before the call
      */
     public UpdateResult finish(Progress progress) {
         if (pendingSamples == null) {
-            throw new IllegalStateException("the picture is finished");
+            throw new IllegalStateException("the picture is already finished");
         }
         long start = System.nanoTime();
         PendingSamples pending = pendingSamples;
@@ -180,7 +177,7 @@ public final class Renderer implements AutoCloseable {
         return planned.isPlannedFor(cache) ? planned : plan(planned.target, planned.updatesMirrors);
     }
 
-    /** Goes back to what is known now if the work does not end, for whatever reason. */
+    /** Runs work and restores the current state if it fails for any reason. */
     private UpdateResult runOrRestore(Supplier<UpdateResult> work) {
         PixelCache before = cache;
         PendingSamples unfinishedBefore = pendingSamples;
@@ -199,82 +196,81 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Makes the mirror images show the scene rendered last (paper §4.8).
+     * Updates the mirror images to the scene rendered last (paper §4.8).
      *
-     * @throws IllegalStateException if nothing was rendered yet
+     * @throws IllegalStateException if no scene was rendered yet
      * @throws CancellationException as {@link #render}
      */
     public UpdateResult updateReflections(Progress progress) {
         return render(plan(cache().scene(), true), progress);
     }
 
-    /** Whether the mirror images show the scene rendered last. */
+    /** Returns whether the mirror images show the scene rendered last. */
     public boolean hasCurrentReflections() {
         return cache().mirroredScene().equals(cache().scene());
     }
 
     /**
-     * What one light gives to the picture, from what is known: no ray is cast, and nothing changes. Equal to the picture of
-     * {@link LightImage#scene}, mirrors included, over the samples of this picture.
+     * Composes the contribution of one light from the cache. Casts no ray and changes nothing. Equals the picture of {@link
+     * LightImage#scene}, mirrors included, over the samples of this picture.
      *
-     * @param light the name; all is black where no light has it
-     * @throws IllegalStateException if nothing was rendered yet, or mirror levels are kept as hit shapes
-     * @throws CancellationException if {@code progress} asked to stop
+     * @param light name of the light; the film is black if no light has it
+     * @throws IllegalStateException if no scene was rendered yet, or mirror levels are stored as hit shapes
+     * @throws CancellationException if {@code progress} requested cancellation
      */
     public Film lightImage(String light, Progress progress) {
         return LightImage.film(cache(), options, light, workers, progress);
     }
 
-    /** The picture as it is now: later updates make new ones. */
+    /** Returns the current picture; later updates create new films. */
     public Film film() {
         return cache().film();
     }
 
-    /** The scene rendered last, as the view shows it. */
+    /** Returns the scene rendered last, as the view shows it. */
     public Scene scene() {
         return cache().scene();
     }
 
-    /** Whether something is known of a picture. */
+    /** Returns whether a picture is cached. */
     public boolean hasPicture() {
         return cache != null;
     }
 
     /**
-     * What is kept of the picture.
+     * Returns the cache of the picture.
      *
-     * @throws IllegalStateException if nothing was rendered yet
+     * @throws IllegalStateException if no scene was rendered yet
      */
     public PixelCache cache() {
         if (cache == null) {
-            throw new IllegalStateException("nothing was rendered yet");
+            throw new IllegalStateException("no scene was rendered yet");
         }
         return cache;
     }
 
-    /** What was kept of the last picture that had all its samples, from which {@link #finish} goes on; null where there is none. */
+    /** Returns the cache of the last picture with all its samples, from which {@link #finish} starts; null if there is none. */
     public PixelCache lastFinishedCache() {
         return pendingSamples == null ? cache : pendingSamples.finishedCache();
     }
 
-    /** The bytes of all that is kept. */
+    /** Returns the bytes of all cached data. */
     public long bytes() {
         long newest = cache == null ? 0 : MemoryEstimate.usedBytes(cache);
         return pendingSamples == null || pendingSamples.finishedCache() == null ? newest
                 : newest + MemoryEstimate.usedBytes(pendingSamples.finishedCache());
     }
 
-    /** Drops all that is known: the next picture is a first pass. */
+    /** Discards the cache: the next picture is a first pass. */
     public void clear() {
         restore(null);
         geometrySource.set(null);
     }
 
     /**
-     * Goes back to what was kept of an earlier picture, as if nothing had been asked since: so an edit can be made, and
-     * measured, again and again.
+     * Restores an earlier cache, as if no update had run since, so that an edit can be repeated and measured.
      *
-     * @param saved what {@link #cache} gave, here or in a renderer that differs in its reflections or threads alone
+     * @param saved result of {@link #cache}, from this renderer or one that differs only in its reflection mode or threads
      */
     public void restore(PixelCache saved) {
         cache = saved;
@@ -283,7 +279,7 @@ public final class Renderer implements AutoCloseable {
         repeatedEdits.reset();
     }
 
-    /** Leaves things half done where it does not end. */
+    /** Leaves an incomplete state if it fails. */
     private UpdateResult update(PlannedUpdate planned, boolean centersOnly, Progress progress) {
         long start = System.nanoTime() - planned.nanoseconds;
         UpdatePlan plan = planned.difference;
@@ -298,7 +294,7 @@ public final class Renderer implements AutoCloseable {
         }
         if (needsConversion() && !(plan instanceof UpdatePlan.FirstPass)) {
             work = work.plus(convert(new CacheConversion(cache, options), progress));
-            // The same lights and rows, but layers are known in another way.
+            // Lights and rows are the same, but layers have another accuracy.
             plan = difference(target, planned.updatesMirrors);
         }
         UpdatePlan reported = plan instanceof UpdatePlan.Nothing ? planned.update() : plan;
@@ -327,7 +323,7 @@ public final class Renderer implements AutoCloseable {
                 bound, refreshed);
     }
 
-    /** Contributions that are scaled are off by what all their scalings lose, and centers and samples must be by the same. */
+    /** Scaled contributions are off by the loss of all their scalings, and centers and samples must be off by the same. */
     private boolean canDeferSamples(Scene target) {
         return options.accuracy().isExact() && RenderJob.needsEdges(target);
     }
@@ -339,10 +335,10 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Refuses a scene whose first pass would not fit into memory.
+     * Rejects a scene whose first pass would not fit into memory.
      *
-     * @param reservedBytes bytes that lie beside it
-     * @throws PictureTooLargeException if it would not
+     * @param reservedBytes bytes in use next to it
+     * @throws PictureTooLargeException if it does not fit
      */
     public void requireMemory(Scene target, long reservedBytes) {
         checkMemory(options.view().apply(target), reservedBytes);
@@ -361,14 +357,14 @@ public final class Renderer implements AutoCloseable {
         return result.work();
     }
 
-    /** What rays of a scene can meet, as a first pass takes it; it is kept for that. */
+    /** Prepares the geometry of a scene for its first pass and caches it. */
     public Geometry prepare(Scene target) {
         Geometry prepared = geometrySource.get(options.view().apply(target), cache, options.view());
         geometrySource.set(prepared);
         return prepared;
     }
 
-    /** Lets first passes take what is known elsewhere of the same shapes; null is nothing. */
+    /** Sets geometry for first passes to reuse if it has the same shapes; null removes it. */
     public void setSharedGeometry(Geometry geometry) {
         geometrySource.set(geometry);
     }
@@ -383,7 +379,7 @@ public final class Renderer implements AutoCloseable {
         return result.work();
     }
 
-    /** Makes the finer samples of the centers that are known. */
+    /** Renders the finer samples of the cached centers. */
     private WorkCounts renderSamples(UpdatePlan plan, Progress progress) {
         PixelCache finished = pendingSamples.finishedCache();
         CacheBuilder builder = finished != null && plan instanceof UpdatePlan.Relight relight

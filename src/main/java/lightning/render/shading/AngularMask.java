@@ -11,26 +11,30 @@ import lightning.scene.Photometry;
 import lightning.scene.Texture;
 
 /**
- * What the barn doors of a spot or rectangle, a spot's gobo and a light's profile leave of its light in a direction, a factor of its falloff.
+ * Angular mask of a light: the product of its barn doors, gobo and photometric profile in a direction. It multiplies the falloff.
  *
- * <p>Seen from the light, which looks along its axis with y upwards, a point lies at an angle to the right and at one to the top, each taken
- * in the plane of the axis and that side. A door at angle θ leaves 1 up to θ less the feather, 0 beyond θ, and between them
- * t²(3 − 2t), t being how far inside of θ the point lies over the feather; without feather a point on the edge is lit. The factors of the four
- * doors are multiplied. A gobo is a square that just holds the cone where it is less than 89 degrees wide, and else what a cone of 89 degrees
- * would hold; seen from the light its left is left and its top is up. Between the centers of its pixels it is interpolated bilinearly,
- * beyond the outermost ones it goes on as they are; what passes is its luminance, 0.2126 R + 0.7152 G + 0.0722 B of linear light
- * (ITU-R BT.709). A light that looks straight up or down has z upwards. A rectangle lies as its {@code up} tells, and its doors cut off each of its
- * samples at the same angle, as the slats of a honeycomb do: what they leave fades over the rectangle's width.
+ * <p>The light looks along its axis, with y upwards. A point has an angle to the right and one to the top, each measured in the
+ * plane of the axis and that side.
  *
- * <p>A profile is a factor of two angles. Those of type C are from the axis and around it, counterclockwise from the right as the light looks out,
- * so that 90 is its top; where a point is on the axis the second is 0. Of type A the planes stand upright: their angle is from the axis to the right,
- * and that in a plane upwards. Of type B they share the axis from left to right: their angle is upwards, that in a plane to the right. A point
- * light has the axis −y.
+ * <p>A door at angle θ passes 1 up to θ minus the feather, and 0 beyond θ. Between them it passes t²(3 − 2t), where t is the angle
+ * inside θ over the feather. Without a feather, a point on the edge is lit. The factors of the four doors are multiplied.
+ *
+ * <p>A gobo is a square that just contains the cone, or a cone of 89 degrees if the light's is wider. Seen from the light, its left
+ * is left and its top is up. It is sampled bilinearly between pixel centers and clamped beyond them. It passes its luminance,
+ * 0.2126 R + 0.7152 G + 0.0722 B of linear light (ITU-R BT.709). For a light that looks straight up or down, z is upwards.
+ *
+ * <p>A rectangle is oriented by its {@code up}. Its doors cut off each of its samples at the same angle, like the slats of a
+ * honeycomb grid, so that their shadow fades over the rectangle's width.
+ *
+ * <p>A profile is a function of two angles. Type C measures from the axis and around it, counterclockwise from the right as the
+ * light looks out, so that 90 is its top; on the axis the second angle is 0. Type A has vertical planes: one angle is from the axis
+ * to the right, the other upwards in that plane. Type B planes share the left-to-right axis: one angle is upwards, the other to the
+ * right in that plane. The axis of a point light is −y.
  */
 public final class AngularMask {
-    /** Below this length of axis × y the light looks straight up or down. */
+    /** If axis × y is shorter than this, the light looks straight up or down. */
     private static final double MIN_SIDE_LENGTH = 1e-6;
-    /** The widest half angle that a gobo is spread over, in degrees. */
+    /** Largest cone half-angle that a gobo covers, in degrees. */
     private static final double MAX_GOBO_ANGLE = 89;
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
 
@@ -42,7 +46,7 @@ public final class AngularMask {
     private final double feather;
     private final Texture gobo;
     private final Photometry photometry;
-    /** Half the gobo's side, at distance 1 along the axis. */
+    /** Half the gobo's side at distance 1 along the axis. */
     private final double goboHalfSize;
     private final float[] color = new float[3];
 
@@ -66,7 +70,7 @@ public final class AngularMask {
         return (side.length() < MIN_SIDE_LENGTH ? axis.cross(new Vec3(0, 0, 1)) : side).normalized();
     }
 
-    /** Whether anything stands before a lamp. */
+    /** Returns whether the light has a mask. */
     static boolean isActive(LightSource source) {
         return switch (source.type()) {
             case SPOT -> !source.light().doors().isOpen() || source.light().gobo().isPresent() || source.light().profile().isPresent();
@@ -76,12 +80,12 @@ public final class AngularMask {
         };
     }
 
-    /** What stands before a lamp; null where nothing does. */
+    /** Returns the mask of a light, or null if it has none. */
     public static AngularMask of(LightSource source) {
         return isActive(source) ? new AngularMask(source) : null;
     }
 
-    /** The factor at a point in render space, 0 … 1. */
+    /** Returns the factor at a point in render space, 0…1. */
     double factor(float px, float py, float pz) {
         double x = px - position.x();
         double y = py - position.y();
@@ -95,9 +99,9 @@ public final class AngularMask {
                 * (photometry == null ? 1 : profileFactor(side, height, forward));
     }
 
-    /** What the gobo lets through; {@code extent} is half its side where the point is. */
+    /** Returns the gobo's factor; {@code extent} is half its side at the point's distance. */
     private double goboFactor(double side, double height, double extent) {
-        // In a cone without an opening all light goes through the middle.
+        // A cone without an opening passes all light through the middle of the gobo.
         boolean middle = !(extent > 0);
         double x = middle ? 0.5 * gobo.width() : (1 + side / extent) / 2 * gobo.width();
         double y = middle ? 0.5 * gobo.height() : (1 - height / extent) / 2 * gobo.height();
@@ -120,12 +124,12 @@ public final class AngularMask {
         };
     }
 
-    /** The same on every machine, which the quicker one of Math is not held to. */
+    /** Returns an angle in degrees. Uses StrictMath for the same result on every machine. */
     private static double degrees(double y, double x) {
         return Math.toDegrees(StrictMath.atan2(y, x));
     }
 
-    /** What one door leaves; the point is so far across to its side, and so far ahead of the light. */
+    /** Returns the factor of one door for a point {@code across} to its side and {@code forward} along the axis. */
     private double doorFactor(double across, double forward, double door) {
         if (door == BarnDoors.OPEN_ANGLE) {
             return 1;

@@ -7,24 +7,24 @@ import lightning.render.trace.Tracer;
 import lightning.scene.SceneLimits;
 
 /**
- * The second stage for one tile and a light that is larger than a point: its terms are means over samples. Holds scratch memory:
- * one for each thread.
+ * Second stage for one tile and an area light, whose terms are means over samples. Holds scratch memory: use one instance per
+ * thread.
  *
- * <p>Which samples a row's ways are free to is asked for all that it faces as soon as one of them has it in its cone, and kept:
- * no later edit of the cone or of the falloff asks again.
+ * <p>As soon as one sample has a row in its cone, shadow rays are cast to all samples that the row faces. The results are stored,
+ * so that a later edit of the cone or the falloff casts none of them again.
  */
 final class AreaLightKernel {
     private static final int MAX_SAMPLES = SceneLimits.MAX_LIGHT_SAMPLES;
 
     private final LightLinks links;
-    /** Who asks for ways to the light at hand. */
+    /** Casts the shadow rays to the current light. */
     private ShadowCaster shadowCaster;
     private final Tracer tracer;
     private final TermKernel terms;
     private final TermColumnWriter columnWriter;
     private final RequiredWork requiredWork;
     private final RowShadowRays shadowRays = new RowShadowRays();
-    /** For each sample the rows that face it, those that it has in its cone, and those with a free way to it. */
+    /** For each sample: the rows that face it, those in its cone, and those with an unblocked shadow ray to it. */
     private final int[][] facing = allocateSets();
     private final int[][] inside = allocateSets();
     private final int[][] unblocked = allocateSets();
@@ -32,7 +32,7 @@ final class AreaLightKernel {
     private final int[] metallicRows = RowBits.allocate();
     private final int[] blocked = RowBits.allocate();
     private final int[] queried = RowBits.allocate();
-    /** Rows that may face any sample, and those that may have a specular term of any. */
+    /** Rows that may face any sample, and rows that may have a specular term for any sample. */
     private final int[] mayFace = RowBits.allocate();
     private final int[] mayHaveHighlight = RowBits.allocate();
     private final int[] highlightRows = RowBits.allocate();
@@ -45,24 +45,24 @@ final class AreaLightKernel {
     private final float[] specular = new float[TermKernel.MAX_ROWS];
     private final float[] grazing = new float[TermKernel.MAX_ROWS];
     private final double[] factors = new double[TermKernel.MAX_ROWS];
-    /** As many samples of as many rows as a word and a column of seen samples hold. */
+    /** Square of bits: as many samples and rows as a word and a sample column hold. */
     private final int[] bitSquare = new int[RowBits.WIDTH];
     private final double[] diffuseSum = new double[TermKernel.MAX_ROWS];
     private final double[] specularSum = new double[TermKernel.MAX_ROWS];
     private final double[] grazingSum = new double[TermKernel.MAX_ROWS];
-    /** Sums of what passes on free ways; made when it is needed first. */
+    /** Sums of the tints of unblocked shadow rays; allocated on first use. */
     private double[][] tintSum;
     private boolean hasTint;
-    /** Whether any of the rows' materials has specular terms, or is metallic; asked once for each tile and light. */
+    /** True if any row's material has specular terms or is metallic; computed once per tile and light. */
     private boolean hasSpecular;
     private boolean hasMetallic;
 
-    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter written, RequiredWork demands) {
+    AreaLightKernel(LightLinks links, Tracer tracer, TermKernel terms, TermColumnWriter writer, RequiredWork required) {
         this.links = links;
         this.tracer = tracer;
         this.terms = terms;
-        this.columnWriter = written;
-        this.requiredWork = demands;
+        this.columnWriter = writer;
+        this.requiredWork = required;
     }
 
     private static int[][] allocateSets() {
@@ -71,7 +71,7 @@ final class AreaLightKernel {
         return sets;
     }
 
-    /** All of it, from nothing. */
+    /** Recomputes the whole layer. */
     LightRows recompute(HitRows rows, LightSource source, ColumnAllocator columns) {
         if (!requiredWork.needsConeTest(source, rows, tracer) || !links.canReach(source, rows)) {
             return LightRows.UNREACHED;
@@ -91,7 +91,7 @@ final class AreaLightKernel {
         return layerFromStates(rows, source, state, anyInside, columns).withTint(tintColumns(rows, source, anyInside, null, columns));
     }
 
-    /** All of it for a light whose cone no edit changes in place: a sample is aimed at once. */
+    /** Recomputes the layer of a light whose cone cannot be edited in place: each sample is aimed only once. */
     private LightRows recomputeWithoutCone(HitRows rows, LightSource source, byte[] state, ColumnAllocator columns) {
         int words = RowBits.words(rows.count);
         begin(rows, source);
@@ -103,7 +103,8 @@ final class AreaLightKernel {
             castSample(rows, source, s, inside[s]);
             for (int b = 0; b < words; b++) {
                 unblocked[s][b] = inside[s][b] & ~blocked[b];
-                // Of a row whose ways are all blocked it is enough to know that it has one of the samples before it.
+                // For a row whose shadow rays are all blocked, it is enough to know that a sample in front of it has it in its
+                // cone.
                 mayFace[b] &= ~(shadowCaster.fullyOccluded()[b] & anyInside[b]);
             }
             if (hasTint) {
@@ -137,9 +138,9 @@ final class AreaLightKernel {
     }
 
     /**
-     * After an edit that leaves the light where it is.
+     * Updates the layer after an edit that does not move the light.
      *
-     * @param coneChanged whether rows may enter or leave the cone; else the falloff alone is another
+     * @param coneChanged true if rows may enter or leave the cone; otherwise only the falloff changed
      */
     LightRows update(HitRows rows, LightSource source, LightRows before, boolean coneChanged, ColumnAllocator columns) {
         if (!coneChanged) {
@@ -152,7 +153,7 @@ final class AreaLightKernel {
         System.arraycopy(before.state, 0, state, 0, rows.count);
         unpackVisibleSamples(rows, source, before.visibleSamples);
         Arrays.fill(queried, 0);
-        // Rows that were asked before have their answers.
+        // Rows that were tested before keep their results.
         for (int i = 0; i < rows.count; i++) {
             if ((state[i] & LightRows.SHADOW_RAY_MASK) == 0 && RowBits.contains(anyInside, i)) {
                 RowBits.add(queried, i);
@@ -162,7 +163,7 @@ final class AreaLightKernel {
         return layerFromStates(rows, source, state, queried, columns).withTint(tintColumns(rows, source, queried, before.tint, columns));
     }
 
-    /** All terms anew for rows whose ways are known: no shadow ray is cast. */
+    /** Recomputes all terms of rows whose visibility is known. Casts no shadow ray. */
     LightRows recomputeTerms(HitRows rows, LightSource source, LightLayer before, ColumnAllocator columns) {
         if (before.litCount() == 0) {
             return LightRows.unlit(before.states(), before.visibleSamples()).withTint(before.tint());
@@ -179,7 +180,7 @@ final class AreaLightKernel {
         }
     }
 
-    /** Aims the terms of a set at sample {@code s}; leaves the cosines. */
+    /** Aims the terms of a set of rows at sample {@code s}; stores the cosines. */
     private void aim(HitRows rows, LightSource source, int s, int[] rowSet) {
         terms.aim(rows, source, s, shadowRays.rotation, rowSet, cosine, facing[s]);
         if (source.hasCone()) {
@@ -187,7 +188,7 @@ final class AreaLightKernel {
         }
     }
 
-    /** Finds out which rows face which samples and are in their cones. */
+    /** Finds for each sample the rows that face it and are in its cone. */
     private void findVisibleSamples(HitRows rows, LightSource source) {
         begin(rows, source);
         for (int s = 0; s < source.samples().samples(); s++) {
@@ -196,7 +197,7 @@ final class AreaLightKernel {
         }
     }
 
-    /** The same for sample {@code s}, which was aimed at. */
+    /** Finds the rows that face sample {@code s}, which was aimed at, and are in its cone. */
     private void findVisibleRows(HitRows rows, LightSource source, int s) {
         int words = RowBits.words(rows.count);
         if (source.hasCone()) {
@@ -211,7 +212,7 @@ final class AreaLightKernel {
         }
     }
 
-    /** Asks rows for all samples that they face; adds the free ways to those that are known. */
+    /** Casts shadow rays from a set of rows to all samples that they face; adds the unblocked ones to the known ones. */
     private void castAll(HitRows rows, LightSource source, int[] rowSet) {
         int words = RowBits.words(rows.count);
         if (RowBits.count(rowSet, rows.count) == 0) {
@@ -245,7 +246,7 @@ final class AreaLightKernel {
         }
     }
 
-    /** The means of what passes over the free ways of rows that were asked just now; of others what is known. */
+    /** Returns the mean tints over the unblocked shadow rays of recomputed rows; other rows keep their values. */
     private float[][] tintColumns(HitRows rows, LightSource source, int[] recomputed, float[][] before, ColumnAllocator columns) {
         if (!hasTint) {
             return before;
@@ -263,7 +264,7 @@ final class AreaLightKernel {
         return TintTracer.nullIfUntinted(rows, to);
     }
 
-    /** Asks chosen rows for sample {@code s}; leaves the rows with a way that is not free. */
+    /** Casts shadow rays from chosen rows to sample {@code s}; stores the rows whose ray is blocked. */
     private void castSample(HitRows rows, LightSource source, int s, int[] rowSet) {
         terms.aimShadowRays(rows, source, s, hasTint ? rowSet : shadowCaster.uncertainRows(rows, rowSet), shadowRays);
         computeTargets(rows, s);
@@ -276,7 +277,7 @@ final class AreaLightKernel {
         }
     }
 
-    /** Reads which ways are known to be free. */
+    /** Reads the stored visibility of all samples. */
     private void unpackVisibleSamples(HitRows rows, LightSource source, short[][] visibleSamples) {
         int samples = source.samples().samples();
         for (int first = 0; first < samples; first += LightRows.SAMPLES_PER_COLUMN) {
@@ -295,16 +296,16 @@ final class AreaLightKernel {
     }
 
     /**
-     * The layer of rows that were looked at.
+     * Builds the layer from the current sample visibility.
      *
-     * @param state of before; gets the states
-     * @param recomputed the rows that were asked just now
+     * @param state      states before the update; receives the new states
+     * @param recomputed rows whose shadow rays were just cast
      */
     private LightRows layerFromStates(HitRows rows, LightSource source, byte[] state, int[] recomputed, ColumnAllocator columns) {
         return meanTerms(rows, source, state, writeStates(rows, source, state, recomputed, columns), columns);
     }
 
-    /** Writes the states; what is seen, and the rows that are lit to {@link #anyLit}. */
+    /** Writes the states and the visible samples; puts lit rows into {@link #anyLit}. */
     private short[][] writeStates(HitRows rows, LightSource source, byte[] state, int[] recomputed, ColumnAllocator columns) {
         Arrays.fill(anyLit, 0);
         Arrays.fill(anyUnblocked, 0);
@@ -346,7 +347,7 @@ final class AreaLightKernel {
         return visibleSamples;
     }
 
-    /** The means over all samples, of which the free ways are known; rows that are lit are in {@link #anyLit}. */
+    /** Computes the mean terms over all samples, whose visibility is known, for the rows in {@link #anyLit}. */
     private LightRows meanTerms(HitRows rows, LightSource source, byte[] state, short[][] visibleSamples, ColumnAllocator columns) {
         if (RowBits.count(anyLit, rows.count) == 0) {
             return LightRows.unlit(state, visibleSamples);
@@ -361,7 +362,7 @@ final class AreaLightKernel {
                 System.arraycopy(unblocked[s], 0, chosen, 0, chosen.length);
             }
             for (int b = 0; b < RowBits.words(rows.count); b++) {
-                // Not of rows that the light is not linked to, whose ways may be known.
+                // Excludes rows that the light does not illuminate, whose visibility may be known.
                 chosen[b] &= anyLit[b];
             }
             accumulate(rows, source, s, chosen);
@@ -369,7 +370,7 @@ final class AreaLightKernel {
         return buildLayer(rows, source, state, visibleSamples, columns);
     }
 
-    /** Adds what a sample gives that was aimed at and whose cosines are there to the sums of the rows of a set. */
+    /** Adds the terms of the sample that was aimed at to the sums of a set of rows; expects its cosines. */
     private void accumulate(HitRows rows, LightSource source, int s, int[] rowSet) {
         float[] falloffOrNull = source.hasFalloff() ? falloff : null;
         if (source.hasFalloff()) {

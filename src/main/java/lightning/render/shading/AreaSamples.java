@@ -7,23 +7,22 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 
 /**
- * The points of a light that is larger than a point, in render space, or the unit vectors towards a directional one: its light
- * is the mean of theirs.
+ * Sample points of an area light in render space, or unit vectors towards a directional light. The light is the mean of its
+ * samples.
  *
- * <p>Sample s of n is a place in the unit square: ((s + ½)/n + a, s·0.618… + b), both modulo 1, where 0.618… is the golden section.
- * One of {@link #ROTATIONS} pairs (a, b) is a row's <em>turn</em> (Cranley and Patterson 1976 call it a rotation), told by a hash of its
- * point: neighbors look at different samples, and the same picture always at the same ones. Turn t has (t·0.754…, t·0.569…), the two
- * powers of the reciprocal of the plastic number (Roberts 2018). The square is then laid
- *
+ * <p>Sample s of n is a point of the unit square: ((s + ½)/n + a, s·0.618… + b), both modulo 1, where 0.618… is the golden section.
+ * Each row uses one of {@link #ROTATIONS} pairs (a, b), its <em>rotation</em> (Cranley and Patterson 1976), chosen by a hash of its
+ * point. Neighboring rows use different samples, and the same image always uses the same ones. Rotation t is (t·0.754…, t·0.569…),
+ * the first two powers of the reciprocal of the plastic number (Roberts 2018). The square maps to
  * <ul>
- * <li>on a rectangle as it is;
- * <li>on a disc by (√u, 2πv), polar;
- * <li>on the ball that a point or spot light is by its height 1 − 2u along y and the longitude 2πv (Archimedes);
- * <li>on the cap of directions by the cosine 1 − u·(1 − cos spread) and the longitude.
+ * <li>a rectangle unchanged;
+ * <li>a disc by (√u, 2πv) in polar coordinates;
+ * <li>the sphere of a point or spot light by height 1 − 2u along y and longitude 2πv (Archimedes);
+ * <li>a cap of directions by cosine 1 − u·(1 − cos spread) and longitude 2πv.
  * </ul>
  */
 public final class AreaSamples {
-    /** How many patterns of samples there are. */
+    /** Number of rotations of the sample pattern. */
     public static final int ROTATIONS = 16;
 
     private static final double GOLDEN = 0.6180339887498949;
@@ -31,7 +30,7 @@ public final class AreaSamples {
     private static final double PLASTIC_SQUARED = 0.5698402909980532;
 
     private final int count;
-    /** That of turn t's sample s at {@code TURNS·s + t}; not to be written. */
+    /** Coordinates of sample s in rotation t at {@code ROTATIONS·s + t}; must not be modified. */
     public final double[] x;
     public final double[] y;
     public final double[] z;
@@ -62,15 +61,15 @@ public final class AreaSamples {
     }
 
     /**
-     * That of a light which {@link Light#isArea}.
+     * Creates the samples of a light for which {@link Light#isArea} holds.
      *
-     * @param source its center; for a directional light the unit vector towards it
-     * @param axis   the unit direction in which it shines
+     * @param source the light's center, or the unit vector towards a directional light
+     * @param axis   the unit direction in which the light shines
      */
     static AreaSamples of(Light light, Vec3 source, Vec3 axis) {
         AreaShape area = light.area();
         int n = area.samples();
-        // What is round looks the same whatever its up.
+        // Round shapes look the same for every up vector.
         Vec3 right = (light.type() == LightType.RECT ? area : AreaShape.DEFAULT).right(axis);
         Vec3 top = right.cross(axis);
         Vec3[] offsets = new Vec3[n * ROTATIONS];
@@ -102,7 +101,7 @@ public final class AreaSamples {
         return v - Math.floor(v);
     }
 
-    /** The turn of a row: the upper bits of a hash of its point's, each coordinate's sign of zero left out. */
+    /** Returns the rotation of a row: the upper bits of a hash of its point, in which 0 and −0 are equal. */
     static int rotation(float px, float py, float pz) {
         int h = Float.floatToRawIntBits(px + 0f) * 0x9E3779B1 + Float.floatToRawIntBits(py + 0f) * 0x85EBCA77
                 + Float.floatToRawIntBits(pz + 0f) * 0xC2B2AE3D;
@@ -110,33 +109,33 @@ public final class AreaSamples {
         return (h ^ h >>> 12) * 0x297A2D39 >>> 28;
     }
 
-    /** Which place rows of a turn have of sample {@code s}. */
+    /** Returns the index of sample {@code s} in a rotation. */
     public static int index(int s, double rotation) {
         return ROTATIONS * s + (int) rotation;
     }
 
-    /** How many there are for a row. */
+    /** Returns the number of samples of a row. */
     public int samples() {
         return count;
     }
 
-    /** Where a row of a turn sees sample {@code s}. */
+    /** Returns the position of sample {@code s} in a rotation. */
     Vec3 position(int rotation, int s) {
         int i = ROTATIONS * s + rotation;
         return new Vec3(x[i], y[i], z[i]);
     }
 
-    /** How far any of them is from the center at most. */
+    /** Returns the largest distance of a sample from the center. */
     public double extent() {
         return extent;
     }
 
-    /** The least coordinates of all. */
+    /** Returns the smallest coordinates of all samples. */
     Vec3 low() {
         return min;
     }
 
-    /** The greatest coordinates of all. */
+    /** Returns the largest coordinates of all samples. */
     Vec3 high() {
         return max;
     }

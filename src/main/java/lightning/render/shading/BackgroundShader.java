@@ -12,14 +12,14 @@ import lightning.scene.SceneLimits;
 import lightning.scene.World;
 
 /**
- * What rays see that hit nothing: the background, or the environment in their direction. No row exists for them, so their directions are computed
- * anew, with the bits that they were cast with.
+ * Shades rays that hit nothing with the background or the environment map. No row exists for them, so their directions are
+ * recomputed with the bits of the original rays.
  */
 final class BackgroundShader {
     private final double[] direction = new double[3];
     private final double[] color = new double[3];
 
-    /** The color in a direction of length 1, {@code float[3]}. */
+    /** Returns the color in a unit direction, {@code float[3]}. */
     static float[] color(World world, Vec3 direction) {
         float[][] to = new float[3][1];
         new BackgroundShader().shade(world, direction.x(), direction.y(), direction.z(), to, 0);
@@ -39,7 +39,7 @@ final class BackgroundShader {
         }
     }
 
-    /** Fills what the eye's rays of a tile see behind all: every place, or those without a row. */
+    /** Fills the background of a tile's camera rays: every sample position, or those without a row. */
     void shadeEyeRays(HitRows rows, Scene scene, SamplePositions places, float[][] to) {
         if (rows.count == to[0].length) {
             return;
@@ -65,7 +65,7 @@ final class BackgroundShader {
         }
     }
 
-    /** Fills what the rays that go on from a level's rows see behind all; where none does, nobody looks. */
+    /** Fills the background of the rays that bounce from a level's rows; rows without such a ray stay undefined. */
     void shadeBounceRays(HitRows above, BounceKind bounce, MaterialTable materials, World world, float[][] to) {
         if (world.environment().isEmpty()) {
             fill(world, to, bounce.rowCount(above));

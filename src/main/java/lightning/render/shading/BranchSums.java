@@ -1,22 +1,22 @@
 package lightning.render.shading;
 
 /**
- * For one light of one tile, the sums of the branches beside its way to the root of the tree: all that
- * composing needs of the other lights. While that light alone is edited, each frame adds these few
- * sums instead of all lights, with the same bits. Where no light is edited it is the sum of all of them.
+ * Partial sums of the light tree for one light of one tile: the sums of all branches next to the light's path to the root. While
+ * only that light is edited, each frame adds these few sums instead of all lights, with the same bits. If no light is edited, it is
+ * the sum of all lights.
  */
 public final class BranchSums {
     /**
-     * The edit that sums belong to: from one update to the next, as long as only this light changes. Keys
-     * are told apart by identity: sums made under another key are void.
+     * Identifies the run of updates during which only one light changes. Keys are compared by identity: sums with another key are
+     * invalid.
      */
     public static final class Key {
-        /** Stands for the place of a light where none is edited. */
+        /** Light index if no light is edited. */
         public static final int NO_LIGHT = -1;
 
         private final int light;
 
-        /** @param light the light's place in the scene, or {@link #NO_LIGHT} */
+        /** @param light the light's index in the scene, or {@link #NO_LIGHT} */
         public Key(int light) {
             this.light = light;
         }
@@ -38,12 +38,12 @@ public final class BranchSums {
         return key;
     }
 
-    /** The sums, from the leaf to the root; null where a branch adds nothing. */
+    /** Returns the sums from the leaf to the root; null for a branch that adds nothing. */
     SumColumns[] fromLeaf() {
         return leafToRoot;
     }
 
-    /** The bytes of all sums, array headers left out: 12 to 36 for each row and branch. */
+    /** Returns the bytes of all sums, without array headers: 12 to 36 for each row and branch. */
     public long bytes() {
         long bytes = 0;
         for (SumColumns sum : leafToRoot) {

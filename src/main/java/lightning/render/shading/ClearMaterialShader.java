@@ -6,11 +6,11 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.Refraction;
 import lightning.scene.Transmission;
 
-/** Closes the {@link LightingEquation} over the rows of a clear material, whichever engine adds its lights. */
+/** Evaluates the {@link LightingEquation} over the rows of a clear material, for every engine. */
 final class ClearMaterialShader {
     private final float[] tint = new float[3];
 
-    /** As {@link SumKernel#shade}, with what is seen through the surface. */
+    /** Shades a run of rows, as {@link SumKernel#shade}, including refraction. */
     void shade(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] diffuse, float[][] specular, float[][] grazing,
             BounceImages images, float[][] to) {
         Transmission clarity = material.clarity();
@@ -31,7 +31,7 @@ final class ClearMaterialShader {
     }
 
     /**
-     * Writes what is left of a ray's light after its way inside: tint<sup>way / tint distance</sup>, red, green, blue; all 1 where it
+     * Writes the transmittance of a ray's path inside a solid: tint<sup>path / tint distance</sup> in red, green, blue; all 1 if it
      * came from outside.
      */
     static void interiorTint(Transmission clarity, float inside, float[] to) {
@@ -40,12 +40,12 @@ final class ClearMaterialShader {
         }
     }
 
-    /** How much of a clear surface is body: what its clearest channel leaves. */
+    /** Returns the body share of a clear surface: 1 minus its largest transmission channel. */
     static float bodyShare(Transmission clarity) {
         return 1 - (float) clarity.color().max();
     }
 
-    /** A color's channel as the equation reads it. */
+    /** Returns a color's channel, rounded as the equation uses it. */
     static float channel(Rgb color, int channel) {
         return (float) switch (channel) {
             case 0 -> color.r();

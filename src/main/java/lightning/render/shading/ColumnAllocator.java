@@ -2,18 +2,18 @@ package lightning.render.shading;
 
 import lightning.render.trace.HitRows;
 
-/** Where columns come from: new memory that is kept, or scratch that is used again. */
+/** Allocates columns, from new memory or from reusable scratch memory. */
 public interface ColumnAllocator {
-    /** A float column for {@code rows} rows; contents undefined. */
+    /** Returns a float column for {@code rows} rows; contents undefined. */
     float[] floats(int rows);
 
-    /** A state column for {@code rows} rows; contents undefined. */
+    /** Returns a state column for {@code rows} rows; contents undefined. */
     byte[] states(int rows);
 
-    /** A column of sets of samples for {@code rows} rows; contents undefined. */
+    /** Returns a column of sample sets for {@code rows} rows; contents undefined. */
     short[] shorts(int rows);
 
-    /** New memory each time, just long enough. */
+    /** Allocates new arrays of the exact length. */
     ColumnAllocator NEW_ARRAYS = new ColumnAllocator() {
         @Override
         public float[] floats(int rows) {

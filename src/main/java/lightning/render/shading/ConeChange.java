@@ -1,22 +1,19 @@
 package lightning.render.shading;
 
-/**
- * What an edit does to the set of rows inside a light's cone, of shapes that it shines on, while the light stays where it is; and
- * so, which rows must be looked at.
- */
+/** Effect of an edit on the set of rows inside a light's cone while the light does not move. It determines which rows must be tested. */
 public enum ConeChange {
-    /** The same rows stay inside. */
+    /** No change. */
     NONE,
-    /** Rows may only leave: those inside are looked at (paper §4.3). */
+    /** Rows may only leave: rows inside are tested (paper §4.3). */
     ANGLE_REMOVE,
-    /** Rows may only enter: those outside are looked at (paper §4.3). */
+    /** Rows may only enter: rows outside are tested (paper §4.3). */
     ANGLE_ADD,
-    /** The light shines on other shapes, whatever the opening: all rows that face the light are looked at. */
+    /** The light's links changed: all rows that face the light are tested. */
     LINKS,
-    /** The cone turned, came or went: all rows that face the light are looked at. */
+    /** The cone turned, appeared or disappeared: all rows that face the light are tested. */
     TURN;
 
-    /** Whether a row in the given state, see {@link LightRows}, may change. */
+    /** Returns whether a row in the given state may change; see {@link LightRows}. */
     boolean canChange(int state) {
         return switch (this) {
             case NONE -> false;
@@ -27,10 +24,10 @@ public enum ConeChange {
     }
 
     /**
-     * Puts the rows that may change into a set.
+     * Collects the rows that may change.
      *
      * @param states see {@link LightRows}
-     * @return how many they are
+     * @return the number of these rows
      */
     int findAffectedRows(byte[] states, int rows, int[] candidates) {
         if (this == NONE) {

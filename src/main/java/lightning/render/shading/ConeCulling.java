@@ -3,23 +3,23 @@ package lightning.render.shading;
 import lightning.base.math.Vec3;
 import lightning.render.trace.tree.PointBox;
 
-/** Whether a spot light's cone can reach any point of a box: where it cannot, no point need be asked. */
+/** Conservative test of a spot light's cone against a bounding box: if it misses the box, no point needs a test. */
 final class ConeCulling {
-    /** More than the cosines from the axis can be off by rounding, here and for a point. */
+    /** Exceeds the rounding errors of the cosines, both here and for a point. */
     private static final double MARGIN = 1e-9;
-    /** Roundings of a coordinate's difference, in ulp of the largest coordinate. */
+    /** Rounding error of a coordinate difference, in ulp of the largest coordinate. */
     private static final int ROUNDINGS = 4;
 
     private ConeCulling() {}
 
     /**
-     * Whether {@link LightingEquation#insideCone} may hold for a point of the box. False is certain, true is not.
+     * Returns whether {@link LightingEquation#insideCone} may hold for a point of the box. False is certain, true is not.
      *
-     * <p>Seen from the light, the ball around the box lies within an angle β of its center's direction, sin β being its radius
-     * over its distance. With θ between that direction and the axis, every point of the ball is θ − β or more off the axis, and
-     * outside the cone if cos(θ − β) is less than the cosine of the cone's half opening. A ball that holds the light or meets
-     * the axis is taken to be reached. A sample of a larger light at c from its center sees a point p as the center sees p − c, so the
-     * ball is larger by what c may be.
+     * <p>Seen from the light, the bounding sphere of the box lies within an angle β of its center's direction, where sin β is its
+     * radius over its distance. Let θ be the angle between that direction and the axis. Every point of the sphere is at least θ − β
+     * off the axis, so it is outside if cos(θ − β) is less than the cosine of the cone's half-angle. A sphere that contains the
+     * light or touches the axis counts as reached. A sample of an area light at offset c sees point p as the center sees p − c, so
+     * the sphere grows by the largest c.
      */
     static boolean canReach(LightSource source, PointBox box) {
         Vec3 position = source.position();

@@ -7,17 +7,17 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 
 /**
- * Finds what anti-aliasing sees of the pixels of a tile ({@link EdgeCodes}). Holds scratch memory: one for each thread.
+ * Builds the {@link EdgeCodes} of a tile's pixels for anti-aliasing. Holds scratch memory: use one instance per thread.
  *
- * <p>A pixel's code is the sum over all that its ray meets, in mirrors and through what is clear: a number for what is hit and where
- * in the tree of rays, and one for each light that shines, of the row's state and, where it is lit and its material is
- * specular, its specular term in coarse steps; and whether it came through clear shapes. A light that is larger than a point has no such steps, for its highlights are soft,
- * and none in its penumbra: a row that sees any of its samples is lit.
+ * <p>A pixel's code is a sum over all hits of its rays, in mirrors and through clear surfaces. Each hit adds a number for its shape
+ * and its node in the ray tree, and one for each light that shines. A light's number combines the row's state, whether the light
+ * came through clear shapes, and for lit specular rows the specular term in coarse steps. Area lights have no such steps, because
+ * their highlights are soft, and no penumbra: a row that sees any sample is lit.
  */
 public final class EdgeCodeBuilder {
-    /** Steps of a specular term from 0 to 1; what is above 1 looks like 1. */
+    /** Steps of a specular term from 0 to 1; terms above 1 count as 1. */
     private static final float STEPS = 4;
-    /** More than any state and highlight. */
+    /** Exceeds every state and highlight number. */
     private static final int TINTED = 32;
 
     private final int[] shapes = new int[TermKernel.MAX_ROWS];
@@ -27,15 +27,18 @@ public final class EdgeCodeBuilder {
     private short[][] pixels = new short[1][];
     private boolean hasBounces;
 
-    /** The number of a light, {@code light} in scene order, at a hit; {@code specular} counts where the material has it. */
+    /**
+     * Returns the number of light {@code light}, in scene order, at a hit; {@code specular} counts if the material has a specular
+     * term.
+     */
     static int code(int light, int state, boolean tinted, boolean hasSpecular, float specular) {
         int highlight = state == LightRows.LIT && hasSpecular ? (int) (Math.min(specular, 1) * STEPS) : 0;
-        // Who faces away and who is outside the cone look the same.
+        // Rows that face away and rows outside the cone look the same.
         int visibleState = state == LightRows.FACING_AWAY ? LightRows.OUTSIDE_CONE : state;
         return HitCode.atDepth(visibleState + 4 * highlight + (tinted ? TINTED : 0), 16 + light);
     }
 
-    /** Forgets all; then the levels of a tile are added, the first one first. */
+    /** Clears all codes. Levels of a tile are added next, the first level first. */
     public void begin() {
         Arrays.fill(shapes, 0);
         Arrays.fill(lights, 0);
@@ -45,10 +48,10 @@ public final class EdgeCodeBuilder {
     }
 
     /**
-     * Adds what the rays of a level hit; of the level that it is seen from, no other of the same depth was added since.
+     * Adds the shapes that a level's rays hit. Between the level above and this one, no other level of the same depth may be added.
      *
-     * @param level the depth of the level
-     * @param nodeIndex its place among those that a pixel can have, 0 for the first
+     * @param level     the depth of the level
+     * @param nodeIndex the level's node in a pixel's ray tree, 0 for the first level
      */
     public void addShapes(int level, int nodeIndex, HitRows rows, MaterialTable materials) {
         int[] sums = level == 0 ? shapes : mirroredShapes;
@@ -64,12 +67,12 @@ public final class EdgeCodeBuilder {
         }
     }
 
-    /** The place of the level that is seen from another by rays that go on in some way. */
+    /** Returns the node index of the level that one kind of bounce reaches. */
     public static int childIndex(int above, BounceKind bounce) {
         return 2 * above + 1 + bounce.ordinal();
     }
 
-    /** Adds how light {@code light}, which shines, lights a level whose shapes were added just before. */
+    /** Adds the light {@code light}, which shines, on the level whose shapes were just added. */
     public void addLight(int level, int nodeIndex, int light, HitRows rows, LightRows layer, MaterialTable materials) {
         int[] sums = level == 0 ? lights : mirroredLights;
         short[] pixel = pixels[level];
@@ -84,7 +87,7 @@ public final class EdgeCodeBuilder {
         }
     }
 
-    /** For each row of a level the pixel that it is seen in; the levels above were asked for before. */
+    /** Returns the pixel of each row of a level; the levels above must have been requested before. */
     private short[] pixelIndices(int level, HitRows rows) {
         if (level == pixels.length) {
             pixels = Arrays.copyOf(pixels, level + 1);
@@ -103,14 +106,14 @@ public final class EdgeCodeBuilder {
         return pixels[level];
     }
 
-    /** What was added since {@link #begin}. */
+    /** Returns the codes added since {@link #begin}. */
     public EdgeCodes build() {
         int[] mirrorShapes = hasBounces ? mirroredShapes.clone() : null;
         int[] mirrorLights = hasBounces ? mirroredLights.clone() : null;
         return new EdgeCodes(sum(shapes, mirrorShapes), sum(lights, mirrorLights), mirrorShapes, mirrorLights);
     }
 
-    /** The same, where the first level alone was added, with what comes over mirrors as it is known. */
+    /** Returns the codes if only the first level was added, with the cached parts from mirrors. */
     public EdgeCodes build(EdgeCodes known) {
         return new EdgeCodes(sum(shapes, known.mirroredShapes()), sum(lights, known.mirroredLights()), known.mirroredShapes(),
                 known.mirroredLights());

@@ -4,10 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 import lightning.render.image.Film;
 
-/**
- * Finds the pixels that anti-aliasing looks at more closely: those beside which, to the left, to the right, above or
- * below, a pixel shows something else.
- */
+/** Finds the pixels that anti-aliasing samples: those with a different neighbor to the left, right, top or bottom. */
 public final class EdgeDetector {
     private static final int SIDE = Film.TILE_SIZE;
 
@@ -17,9 +14,9 @@ public final class EdgeDetector {
     private final EdgeCodes[] codes;
 
     /**
-     * @param width  of the picture, pixels
-     * @param height of the picture, pixels
-     * @param codes  of its tiles, in the film's order; read when edges are asked for
+     * @param width  width of the picture in pixels
+     * @param height height of the picture in pixels
+     * @param codes  codes of its tiles, in the film's order; read on request
      */
     public EdgeDetector(int width, int height, EdgeCodes[] codes) {
         this.width = width;
@@ -28,7 +25,7 @@ public final class EdgeDetector {
         tilesX = (width - 1) / SIDE + 1;
     }
 
-    /** All pixels of a tile of a picture so many pixels wide and high, ascending indices in the tile. */
+    /** Returns all pixels of a tile of a picture of the given size, as ascending indices in the tile. */
     public static short[] allPixels(int width, int height, int tile) {
         int tilesX = (width - 1) / SIDE + 1;
         int columns = Math.min(SIDE, width - tile % tilesX * SIDE);
@@ -40,7 +37,7 @@ public final class EdgeDetector {
         return all;
     }
 
-    /** Some tiles of a film and those beside them, ascending. */
+    /** Returns some tiles of a film and their neighbors, ascending. */
     public static int[] addNeighborTiles(Film film, int[] tiles) {
         boolean[] target = new boolean[film.tileCount()];
         for (int tile : tiles) {
@@ -54,7 +51,7 @@ public final class EdgeDetector {
         return IntStream.range(0, target.length).filter(i -> target[i]).toArray();
     }
 
-    /** Whether the edges of a tile are those that another map finds, because both look at the same codes. */
+    /** Returns whether another detector finds the same edges in a tile because both read the same codes. */
     public boolean hasSameEdges(int tile, EdgeDetector other) {
         int x = tile % tilesX;
         return codes[tile] == other.codes[tile] && neighbor(tile, -1, x > 0) == other.neighbor(tile, -1, x > 0)
@@ -68,17 +65,17 @@ public final class EdgeDetector {
         return inside && other >= 0 && other < codes.length ? codes[other] : null;
     }
 
-    /** The pixels of a tile at an edge of what is hit, ascending indices in the tile. */
+    /** Returns the pixels of a tile at a shape edge, as ascending indices in the tile. */
     public short[] shapeEdges(int tile) {
         return edges(tile, true, false);
     }
 
-    /** The pixels of a tile at an edge of a light and at none of what is hit, ascending indices in the tile. */
+    /** Returns the pixels of a tile at a light edge but not at a shape edge, as ascending indices in the tile. */
     public short[] lightEdges(int tile) {
         return edges(tile, false, true);
     }
 
-    /** The pixels of a tile at an edge, ascending indices in the tile. */
+    /** Returns the pixels of a tile at any edge, as ascending indices in the tile. */
     public short[] edges(int tile) {
         return edges(tile, true, true);
     }

@@ -10,8 +10,8 @@ import lightning.scene.Material;
 import lightning.scene.effects.RenderEffect;
 
 /**
- * Columns are kept, loops run and rays are cast for some effects although the scene does not call for them: the picture is the
- * same, only more is done. To measure what their absence saves.
+ * Required work that includes effects which the scene does not use. The picture is the same. Used to measure what skipping unused
+ * effects saves.
  *
  * @param forced the effects
  */

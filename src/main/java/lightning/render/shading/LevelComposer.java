@@ -7,8 +7,8 @@ import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * The third stage for one tile and level: sums the lights' contributions and closes the equation
- * over all rows. Holds scratch columns: one for each thread.
+ * Third stage for one tile and level: sums the lights' contributions and evaluates the equation over all rows. Holds scratch
+ * columns: use one instance per thread.
  */
 final class LevelComposer {
     private static final int ROWS = TermKernel.MAX_ROWS;
@@ -17,10 +17,10 @@ final class LevelComposer {
     private final SumKernel sumKernel;
     private final LightSum lightSum;
     private final ShadingMaterial[] shadingMaterials;
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private ClearMaterialShader clearShader;
     private final float[][] colors = new float[3][ROWS];
-    /** Stands for a sum that is left out. */
+    /** Stands for an omitted sum. */
     private final float[][] zeros = new float[3][ROWS];
     private LightComponent component = LightComponent.ALL;
 
@@ -36,7 +36,7 @@ final class LevelComposer {
         return lightSum;
     }
 
-    /** Which contributions are composed from now on. */
+    /** Sets the light component that is composed from now on. */
     void setComponent(LightComponent v) {
         component = v;
     }
@@ -44,18 +44,18 @@ final class LevelComposer {
     /**
      * Writes the color of each row to its parent.
      *
-     * @param lights   the lights in scene order
-     * @param layers   the layer of each light; unread where the light is dark
-     * @param branches sums that are known already, or null
-     * @param images   what the rays bring that go on from the rows; null where none does
-     * @param to       gets the colors, linear: red, green, blue, {@code float[1024]} each
+     * @param lights   lights in scene order
+     * @param layers   layer of each light; unread if the light is dark
+     * @param branches cached partial sums, or null
+     * @param images   colors of the rays that bounce from the rows; null if there are none
+     * @param to       receives the linear colors: red, green, blue, {@code float[1024]} each
      */
     void compose(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world, BounceImages images,
             float[][] to) {
         SumColumns sum =
                 branches == null ? lightSum.total(rows.count, lights, layers) : lightSum.total(rows.count, lights, layers, branches);
         float ambience = (float) world.ambience();
-        // Rows of one material keep the order of their parents: where every place has its row, row i goes to place i.
+        // Rows of one material keep the order of their parents. If every position has a row, row i goes to position i.
         boolean inOrder = rows.runCount == 1 && rows.count == ROWS;
         for (int r = 0; r < rows.runCount; r++) {
             shade(rows, r, sum, ambience, images, inOrder ? to : colors);
@@ -83,7 +83,7 @@ final class LevelComposer {
         }
     }
 
-    /** A texture that shows its own color, whatever the lights. */
+    /** Shades an unlit texture, which shows its own color regardless of the lights. */
     private static void shadeUnlit(HitRows rows, int run, ShadingMaterial material, float ambience, float[][] to) {
         for (int c = 0; c < 3; c++) {
             float[] texel = rows.texel(c);
@@ -93,7 +93,7 @@ final class LevelComposer {
         }
     }
 
-    /** Writes the colors of a run's rows to their parents, as many at once as have parents side by side. */
+    /** Writes the colors of a run's rows to their parents, in blocks of consecutive parents. */
     private void scatter(short[] parent, int start, int end, float[][] to) {
         for (int i = start; i < end;) {
             int first = parent[i];

@@ -1,10 +1,10 @@
 package lightning.render.shading;
 
-/** Which of the lights' contributions are composed. */
+/** Component of the lights' contributions that is composed. */
 public enum LightComponent {
     ALL,
-    /** What is scattered, kd·Σ Idiff. */
+    /** Diffuse component, kd·Σ Idiff. */
     DIFFUSE,
-    /** What is mirrored, ks·Σ Ispec + Σ Igraz. */
+    /** Specular component, ks·Σ Ispec + Σ Igraz. */
     SPECULAR
 }

@@ -13,12 +13,12 @@ import lightning.render.trace.Tracer;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * The second stage for one tile: fills a light's layer over the hit rows, in full or in part. Holds
- * scratch memory: one for each thread.
+ * Second stage for one tile: computes or updates a light's layer over the hit rows. Holds scratch memory: use one instance per
+ * thread.
  */
 public final class LightKernel {
     private final LightLinks links;
-    /** Made when a light larger than a point asks for it first. */
+    /** Created for the first area light. */
     private AreaLightKernel areaKernel;
     private final Tracer tracer;
     private final TermKernel terms;
@@ -26,14 +26,14 @@ public final class LightKernel {
     private final RequiredWork requiredWork;
     private final float[] cosine = new float[TermKernel.MAX_ROWS];
     private final int[] facing = RowBits.allocate();
-    /** Rows that a change of the cone asks for, and those of them that are in it. */
+    /** Rows that a cone change affects, and those of them inside the cone. */
     private final int[] coneCandidates = RowBits.allocate();
     private final int[] inside = RowBits.allocate();
     private final int[] chosen = RowBits.allocate();
     private final int[] blocked = RowBits.allocate();
     private final int[] lit = RowBits.allocate();
     private final int[] litBefore = RowBits.allocate();
-    /** Rows of which it must be asked what passes of the light. */
+    /** Rows whose tint must be computed. */
     private final int[] tintRows = RowBits.allocate();
     private long rowsTouched;
 
@@ -50,22 +50,22 @@ public final class LightKernel {
         return areaKernel;
     }
 
-    /** What computes the terms. */
+    /** Returns the kernel that computes the terms. */
     public TermKernel terms() {
         return terms;
     }
 
-    /** Shadow rays cast since the start. */
+    /** Returns the number of shadow rays cast since the start. */
     public long shadowRays() {
         return links.shadowRays();
     }
 
-    /** Rows of layers that were looked at or written since the start. */
+    /** Returns the number of layer rows tested or written since the start. */
     public long rowsTouched() {
         return rowsTouched;
     }
 
-    /** The light's whole diffuse and specular terms: the paper's worst case (§4.5). */
+    /** Recomputes the light's diffuse and specular terms in full: the paper's worst case (§4.5). */
     public LightRows recompute(HitRows rows, LightSource source, ColumnAllocator columns) {
         if (source.isArea()) {
             rowsTouched += rows.count;
@@ -88,7 +88,7 @@ public final class LightKernel {
         return buildLayer(rows, source, states(rows, columns), null, columns).withTint(tint);
     }
 
-    /** Puts those of a set into another that are in the cone, and that the light shines on. */
+    /** Selects the candidates that are in the cone and that the light illuminates. */
     private void selectInside(HitRows rows, LightSource source, int[] candidates, int[] selected) {
         if (source.hasCone()) {
             terms.selectInside(candidates, rows.count, source.cosAngle(), selected);
@@ -98,7 +98,7 @@ public final class LightKernel {
         links.retainLit(source, rows, selected);
     }
 
-    /** The states of rows that were all asked, or away, or outside. */
+    /** Returns the states of rows that were tested, face away or are outside. */
     private byte[] states(HitRows rows, ColumnAllocator columns) {
         byte[] state = columns.states(rows.count);
         for (int b = 0, row = 0; row < rows.count; b++, row += RowBits.WIDTH) {
@@ -130,7 +130,7 @@ public final class LightKernel {
         }
     }
 
-    /** A layer from its states and the rows in {@link #lit}; terms of rows lit before are taken over. */
+    /** Builds a layer from its states and the rows in {@link #lit}; copies the terms of rows that were lit before. */
     private LightRows buildLayer(HitRows rows, LightSource source, byte[] state, LightRows before, ColumnAllocator columns) {
         int count = RowBits.count(lit, rows.count);
         if (count == 0) {
@@ -145,11 +145,10 @@ public final class LightKernel {
     }
 
     /**
-     * The layer after an edit that leaves the light where it is; all it does not touch is shared with
-     * the layer before.
+     * Updates a layer after an edit that does not move the light; shares unchanged columns with the old layer.
      *
-     * @param cone    which rows may enter or leave the cone
-     * @param falloff whether the falloff changed
+     * @param cone    rows that may enter or leave the cone
+     * @param falloff true if the falloff changed
      */
     public LightRows update(HitRows rows, LightSource source, LightRows before, ConeChange cone, boolean falloff, ColumnAllocator columns) {
         if (before.state == LightRows.UNREACHED.state) {
@@ -168,7 +167,7 @@ public final class LightKernel {
             terms.computeDistances(rows, source);
         }
         LightRows coneUpdated = count == 0 ? before : moveCone(rows, source, before, columns);
-        // The falloff is written for lit rows; those of them that were looked at are counted already.
+        // The falloff is written for lit rows; rows that the cone change tested are already counted.
         rowsTouched += count + (falloff && !cone.canChange(LightRows.LIT) ? before.litCount : 0);
         if (coneUpdated.litCount == 0) {
             return coneUpdated;
@@ -182,7 +181,7 @@ public final class LightKernel {
         return coneUpdated.with(LightRows.Column.FALLOFF, falloffs);
     }
 
-    /** A layer with cosines and falloffs anew, each in a column of its own; its other columns stay. Expects terms that were aimed. */
+    /** Recomputes cosines and falloffs into separate columns and keeps the other columns. Expects terms that were aimed. */
     private LightRows recomputePremultiplied(HitRows rows, LightSource source, LightRows before, ColumnAllocator columns) {
         terms.cosines(rows, cosine);
         RowBits.selectState(before.state, rows.count, LightRows.LIT, lit);
@@ -190,7 +189,7 @@ public final class LightKernel {
                 .with(LightRows.Column.FALLOFF, columnWriter.falloffColumn(rows, source, columns));
     }
 
-    /** Whatever happens to the cone, every row that faces the light may have other samples in it. */
+    /** Updates an area light's layer. Any row that faces the light may have other samples in its cone. */
     private LightRows updateArea(HitRows rows, LightSource source, LightRows before, ConeChange cone, boolean falloff,
             ColumnAllocator columns) {
         if (cone == ConeChange.NONE && !(falloff && before.litCount > 0)) {
@@ -201,10 +200,10 @@ public final class LightKernel {
     }
 
     /**
-     * The layer after other shapes: of the rows that were asked, those are asked again whose way to the light may meet what came
-     * or what is gone. All else is shared with the layer before.
+     * Updates a layer after a geometry change. Casts shadow rays again only from tested rows whose ray may meet an added or removed
+     * shape. Shares all other data with the old layer.
      *
-     * @param source that of the light that the layer was computed for
+     * @param source source of the light that the layer was computed for
      */
     public LightRows updateShadows(HitRows rows, LightSource source, LightRows before, ShapeChange change, ColumnAllocator columns) {
         if (!canShadowsChange(rows, source, before, change)) {
@@ -222,7 +221,7 @@ public final class LightKernel {
         System.arraycopy(before.state, 0, state, 0, rows.count);
         for (int i = 0; i < rows.count; i++) {
             if (RowBits.contains(chosen, i) && before.state(i) == LightRows.OUTSIDE_CONE) {
-                // Nobody need know: it is asked when the cone reaches it.
+                // The row is tested when the cone reaches it.
                 state[i] = LightRows.OUTSIDE_CONE;
                 RowBits.remove(chosen, i, i + 1);
             }
@@ -243,7 +242,7 @@ public final class LightKernel {
         return buildLayer(rows, source, state, before.litCount == 0 ? null : before, columns).withTint(tint);
     }
 
-    /** Whether {@link #updateShadows} would ask any row. */
+    /** Returns whether {@link #updateShadows} would cast any shadow ray. */
     public boolean canShadowsChange(HitRows rows, LightSource source, LightLayer before, ShapeChange change) {
         if (before.states() == LightRows.UNREACHED.state) {
             return false;
@@ -253,7 +252,7 @@ public final class LightKernel {
         return shadows.findChangedRows(rows, source, before.states(), change, chosen) || retinted;
     }
 
-    /** All terms anew for rows whose states are known: no shadow ray is cast. */
+    /** Recomputes all terms of rows whose states are known. Casts no shadow ray. */
     public LightRows recomputeTerms(HitRows rows, LightSource source, LightLayer before, ColumnAllocator columns) {
         rowsTouched += before.litCount();
         if (source.isArea()) {
@@ -269,12 +268,12 @@ public final class LightKernel {
     }
 
     /**
-     * The layer after an edit of materials: of the rows of those that changed the specular terms anew, without a ray; the
-     * columns come and go with the first and last material that has one. Where a material is metallic, or was, the diffuse term too:
-     * that one was, a grazing column tells, which rows keep for this when they are put into another order.
+     * Updates a layer after an edit of materials. Recomputes specular terms of the changed materials without a ray. The columns
+     * appear with the first and disappear with the last material that needs them. If a material is or was metallic, its diffuse
+     * terms are recomputed too. A grazing column marks rows that were metallic and is therefore kept when rows are reordered.
      *
-     * @param source    the light that the layer was computed for
-     * @param changed materials whose shininess, roughness or model changed, or that got or lost their highlights
+     * @param source  the light that the layer was computed for
+     * @param changed materials whose shininess, roughness or model changed, or that gained or lost highlights
      */
     public LightRows updateSpeculars(HitRows rows, LightSource source, LightRows before, MaterialSet changed, ColumnAllocator columns) {
         if (before.litCount == 0 || !changed.intersects(rows)) {
@@ -318,34 +317,35 @@ public final class LightKernel {
                 reuseIfEqual(rows, before.cosine, columnWriter.diffuseColumn(rows, cosine, lit, columns)));
     }
 
-    /** The column of before where it has the same bits. */
+    /** Returns the old column if it has the same bits. */
     private static float[] reuseIfEqual(HitRows rows, float[] before, float[] updated) {
         return Arrays.equals(before, 0, rows.count, updated, 0, rows.count) ? before : updated;
     }
 
-    /** The layer over rows of which some may be gone, in another order; {@code before} is over the old rows. */
+    /** Returns the layer for reordered rows, some of which may be removed; {@code before} covers the old rows. */
     public LightRows reorder(RowSplice splice, LightRows before) {
         return splice(splice, before, null, null);
     }
 
     /**
-     * The layer over rows that were put together of old ones and others.
+     * Returns the layer for rows spliced from old and added ones.
      *
-     * @param before over the old rows
-     * @param added  over the added rows
-     * @param source   that of the light that both were computed for
+     * @param before layer of the old rows
+     * @param added  layer of the added rows
+     * @param source source of the light that both were computed for
      */
     public LightRows join(RowSplice splice, LightRows before, LightRows added, LightSource source) {
         return splice(splice, before, added, source);
     }
 
-    /** @param added null where there are no added rows; then {@code source} is unread */
+    /** @param added null if there are no added rows; then {@code source} is unread */
     private LightRows splice(RowSplice splice, LightRows before, LightRows added, LightSource source) {
         if (before.state == LightRows.UNREACHED.state && (added == null || added.state == LightRows.UNREACHED.state)) {
             return LightRows.UNREACHED;
         }
         HitRows rows = splice.rows();
-        // A layer that lacks terms has no lit row, or none with a highlight: 0 stands for them. A lack of falloffs tells less.
+        // A layer without a term column has no lit row or no highlight, so 0 stands for its terms. A missing falloff column has
+        // several meanings.
         Set<LightRows.Column> known = EnumSet.allOf(LightRows.Column.class);
         boolean haveFalloff = before.falloff != null && (added == null || added.falloff != null);
         boolean premultiplied = isPremultiplied(before) && (added == null || isPremultiplied(added));
@@ -377,12 +377,12 @@ public final class LightKernel {
                 : columns.with(LightRows.Column.FALLOFF, falloffs(rows, source)), count);
     }
 
-    /** Whether the terms of all lit rows have the falloff in them. */
+    /** Returns whether the terms of all lit rows include the falloff. */
     private static boolean isPremultiplied(LightRows layer) {
         return layer.isPremultiplied() || layer.litCount == 0;
     }
 
-    /** For a light that does not fall off, or where one of the layers put together has no lit row and therefore no falloffs. */
+    /** Returns the falloff column; for a light without falloff, or if one of the spliced layers has no lit row and so no falloffs. */
     private float[] falloffs(HitRows rows, LightSource source) {
         if (source.needsFalloffColumn()) {
             aim(rows, source);
@@ -390,17 +390,17 @@ public final class LightKernel {
         return columnWriter.falloffColumn(rows, source, ColumnAllocator.NEW_ARRAYS);
     }
 
-    /** Whether any of the rows' materials is metallic. */
+    /** Returns whether any row's material is metallic. */
     public boolean hasMetallic(HitRows rows) {
         return columnWriter.hasMetallic(rows);
     }
 
-    /** Whether any of the rows' materials has a highlight. */
+    /** Returns whether any row's material has a highlight. */
     public boolean hasSpecular(HitRows rows) {
         return columnWriter.hasSpecular(rows);
     }
 
-    /** Moves the rows of {@link #coneCandidates} into and out of the cone; falloffs are left as before. Expects terms that were aimed. */
+    /** Moves the rows of {@link #coneCandidates} into and out of the cone; keeps falloffs. Expects terms that were aimed. */
     private LightRows moveCone(HitRows rows, LightSource source, LightRows before, ColumnAllocator columns) {
         byte[] state = columns.states(rows.count);
         System.arraycopy(before.state, 0, state, 0, rows.count);

@@ -1,28 +1,28 @@
 package lightning.render.shading;
 
-/** One light's layer over the hit rows of one tile and level: terms, or finished contributions. */
+/** Layer of one light over the hit rows of one tile and level: terms, or finished contributions. */
 public sealed interface LightLayer permits LightRows, WeightedLayer {
-    /** State and way of each row, see {@link LightRows}. */
+    /** Returns the state and shadow ray result of each row; see {@link LightRows}. */
     byte[] states();
 
-    /** To which samples of a light each row's ways are free, see {@link LightRows#visibleSamples}. */
+    /** Returns for each row the set of visible light samples; see {@link LightRows#visibleSamples}. */
     short[][] visibleSamples();
 
-    /** What passes of the light on free ways: red, green and blue columns; null where it is 1 on all. */
+    /** Returns the tints of unblocked shadow rays: red, green and blue columns; null if all are 1. */
     float[][] tint();
 
-    /** How many rows are lit. */
+    /** Returns the number of lit rows. */
     int litCount();
 
-    /** The bytes that the columns hold, array headers left out. */
+    /** Returns the bytes of the columns, without array headers. */
     long bytes();
 
-    /** The bytes of those columns that are not also {@code before}'s, which may be null. */
+    /** Returns the bytes of the columns that are not shared with {@code before}, which may be null. */
     long newBytes(LightLayer before);
 
-    /** The bytes that composing reads. */
+    /** Returns the bytes that compositing reads. */
     long bytesReadByCompositing();
 
-    /** The bytes that must be read of each row to get here from {@code before}, which may be null. */
+    /** Returns the bytes per row that an update from {@code before}, which may be null, must read. */
     long rowBytesRead(LightLayer before);
 }

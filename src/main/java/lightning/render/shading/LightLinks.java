@@ -9,8 +9,8 @@ import lightning.scene.ShapeLinks;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Which rows of a tile a light shines on at all, and who asks for ways to it: by the shapes that it is linked to. A row that it does not
- * shine on counts as outside its cone. Lights without links share one caster, and no row of theirs is looked at. One for each thread.
+ * Light linking for the rows of a tile: selects the rows that a light illuminates and the caster of its shadow rays. A row that is
+ * not linked counts as outside the cone. Lights without links share one caster and skip the row test. Use one instance per thread.
  */
 final class LightLinks {
     private final Geometry geometry;
@@ -27,7 +27,7 @@ final class LightLinks {
         unrestrictedCaster = new ShadowCaster(casting, casting == geometry ? tracer : tracer.withGeometry(casting), view);
     }
 
-    /** Who asks whether ways to a light are free. */
+    /** Returns the shadow caster of a light. */
     ShadowCaster shadowCaster(LightSource source) {
         ShapeLinks shadowedBy = source.light().shadowedBy();
         return shadowedBy.isAll() ? unrestrictedCaster : restrictedCasters.computeIfAbsent(shadowedBy, this::createCaster);
@@ -38,18 +38,18 @@ final class LightLinks {
         return new ShadowCaster(casting, tracer.withGeometry(casting), view);
     }
 
-    /** Shadow rays cast since the start. */
+    /** Returns the number of shadow rays cast since the start. */
     long shadowRays() {
         return unrestrictedCaster.rayCount() + restrictedCasters.values().stream().mapToLong(ShadowCaster::rayCount).sum();
     }
 
-    /** Of each primitive whether a light shines on it; null where it does on all. */
+    /** Returns for each primitive whether the light illuminates it; null if it illuminates all. */
     boolean[] litPrimitives(LightSource source) {
         ShapeLinks illuminated = source.light().illuminates();
         return illuminated.isAll() ? null : geometry.linkedPrimitives(illuminated);
     }
 
-    /** Whether it shines on any of the rows, as far as links tell. */
+    /** Returns whether the light's links include any of the rows. */
     boolean canReach(LightSource source, HitRows rows) {
         boolean[] lit = litPrimitives(source);
         boolean any = lit == null || rows.count == 0;
@@ -59,7 +59,7 @@ final class LightLinks {
         return any;
     }
 
-    /** Leaves out rows of a set that it does not shine on. */
+    /** Removes from a set the rows that the light does not illuminate. */
     void retainLit(LightSource source, HitRows rows, int[] set) {
         boolean[] lit = litPrimitives(source);
         for (int i = 0; lit != null && i < rows.count; i++) {

@@ -14,46 +14,47 @@ import lightning.render.column.UniformColumns;
 import lightning.scene.Light;
 
 /**
- * One light's layer over the hit rows of one tile and level: state, cosine, specular term and
- * falloff, in columns that share the rows' index.
+ * Term layer of one light over the hit rows of one tile and level: state, cosine, specular term and falloff. The columns share the
+ * rows' index.
  *
- * <p>Rows that the light does not reach hold 0 in cosine and specular term, so that composing need not
- * ask for the state. Where no row is lit there are no columns but the state.
+ * <p>Rows that the light does not reach hold 0 as cosine and specular term, so that compositing can ignore the state. If no row is
+ * lit, only the state column exists.
  */
 public final class LightRows implements LightLayer {
     /**
-     * States, decided in this order, but that all rows of a tile that a cone cannot reach are outside, whether or not they
-     * face away; lit means potentially lit (paper §4.4), even with a falloff of 0. */
+     * States, tested in this order. If a cone misses the whole tile, all its rows are outside, including rows that face away. Lit
+     * means potentially lit (paper §4.4), even if the falloff is 0.
+     */
     public static final byte FACING_AWAY = 0;
     public static final byte OUTSIDE_CONE = 1;
     public static final byte SHADOWED = 2;
     public static final byte LIT = 3;
     public static final int STATE_MASK = 3;
-    /** Whether the way to the light is free, as far as known; kept apart from the state. */
+    /** Flags of a known shadow ray result; independent of the state. */
     public static final int UNBLOCKED = 4;
     public static final int BLOCKED = 8;
-    /** What is known of the way: neither, where nobody asked. */
+    /** Mask of the shadow ray flags; both are 0 if no shadow ray was cast. */
     static final int SHADOW_RAY_MASK = UNBLOCKED | BLOCKED;
-    /** Samples in a column of those that a row sees. */
+    /** Number of samples per column of visible samples. */
     static final int SAMPLES_PER_COLUMN = 16;
 
-    /** All columns that there are: what makes, counts and splices layers knows no others. */
+    /** Columns of a layer. All code that creates, counts and splices layers uses this list. */
     public enum Column implements ColumnKind {
-        STATE(ElementType.BYTE, "states of the lights"),
+        STATE(ElementType.BYTE, "light states"),
         COSINE(ElementType.FLOAT, "cosines"),
         SPECULAR(ElementType.FLOAT, "specular terms"),
-        /** Of a light over metallic materials. */
+        /** Only for a light over metallic materials. */
         GRAZING(ElementType.FLOAT, "grazing terms"),
         FALLOFF(ElementType.FLOAT, "falloffs"),
-        /** Of a light that is larger than a point: to which of its samples 0…15, 16…31 and so on a row's ways are free. */
-        SEEN_0(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_1(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_2(ElementType.SHORT, "samples seen of soft lights"),
-        SEEN_3(ElementType.SHORT, "samples seen of soft lights"),
-        /** What passes of the light on a free way through clear shapes; 1 where none is in between. */
-        TINT_RED(ElementType.FLOAT, "colors of tinted shadows"),
-        TINT_GREEN(ElementType.FLOAT, "colors of tinted shadows"),
-        TINT_BLUE(ElementType.FLOAT, "colors of tinted shadows");
+        /** Only for an area light: set of visible samples 0…15, 16…31 and so on. */
+        SEEN_0(ElementType.SHORT, "visible samples of area lights"),
+        SEEN_1(ElementType.SHORT, "visible samples of area lights"),
+        SEEN_2(ElementType.SHORT, "visible samples of area lights"),
+        SEEN_3(ElementType.SHORT, "visible samples of area lights"),
+        /** Transmittance of clear shapes on an unblocked shadow ray; 1 if there are none. */
+        TINT_RED(ElementType.FLOAT, "tinted shadow colors"),
+        TINT_GREEN(ElementType.FLOAT, "tinted shadow colors"),
+        TINT_BLUE(ElementType.FLOAT, "tinted shadow colors");
 
         static final List<Column> SAMPLE_COLUMNS = List.of(SEEN_0, SEEN_1, SEEN_2, SEEN_3);
         static final List<Column> TINT_COLUMNS = List.of(TINT_RED, TINT_GREEN, TINT_BLUE);
@@ -66,7 +67,7 @@ public final class LightRows implements LightLayer {
             this.title = title;
         }
 
-        /** What it holds, for people. */
+        /** Returns the title for reports. */
         public String title() {
             return title;
         }
@@ -77,38 +78,38 @@ public final class LightRows implements LightLayer {
         }
     }
 
-    /** What a distant light gives a plane. */
+    /** Columns that are uniform for a distant light on a plane. */
     private static final Set<Column> UNIFORM_COLUMNS = EnumSet.of(Column.COSINE);
     private static final float[] ONES = ones();
     private static final float[] ZEROS = new float[TermKernel.MAX_ROWS];
-    /** What a file tells of columns that stand for others there. */
+    /** Flags in a file for shared columns that are not stored. */
     private static final int UNREACHED_FLAG = 1;
     private static final int PREMULTIPLIED_FLAG = 2;
-    /** For each state and way a column that holds no other: shared by all layers of which every row has it, and not counted as memory. */
+    /** For each state and flag, a uniform state column that layers share. Not counted as memory. */
     private static final byte[][] UNIFORM_STATES = uniformStates();
     private static final float[][] WHITE_TINT = {ONES, ONES, ONES};
 
-    /** The falloff of layers whose terms have theirs in them: 1 everywhere, shared by all of these and not counted as memory. */
+    /** Falloff column of layers whose terms include the falloff: 1 everywhere, shared and not counted as memory. */
     static final float[] PREMULTIPLIED = UniformColumns.of(1);
 
-    /** All rows outside: shared by all tiles that no light in question reaches, and not counted as memory. */
+    /** Layer whose rows are all outside: shared by all tiles that a light does not reach, and not counted as memory. */
     public static final LightRows UNREACHED = unlit(uniformStates(OUTSIDE_CONE));
 
-    /** State and way of each row. */
+    /** State and shadow ray flags of each row. */
     public final byte[] state;
-    /** N·L, or the diffuse term of a metallic material; null where no row is lit. */
+    /** N·L, or the diffuse term of a metallic material; null if no row is lit. */
     public final float[] cosine;
-    /** max(V·R, 0)<sup>shininess</sup>, or what F0 of a metallic material multiplies; null where no row is lit or none has any. */
+    /** max(V·R, 0)<sup>shininess</sup>, or the factor of F0 for a metallic material; null if no row is lit or none is specular. */
     public final float[] specular;
-    /** What a metallic material sends besides; null where no row is lit or none is metallic. */
+    /** Grazing terms of metallic materials; null if no row is lit or none is metallic. */
     public final float[] grazing;
-    /** atten·spot; null where no row is lit or the light does not fall off; {@link #PREMULTIPLIED} where the cosines have it in them. */
+    /** atten·spot; null if no row is lit or the light has no falloff; {@link #PREMULTIPLIED} if the cosines include it. */
     public final float[] falloff;
-    /** The columns of the samples seen, as many as there are for the light; null where it has one sample or no row sees any. */
+    /** Columns of visible samples, as many as the light needs; null if it has one sample or no row sees any. */
     final short[][] visibleSamples;
-    /** Red, green and blue columns of what passes on free ways; null where it is 1 on all. */
+    /** Red, green and blue tints of unblocked shadow rays; null if all are 1. */
     final float[][] tint;
-    /** How many rows are lit. */
+    /** Number of lit rows. */
     public final int litCount;
 
     private final ColumnSet<Column> columns;
@@ -135,24 +136,24 @@ public final class LightRows implements LightLayer {
         tint = readChannels(columns, Column.TINT_COLUMNS);
     }
 
-    /** The column of the samples from 16·{@code group} on, or null. */
+    /** Returns the column of samples 16·{@code group} and up, or null. */
     public static short[] sampleColumn(short[][] visibleSamples, int group) {
         return visibleSamples == null || visibleSamples.length <= group ? null : visibleSamples[group];
     }
 
-    /** The columns of samples that there are, the first ones; null where there is none. */
+    /** Returns the existing sample columns, a prefix of the kinds; null if there are none. */
     public static <C extends Enum<C> & ColumnKind> short[][] readVisibleSamples(ColumnSet<C> columns, List<C> kinds) {
         return !columns.has(kinds.getFirst()) ? null
                 : kinds.stream().filter(columns::has).map(kind -> (short[]) columns.get(kind)).toArray(short[][]::new);
     }
 
-    /** Three columns; null where the first is not there. */
+    /** Returns three columns; null if the first does not exist. */
     public static <C extends Enum<C> & ColumnKind> float[][] readChannels(ColumnSet<C> columns, List<C> channels) {
         return !columns.has(channels.getFirst()) ? null
                 : channels.stream().map(channel -> (float[]) columns.get(channel)).toArray(float[][]::new);
     }
 
-    /** Columns with others in place of three; with none where {@code colors} is null. */
+    /** Returns the columns with three of them replaced, or removed if {@code colors} is null. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withChannels(ColumnSet<C> columns, List<C> channels, float[][] colors) {
         ColumnSet<C> result = columns;
         for (int c = 0; c < channels.size(); c++) {
@@ -161,16 +162,16 @@ public final class LightRows implements LightLayer {
         return result;
     }
 
-    /** Columns of which those of tints are all 1 where they are not there. */
+    /** Returns the columns with missing tints filled with 1. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> withDefaultTint(ColumnSet<C> columns, List<C> channels) {
         return columns.has(channels.getFirst()) ? columns : withChannels(columns, channels, WHITE_TINT);
     }
 
     /**
-     * The columns that layers of a light may have.
+     * Returns the columns that layers of a light may have.
      *
-     * @param metallic whether any material is metallic
-     * @param tinted   whether light passes any
+     * @param metallic true if any material is metallic
+     * @param tinted   true if light passes through any material
      */
     public static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
@@ -187,27 +188,27 @@ public final class LightRows implements LightLayer {
         return columns;
     }
 
-    /** How many columns tell of the samples of a light; 0 for a point. */
+    /** Returns the number of sample columns of a light; 0 for a point light. */
     public static int sampleColumnCount(Light light) {
         return light.isArea() ? (light.area().samples() - 1) / SAMPLES_PER_COLUMN + 1 : 0;
     }
 
-    /** A layer of which no row is lit. */
+    /** Creates a layer without lit rows. */
     static LightRows unlit(byte[] state) {
         return new LightRows(state, null, null, null, null, 0);
     }
 
-    /** A layer of which no row is lit, though ways of some may be free. */
+    /** Creates a layer without lit rows, in which samples may be visible. */
     static LightRows unlit(byte[] state, short[][] visibleSamples) {
         return new LightRows(state, null, null, null, null, visibleSamples, 0);
     }
 
-    /** This layer with other tints, or with none where they are null. */
+    /** Returns this layer with other tints, or without tints if null. */
     public LightRows withTint(float[][] tints) {
         return tints == tint ? this : new LightRows(withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
     }
 
-    /** This layer with another column, or with none where it is null; the same rows are lit. */
+    /** Returns this layer with another column, or without it if null; the same rows are lit. */
     LightRows with(Column kind, float[] column) {
         return new LightRows(columns.with(kind, column), litCount);
     }
@@ -230,15 +231,15 @@ public final class LightRows implements LightLayer {
         return all;
     }
 
-    /** The bytes of a layer's columns that are counted with no layer, because all share them. */
+    /** Returns the bytes of a layer's columns that all layers share and that are not counted. */
     public static long sharedBytes(byte[] states) {
         return states == UNREACHED.state || states.length > 0 && states == UNIFORM_STATES[states[0]] ? states.length : 0;
     }
 
     /**
-     * This layer over {@code rows} rows without what need not be kept: states or cosines of its own where all are the same, and highlights where none
-     * is: adding none in place of +0 to sums that are never negative changes no bit. Grazing terms are closed beside specular ones, so
-     * that where there are any both stay.
+     * Returns this layer over {@code rows} rows without redundant columns: shares uniform states and cosines, and drops highlights
+     * that are all 0. Adding nothing instead of +0 to sums that are never negative changes no bit. Grazing terms are composed
+     * together with specular ones, so both stay if there are any.
      */
     public LightRows compact(int rows) {
         ColumnSet<Column> compacted = columns.withUniform(UNIFORM_COLUMNS, rows);
@@ -251,14 +252,15 @@ public final class LightRows implements LightLayer {
         return compacted == columns ? this : new LightRows(compacted, litCount);
     }
 
-    /** Whether the cosines have the falloff in them. */
+    /** Returns whether the cosines include the falloff. */
     boolean isPremultiplied() {
         return falloff == PREMULTIPLIED;
     }
 
     /**
-     * This layer over {@code rows} rows with one column, cosine times falloff, in place of two, where no row has a highlight: the product
-     * is what composing takes of both, with the same bits. New falloffs then ask for the cosines anew. The cosines are written over.
+     * Returns this layer over {@code rows} rows with one column, cosine times falloff, instead of two, if no row has a highlight.
+     * Compositing uses only this product, so the bits are the same. A later falloff edit must recompute the cosines. Overwrites the
+     * cosines.
      */
     public LightRows premultiply(int rows) {
         if (falloff == null || litCount == 0 || grazing != null || specular != null && hasHighlight(rows)) {
@@ -274,7 +276,7 @@ public final class LightRows implements LightLayer {
         return !Arrays.equals(specular, 0, rows, ZEROS, 0, rows);
     }
 
-    /** This layer over {@code rows} rows in columns of its own, {@linkplain #compact compact}. */
+    /** Returns a {@linkplain #compact compact} copy of this layer over {@code rows} rows. */
     public LightRows copyCompact(int rows) {
         if (state == UNREACHED.state) {
             return this;
@@ -284,7 +286,7 @@ public final class LightRows implements LightLayer {
         return new LightRows(sharedBytes(compact.state) > 0 ? own.with(Column.STATE, compact.state) : own, litCount);
     }
 
-    /** The state of a row, without the way. */
+    /** Returns the state of a row without the flags. */
     public int state(int row) {
         return state[row] & STATE_MASK;
     }
@@ -309,7 +311,7 @@ public final class LightRows implements LightLayer {
         return litCount;
     }
 
-    /** Writes all that is known of the layer. */
+    /** Writes the layer. */
     public void writeTo(ColumnWriter out) throws IOException {
         boolean unreached = state == UNREACHED.state;
         out.writeInt(litCount);
@@ -320,7 +322,7 @@ public final class LightRows implements LightLayer {
     /**
      * Reads a layer.
      *
-     * @throws IOException if it is cut off
+     * @throws IOException if the data is truncated
      */
     public static LightRows readFrom(ColumnReader in) throws IOException {
         int lit = in.readInt();
@@ -328,7 +330,7 @@ public final class LightRows implements LightLayer {
         ColumnSet<Column> read = in.readColumns(Column.class);
         LightRows layer = new LightRows(shared == UNREACHED_FLAG ? read.with(Column.STATE, UNREACHED.state)
                 : shared == PREMULTIPLIED_FLAG ? read.with(Column.FALLOFF, PREMULTIPLIED) : read, lit);
-        // What was shared was written as long as that of any tile.
+        // Shared columns were written at the length of a full tile.
         return layer.compact(Math.min(layer.state.length, Math.min(length(layer.cosine), length(layer.specular))));
     }
 
@@ -336,7 +338,7 @@ public final class LightRows implements LightLayer {
         return column == null ? Integer.MAX_VALUE : column.length;
     }
 
-    /** The columns that this layer has. */
+    /** Returns the columns of this layer. */
     ColumnSet<Column> columns() {
         return columns;
     }
@@ -346,7 +348,7 @@ public final class LightRows implements LightLayer {
         return columns.bytes() - sharedBytes(state);
     }
 
-    /** The bytes of one kind of column. */
+    /** Returns the bytes of one kind of column. */
     public long bytes(Column kind) {
         return columns.bytes(kind) - (kind == Column.STATE ? sharedBytes(state) : 0);
     }
@@ -356,7 +358,7 @@ public final class LightRows implements LightLayer {
         return columns.bytes() - columns.bytes(Column.STATE);
     }
 
-    /** A new falloff needs the point alone, new terms point, normal and direction. */
+    /** A new falloff needs only the point; new terms need point, normal and direction. */
     @Override
     public long rowBytesRead(LightLayer before) {
         return before instanceof LightRows b && cosine != null && b.cosine == cosine && b.state == state ? 12 : 36;

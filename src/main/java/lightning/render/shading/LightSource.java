@@ -7,20 +7,18 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 
 /**
- * Where a light shines from, in render space: all that decides which rows it reaches and the terms there, and not how strongly
- * it shines.
+ * Geometry of a light in render space: everything that decides which rows it reaches and with which terms, except its weight.
  *
- * @param light    what it was made from
- * @param position   the position of a light that has one; for a directional light the unit vector
- *                 towards it
+ * @param light    the scene's light
+ * @param position the position; for a directional light the unit vector towards it
  * @param axis     the unit direction in which the light shines
- * @param cosAngle the cosine of half the cone's opening; that of a surface is a half space
- * @param dropoff  the exponent of the fall from the axis; 1 for a surface (Lambert's cosine)
- * @param samples     the samples of which its light is the mean; null for a point, whose only one is the source
+ * @param cosAngle cosine of the cone's half-angle; a surface light has a half-space
+ * @param dropoff  exponent of the falloff from the axis; 1 for a surface (Lambert's cosine)
+ * @param samples  samples of an area light; null for a point light, whose only sample is its position
  */
 public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle, double dropoff, AreaSamples samples) {
 
-    /** The lamp of a light as the scene's camera sees it. */
+    /** Returns a light's source in the camera's render space. */
     public static LightSource of(Light light, Scene scene) {
         Vec3 axis = light.direction().normalized();
         Vec3 source = light.type().hasPosition() ? light.position().minus(scene.camera().origin()) : axis.negated();
@@ -33,17 +31,17 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
         return light.type();
     }
 
-    /** Whether it is larger than a point. */
+    /** Returns whether it is an area light. */
     public boolean isArea() {
         return samples != null;
     }
 
-    /** Whether rows away from its axis may be outside its cone. */
+    /** Returns whether rows may be outside its cone. */
     public boolean hasCone() {
         return type().hasCone() || type().isSurface();
     }
 
-    /** Whether it fades: its falloff is not 1 everywhere. */
+    /** Returns whether its falloff is not 1 everywhere. */
     boolean hasFalloff() {
         return switch (type()) {
             case DIRECTIONAL -> false;
@@ -53,12 +51,12 @@ public record LightSource(Light light, Vec3 position, Vec3 axis, double cosAngle
         };
     }
 
-    /** Whether a column is needed for its falloff; that of each sample of an area is in the terms already. */
+    /** Returns whether it needs a falloff column. The terms of an area light include the falloff of each sample. */
     public boolean needsFalloffColumn() {
         return samples == null && hasFalloff();
     }
 
-    /** One of its samples alone, as rows of a turn see it. */
+    /** Returns one sample as a light of its own, for rows of a rotation. */
     LightSource sample(int rotation, int s) {
         return new LightSource(light, samples.position(rotation, s), axis, cosAngle, dropoff, null);
     }

@@ -4,21 +4,21 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Sums the lights' contributions over the rows of a tile, as the tree of {@link LightingEquation#sum}.
- * Holds scratch columns: one for each thread.
+ * Sums the lights' contributions over the rows of a tile as the balanced tree of {@link LightingEquation#sum}. Holds scratch
+ * columns: use one instance per thread.
  *
- * <p>A light that lights no row of the tile, or has no weight, adds +0 to sums that are never negative,
- * so that leaving it out changes no bit. A result is valid until the next call.
+ * <p>A light that lights no row of the tile or has no weight adds +0. Sums are never negative, so skipping such a light changes no
+ * bit. A result is valid until the next call.
  *
- * <p>Where each half of the tree is a chain of lights, as it is with up to six, all of them are added at once. Else the sum over
- * the left half is computed before, and is one that is known.
+ * <p>If each half of the tree is a chain of lights, as for up to six lights, one pass adds them all. Otherwise the sum of the left
+ * half is computed first and used as a precomputed sum.
  */
 final class LightSum {
     private final SumKernel sumKernel;
     private final SumOperands diffuse = new SumOperands();
     private final SumOperands specular = new SumOperands();
     private final SumOperands grazing = new SumOperands();
-    /** The lights of two chains, one behind the other. */
+    /** Lights of both chains, one after the other. */
     private final int[] chain = new int[SumOperands.MAX_LIGHTS];
     /** Sums of branches; those before {@link #usedScratch} are in use. */
     private final List<SumColumns> scratch = new ArrayList<>();
@@ -31,14 +31,14 @@ final class LightSum {
         this.sumKernel = kernel;
     }
 
-    /** The sum over all lights. */
+    /** Returns the sum over all lights. */
     SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers) {
         begin(count, sceneLights, lightLayers);
         collectOperands(0, sceneLights.length);
         return sum();
     }
 
-    /** The same sum where the branches beside one light's way to the root are known. */
+    /** Returns the sum over all lights from the cached branches next to one light's path to the root. */
     SumColumns total(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums branches) {
         begin(count, sceneLights, lightLayers);
         int light = branches.key().light();
@@ -51,7 +51,7 @@ final class LightSum {
         return sum();
     }
 
-    /** Computes the sums of all branches beside a light's way to the root. */
+    /** Computes the sums of all branches next to a light's path to the root. */
     BranchSums branchSums(int count, WeightedLight[] sceneLights, LightLayer[] lightLayers, BranchSums.Key key) {
         begin(count, sceneLights, lightLayers);
         if (key.light() == BranchSums.Key.NO_LIGHT) {
@@ -89,7 +89,7 @@ final class LightSum {
         return !lights[light].isDark() && layers[light].litCount() > 0;
     }
 
-    /** Tells of lights {@code from … to − 1}. */
+    /** Collects the operands of lights {@code from … to − 1}. */
     private void collectOperands(int from, int to) {
         int middle = (from + to) >>> 1;
         int left = chain(from, middle, 0);
@@ -117,8 +117,9 @@ final class LightSum {
     }
 
     /**
-     * Lists those of lights {@code from … to − 1} that add anything, from place {@code at} on, so that the tree's sum is each
-     * added to those before; how many, or −1 where there is no such order, no place, or one whose contribution is kept.
+     * Lists the contributing lights of {@code from … to − 1}, starting at index {@code at}, if the tree adds each of them to the
+     * sum of those before. Returns their number. Returns −1 if there is no such order, no space, or a light with a stored
+     * contribution.
      */
     private int chain(int from, int to, int at) {
         if (to - from < 2) {
@@ -172,14 +173,14 @@ final class LightSum {
         }
     }
 
-    /** The sum over lights {@code from … to − 1} in scratch columns that are in use then, or null where none adds anything. */
+    /** Computes the sum over lights {@code from … to − 1} in scratch columns, which stay in use; null if none contributes. */
     private SumColumns sum(int from, int to) {
         int freeCount = usedScratch;
         collectOperands(from, to);
         if (diffuse.isEmpty()) {
             return null;
         }
-        // What it is made of stands in columns that are free afterwards.
+        // The operands are in columns that are free afterwards.
         SumColumns sum = sum();
         scratch.set(usedScratch, scratch.set(freeCount, sum));
         usedScratch = freeCount + 1;
@@ -189,7 +190,7 @@ final class LightSum {
         return sum;
     }
 
-    /** The sum of what was told of, in the scratch columns that are free next. */
+    /** Computes the sum of the collected operands in the next free scratch columns. */
     private SumColumns sum() {
         if (usedScratch == scratch.size()) {
             scratch.add(SumColumns.allocate());

@@ -4,33 +4,33 @@ import lightning.base.math.PowerFunction;
 import lightning.scene.Attenuation;
 
 /**
- * The lighting equation (paper §2.2), term by term, for one row and one light.
+ * Lighting equation (paper §2.2), term by term, for one row and one light.
  *
  * <pre>
  * I     = [ka·ambience + kd·Σ Idiff]·(1 − kr) + (ks·Σ Ispec + Σ Igraz) + kr·Cr
  * Idiff = weight·(cosine·falloff)      weight  = color·intensity
  * Ispec = weight·(specular·falloff)    falloff = atten·spot·doors
- * Igraz = weight·(grazing·falloff)     of metallic materials alone
+ * Igraz = weight·(grazing·falloff)     metallic materials only
  * </pre>
  *
- * <p>Of a clear surface, which mirrors m = kr + (1 − kr)·F by Fresnel's share F ({@link lightning.render.trace.Refraction}), with what is left on the
- * way inside, T = tint<sup>way/distance</sup> (Beer's law), and b = 1 − the largest channel of kt:
+ * <p>A clear surface mirrors m = kr + (1 − kr)·F with the Fresnel share F ({@link lightning.render.trace.Refraction}). The path inside
+ * transmits T = tint<sup>path/distance</sup> (Beer's law), and b = 1 − the largest channel of kt:
  *
  * <pre>
  * I     = {[ka·ambience + kd·Σ Idiff]·(1 − m)·b + (ks·Σ Ispec + Σ Igraz) + m·Cr + (1 − m)·kt·Ct}·T
  * </pre>
  *
- * <p>Metallic materials are those of glTF 2.0 (appendix B.3): D is GGX, V Smith's visibility, F Schlick's F0 + (1 − F0)·s with
- * s = (1 − V·H)⁵, so that F·D·V = F0·D·V·(1 − s) + D·V·s. A light of weight 1 lets a white surface send 1, as by Phong's model:
- * its irradiance is π·cosine, which takes the π out of D and of Lambert's law. What is scattered below the surface passes it twice
+ * <p>Metallic materials follow glTF 2.0 (appendix B.3): D is GGX, V is Smith's visibility, F is Schlick's F0 + (1 − F0)·s with
+ * s = (1 − V·H)⁵, so that F·D·V = F0·D·V·(1 − s) + D·V·s. As in Phong's model, a white surface reflects 1 under a light of weight 1:
+ * the irradiance is π·cosine, which cancels the π of D and of Lambert's law. Diffuse light passes the surface twice
  * (Shirley and others, A practitioners' assessment of light reflection models, 1997, without their factor 21/20):
- * (1 − f0)·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵), the first factor of which is in kd.
+ * (1 − f0)·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵). Its first factor is part of kd.
  *
- * <p>An instance holds the vector from the row to the light. Points and vectors are in render space;
- * what is given as float was rounded when the row was stored.
+ * <p>An instance holds the vector from the row to the light. Points and vectors are in render space. Float parameters were rounded
+ * when the row was stored.
  */
 public final class LightingEquation {
-    /** Below it the square of a distance has too few digits to give a vector the length 1; it counts as 0. */
+    /** At smaller distances, the squared distance has too few digits to normalize the vector; the distance counts as 0. */
     public static final double MIN_DISTANCE = 0x1p-500;
 
     private final LightSource source;
@@ -46,7 +46,7 @@ public final class LightingEquation {
         angularMask = AngularMask.of(source);
     }
 
-    /** Turns to a row: its point and its unit normal. At distance 0 the light stands straight above. */
+    /** Moves to a row: its point and its unit normal. At distance 0 the light is straight above. */
     void moveTo(float px, float py, float pz, float nx, float ny, float nz) {
         maskFactor = angularMask == null ? 1 : angularMask.factor(px, py, pz);
         lx = source.position().x();
@@ -65,26 +65,26 @@ public final class LightingEquation {
         }
     }
 
-    /** N·L; the row faces away where this is not above 0. */
+    /** Returns N·L; the row faces away unless this is above 0. */
     float cosine(float nx, float ny, float nz) {
         return (float) (nx * lx + ny * ly + nz * lz);
     }
 
-    /** −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
+    /** Returns −L·direction, the cosine of the angle between the cone's axis and the row, −1…1. */
     private double axisCosine() {
         double c = -(lx * source.axis().x() + ly * source.axis().y() + lz * source.axis().z());
         return c < -1 ? -1 : c > 1 ? 1 : c;
     }
 
-    /** Whether the row is in the light's cone; a row exactly on it is. */
+    /** Returns whether the row is in the light's cone, edge included. */
     boolean insideCone() {
         return !source.hasCone() || axisCosine() >= source.cosAngle();
     }
 
     /**
-     * max(V·R, 0)<sup>shininess</sup> with R = 2N(N·−L) + L, both taken at length 1.
+     * Returns max(V·R, 0)<sup>shininess</sup> with R = 2N(N·−L) + L, both normalized.
      *
-     * @param v the unit direction of the ray that met the row
+     * @param v the unit direction of the ray that hit the row
      */
     float specular(float nx, float ny, float nz, float vx, float vy, float vz, double shininess) {
         double twice = 2 * (nx * lx + ny * ly + nz * lz);
@@ -100,9 +100,9 @@ public final class LightingEquation {
     }
 
     /**
-     * N·L·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵): the diffuse term of a metallic material, for a row that faces the light.
+     * Returns N·L·(1 − (1 − N·L)⁵)·(1 − (1 − N·V)⁵): the diffuse term of a metallic material, for a row that faces the light.
      *
-     * @param v the unit direction of the ray that met the row
+     * @param v the unit direction of the ray that hit the row
      */
     float metallicDiffuse(float nx, float ny, float nz, float vx, float vy, float vz) {
         double nl = nx * lx + ny * ly + nz * lz;
@@ -112,11 +112,11 @@ public final class LightingEquation {
     }
 
     /**
-     * N·L·D·V of a metallic material, for a row that faces the light; D without its 1/π. The angle between N and H is taken at
-     * length 1; the others' lengths, off by 2⁻²³, show nowhere.
+     * Returns N·L·D·V of a metallic material, for a row that faces the light; D without its 1/π. N and H are normalized for their
+     * angle. The lengths of the others are off by 2⁻²³, which is not visible.
      *
-     * <p>At most 1/(2α³), but for roundings: D is at most 1/α², and V at most 1/(2·N·L·α); 6.1e7 for the least roughness that
-     * acts.
+     * <p>Apart from roundings it is at most 1/(2α³): D is at most 1/α², and V at most 1/(2·N·L·α). That is 6.1e7 for the smallest
+     * effective roughness.
      *
      * @param alpha the width of the highlight, above 0
      */
@@ -127,7 +127,7 @@ public final class LightingEquation {
         double nh = nx * hx + ny * hy + nz * hz;
         double lengths = ((double) nx * nx + (double) ny * ny + (double) nz * nz) * (hx * hx + hy * hy + hz * hz);
         double c = nh * nh / lengths;
-        // Where H has no direction, this is no number.
+        // If H has no direction, this is NaN.
         c = c > 0 ? c : 0;
         c = c > 1 ? 1 : c;
         double nl = nx * lx + ny * ly + nz * lz;
@@ -140,7 +140,7 @@ public final class LightingEquation {
         return nl * a / (t * t * (gl * gv));
     }
 
-    /** (1 − V·H)⁵, V and H taken at length 1; 1 where H has no direction. */
+    /** Returns (1 − V·H)⁵ with V and H normalized; 1 if H has no direction. */
     private double schlick(float vx, float vy, float vz) {
         double hx = lx - vx;
         double hy = ly - vy;
@@ -158,17 +158,17 @@ public final class LightingEquation {
         return square * square * x;
     }
 
-    /** N·L·D·V·(1 − (1 − V·H)⁵): the specular term of a metallic material, which F0 multiplies. */
+    /** Returns N·L·D·V·(1 − (1 − V·H)⁵): the specular term of a metallic material, which F0 multiplies. */
     float metallicSpecular(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * (1 - schlick(vx, vy, vz)));
     }
 
-    /** N·L·D·V·(1 − V·H)⁵: what a metallic material of any color sends besides. */
+    /** Returns N·L·D·V·(1 − V·H)⁵: the grazing term of a metallic material, which no color multiplies. */
     float metallicGrazing(float nx, float ny, float nz, float vx, float vy, float vz, double alpha) {
         return (float) (microfacetTerm(nx, ny, nz, vx, vy, vz, alpha) * schlick(vx, vy, vz));
     }
 
-    /** atten·spot·doors: 1 for a directional light. */
+    /** Returns atten·spot·doors: 1 for a directional light. */
     float falloff() {
         return switch (source.type()) {
             case DIRECTIONAL -> 1;
@@ -180,7 +180,7 @@ public final class LightingEquation {
         };
     }
 
-    /** min(1 / (cc + cl·d + cq·d²), 1), where 1/0 counts as 1. */
+    /** Returns min(1 / (cc + cl·d + cq·d²), 1), where 1/0 counts as 1. */
     private double attenuation() {
         Attenuation a = source.light().attenuation();
         double factor = 1 / (a.constant() + a.linear() * distance + a.quadratic() * (distance * distance));
@@ -188,26 +188,26 @@ public final class LightingEquation {
     }
 
     /**
-     * One channel of the sum's term: the weight over cosine (or specular term), falloff, and what passes of the light.
+     * Returns one channel of a light's contribution: weight times cosine (or specular term), falloff and tint.
      *
-     * @param tint 1 where nothing is in between
+     * @param tint 1 if nothing clear is in between
      */
     public static float contribution(float weight, float term, float falloff, float tint) {
         return weight * (term * falloff * tint);
     }
 
-    /** The same where nothing is in between. */
+    /** Returns one channel of an untinted contribution. */
     static float contribution(float weight, float term, float falloff) {
         return weight * (term * falloff);
     }
 
-    /** One channel of what passes a clear surface: what it does not mirror, times its color. */
+    /** Returns one channel of a clear surface's transmission: the unmirrored share times its color. */
     static float transmitted(float kr, float share, float kt) {
         float mirror = kr + (1 - kr) * share;
         return (1 - mirror) * kt;
     }
 
-    /** The mean of a light's samples, from their sum, first to last, of exact products {@code term·falloff}. */
+    /** Returns the mean of a light's samples from their sum, first to last, of exact products {@code term·falloff}. */
     static float mean(double sum, int samples) {
         return (float) (sum / samples);
     }
@@ -222,8 +222,8 @@ public final class LightingEquation {
     }
 
     /**
-     * One channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror} and
-     * {@code left·kt} are at most 1 in all.
+     * Returns one channel of the whole equation of a clear surface, at most the sum of its parts: {@code left·body}, {@code mirror}
+     * and {@code left·kt} add up to at most 1.
      *
      * @param share F
      * @param tint  T
@@ -236,7 +236,10 @@ public final class LightingEquation {
                 + left * kt * refracted) * tint;
     }
 
-    /** One channel of the whole equation of another; {@code diffuse}, {@code specular} and {@code grazing} are the lights' sums. */
+    /**
+     * Returns one channel of the whole equation of an opaque surface; {@code diffuse}, {@code specular} and {@code grazing} are the
+     * lights' sums.
+     */
     static float color(float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirrored) {
         return (ka * ambience + kd * diffuse) * (1 - kr) + (ks * specular + grazing) + kr * mirrored;

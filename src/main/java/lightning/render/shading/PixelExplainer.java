@@ -17,7 +17,7 @@ import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.AlphaCutout;
 import lightning.scene.Scene;
 
-/** Traces single pixels and tells why they have their color; the color is the film's in every bit. */
+/** Traces single pixels and reports every part of their color. The color has the bits of the film's. */
 public final class PixelExplainer {
     private static final float[] ZERO = {0, 0, 0};
     private static final float[] ONE = {1, 1, 1};
@@ -28,15 +28,15 @@ public final class PixelExplainer {
     private final Geometry uncutGeometry;
     private final List<WeightedLight> lights;
 
-    /** Where ways to lights end, by the place of a light. */
+    /** Shadow ray targets by light position. */
     private final Map<Vec3, ShadowRayTarget> shadowRayTargets;
 
-    /** Tells the holes that rays pass, too, for which it builds a second tree. */
+    /** Creates an explainer that also reports cutouts that rays passed; builds a second BVH for this. */
     public PixelExplainer(Scene scene) {
         this(scene, new Geometry(scene), new HashMap<>(), withoutCutouts(scene));
     }
 
-    /** @param known a geometry that serves the scene, as a picture of it was traced with */
+    /** @param known existing geometry that serves the scene, from its traced picture */
     public PixelExplainer(Scene scene, Geometry known) {
         this(scene, known.forScene(scene, known.castsReflections()), new HashMap<>(), null);
     }
@@ -50,19 +50,19 @@ public final class PixelExplainer {
         lights = scene.rig().effectiveLights().stream().map(light -> WeightedLight.of(light, scene)).toList();
     }
 
-    /** The explainer of another scene, which shares with this one what it knows of the shapes. */
+    /** Returns an explainer of another scene that shares cached geometry with this one. */
     public PixelExplainer forScene(Scene other, Geometry known) {
         boolean isUnchanged = geometry.canServe(other);
         return new PixelExplainer(other, (isUnchanged ? geometry : known).forScene(other, known.castsReflections()),
                 isUnchanged ? shadowRayTargets : new HashMap<>(), null);
     }
 
-    /** The shapes and materials that the reports point to. */
+    /** Returns the shapes and materials that reports refer to. */
     public Geometry geometry() {
         return geometry;
     }
 
-    /** Everything about the pixel in column {@code x} from the left and row {@code y} from the top. */
+    /** Explains the pixel in column {@code x} from the left and row {@code y} from the top. */
     public PointReport explainPixel(int x, int y) {
         return explainRay(new PixelRays(scene).ray(x, y), scene.picture().depth());
     }
@@ -103,14 +103,14 @@ public final class PixelExplainer {
                 refracted);
     }
 
-    /** The primitives that the ray would meet before a distance if nothing were cut out of them. */
+    /** Returns the primitives that the ray would hit before a distance if nothing were cut out of them. */
     private List<Integer> passedCutouts(Ray ray, double before) {
         return uncutGeometry == null ? List.of() : IntStream.range(0, uncutGeometry.primitiveCount())
                 .filter(s -> uncutGeometry.material(s).cutout() != geometry.material(s).cutout() && uncutGeometry.distance(s, ray) < before)
                 .filter(s -> uncutGeometry.distance(s, ray) < geometry.distance(s, ray)).boxed().toList();
     }
 
-    /** The same shapes with nothing cut out of them; null where nothing is. */
+    /** Returns the geometry without cutouts; null if the scene has none. */
     private static Geometry withoutCutouts(Scene scene) {
         return scene.materials().stream().noneMatch(m -> m.cutout().isActive()) ? null : new Geometry(
                 scene.withMaterials(
@@ -130,7 +130,7 @@ public final class PixelExplainer {
                 : lightReport(light, light.source(), hit, normals);
     }
 
-    /** The means of a light's samples; of those that do not reach the point, the one that comes farthest tells why. */
+    /** Returns the means of a light's samples. If no sample reaches the point, the state is that of the sample that passed most tests. */
     private LightReport areaReport(WeightedLight light, SurfacePoint hit, NormalSteps normals) {
         int samples = light.source().samples().samples();
         double diffuse = 0;
@@ -145,7 +145,7 @@ public final class PixelExplainer {
         for (int s = 0; s < samples; s++) {
             LightReport one =
                     lightReport(light, light.source().sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s), hit, normals);
-            // A way counts wherever the cone ends, as in rows, which are not asked again when it moves.
+            // A visible sample counts even outside the cone, as in rows, whose shadow rays are not cast again when the cone moves.
             LightSource sample = light.source().sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s);
             if (one.state() != LightReport.State.AWAY && (one.state() == LightReport.State.LIT || blocker(sample, hit) < 0)) {
                 float[] passed = tint(sample, hit);
@@ -220,14 +220,14 @@ public final class PixelExplainer {
             LightingEquation.contribution(light.blue(), term, falloff, tint[2])};
     }
 
-    /** What passes of a light on its free way to a point, red, green and blue. */
+    /** Returns the transmittance of an unblocked shadow ray: red, green and blue. */
     private float[] tint(LightSource source, SurfacePoint hit) {
         ShadowRayTarget target = source.type().hasPosition()
                 ? shadowRayTargets.computeIfAbsent(source.position(), geometry::shadowRayTarget) : ShadowRayTarget.OFF_SURFACE;
         return Transmittance.ofShadowRay(geometry, source, target, hit);
     }
 
-    /** The shape between the point and the light that is nearest to the point, or −1. */
+    /** Returns the shape between the point and the light that is nearest to the point, or −1. */
     private int blocker(LightSource source, SurfacePoint hit) {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
         Geometry casting = geometry.shadowGeometry(source.light().shadowedBy());

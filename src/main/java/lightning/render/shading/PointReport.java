@@ -5,23 +5,22 @@ import lightning.render.trace.NormalSteps;
 import lightning.render.trace.SurfacePoint;
 
 /**
- * The lighting equation at one point with all its parts.
+ * Lighting equation at one point with all its parts.
  *
- * @param hit        what the ray met; null where it met nothing and brought the background
- * @param passedCutouts     the primitives through whose holes the ray came, each once; none where nobody looked
- * @param normals   how its normal came about; null where it is the surface's own
- * @param color     the color that the ray brings, linear, {@code float[3]}
- * @param ambient   ka·ambience·(1 − kr), linear, {@code float[3]}
- * @param lights    one for each light of the scene, in its order
- * @param refracted what the refracted ray brings; null if nothing is seen through the material, the surface mirrors all, or the depth
- *                  ends here
- * @param reflected what the mirrored ray brings; null if the material does not mirror or the depth ends here
+ * @param hit           the hit; null if the ray hit nothing and shows the background
+ * @param passedCutouts primitives through whose cutouts the ray passed, each once; empty if not tested
+ * @param normals       steps from the geometric to the shading normal; null if both are equal
+ * @param color         the color of the ray, linear, {@code float[3]}
+ * @param ambient       ka·ambience·(1 − kr), linear, {@code float[3]}
+ * @param lights        one report for each light of the scene, in its order
+ * @param refracted     report of the refracted ray; null if the material is opaque, reflects totally, or the depth ends here
+ * @param reflected     report of the mirrored ray; null if the material does not mirror or the depth ends here
  */
 public record PointReport(SurfacePoint hit, List<Integer> passedCutouts, NormalSteps normals, float[] color, float[] ambient,
         List<LightReport> lights,
         PointReport reflected,
         PointReport refracted) {
-    /** Whether the ray met nothing. */
+    /** Returns whether the ray hit nothing. */
     public boolean isBackground() {
         return hit == null;
     }

@@ -1,11 +1,11 @@
 package lightning.render.shading;
 
 /**
- * How many rays a trace cast, by kind.
+ * Numbers of rays cast by a trace, by kind.
  *
- * @param eye      rays through pixels
- * @param mirrored reflected rays
- * @param shadow   rays to lights
+ * @param eye      camera rays
+ * @param mirrored bounced rays
+ * @param shadow   shadow rays
  */
 public record RayCounts(long eye, long mirrored, long shadow) {
     public static final RayCounts NONE = new RayCounts(0, 0, 0);

@@ -17,10 +17,9 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
- * The oracle: traces every pixel from the scene alone, ray by ray, as §2.1 of the paper tells it.
+ * Reference tracer: traces every pixel from the scene alone, ray by ray, as in §2.1 of the paper.
  *
- * <p>It tests each ray against every shape, keeps nothing, and is slow. Every other way to the
- * picture must agree with it in every bit.
+ * <p>It tests each ray against every shape, caches nothing, and is slow. Every other renderer must match it in every bit.
  */
 public final class ReferenceTracer {
     private final Scene scene;
@@ -28,7 +27,7 @@ public final class ReferenceTracer {
     private final MaterialTable materials;
     private final WeightedLight[] lights;
     private final ShadowRayTarget[] targets;
-    /** Where ways to the samples of larger lights end. */
+    /** Shadow ray targets of area light samples. */
     private final Map<Vec3, ShadowRayTarget> sampleTargets = new HashMap<>();
     private final ReferenceTracer mirrorTracer;
 
@@ -37,8 +36,8 @@ public final class ReferenceTracer {
     }
 
     /**
-     * A trace of {@code scene} whose mirrors show {@code mirrored}: what a picture with stale reflections
-     * must be (paper §4.8). The two may differ in lights, world and materials.
+     * Creates a tracer of {@code scene} whose mirrors show {@code mirrored}: the reference for outdated reflections (paper §4.8).
+     * The two may differ in lights, world and materials.
      */
     public ReferenceTracer(Scene scene, Scene mirrored) {
         this.scene = scene;
@@ -51,12 +50,12 @@ public final class ReferenceTracer {
                 .toArray(ShadowRayTarget[]::new);
     }
 
-    /** The whole picture. */
+    /** Traces the whole picture. */
     public Film trace() {
         return trace(this);
     }
 
-    /** The whole picture over the samples that another picture of the same size has. */
+    /** Traces the whole picture with the sample positions of another picture of the same size. */
     public Film trace(ReferenceTracer sampled) {
         boolean[] fine = sampled.finePixels();
         int width = scene.picture().width();
@@ -71,12 +70,12 @@ public final class ReferenceTracer {
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** The linear color at the center of one pixel, {@code float[3]}. */
+    /** Returns the linear color at the center of one pixel, {@code float[3]}. */
     public float[] pixel(int x, int y) {
         return color(new PixelRays(scene).ray(x, y), scene.picture().depth());
     }
 
-    /** The mean of a pixel's samples. */
+    /** Returns the mean of a pixel's samples. */
     private float[] meanPixel(int x, int y, int grid) {
         float[][] samples = new float[3][grid * grid];
         for (int s = 0; s < grid * grid; s++) {
@@ -93,7 +92,7 @@ public final class ReferenceTracer {
         return Float.isFinite(sum) ? sum / samples.length : SampleMean.meanOfLarge(samples, 0, samples.length);
     }
 
-    /** The color that a ray brings; {@code depth} more mirrors may be followed. */
+    /** Returns the color of a ray; {@code depth} more bounces may be followed. */
     private float[] color(Ray ray, int depth) {
         int primitive = geometry.nearestBruteForce(ray);
         if (primitive < 0) {
@@ -130,7 +129,7 @@ public final class ReferenceTracer {
         return color;
     }
 
-    /** One channel of the color of a clear surface. */
+    /** Returns one channel of the color of a clear surface. */
     private float clearColor(SurfacePoint hit, int c, float[] diffuse, float[] specular, float[] grazing, float[] mirrored,
             float[] refracted) {
         return new SurfaceWeights(hit).color(c, materials.ambient(hit.material(), c), (float) scene.world().ambience(),
@@ -140,8 +139,8 @@ public final class ReferenceTracer {
     }
 
     /**
-     * For each light its diffuse and specular term, falloff and grazing term at a point, and red, green and blue of what passes; all 0 where
-     * it does not reach.
+     * Returns for each light its diffuse and specular term, falloff, grazing term and tint at a point; all 0 if it does not reach
+     * the point.
      */
     private float[][] terms(SurfacePoint hit) {
         float[][] terms = new float[lights.length][7];
@@ -152,7 +151,7 @@ public final class ReferenceTracer {
         return terms;
     }
 
-    /** The terms of a light that is a point. */
+    /** Returns the terms of a point light. */
     private float[] terms(LightSource source, SurfacePoint hit, ShadowRayTarget target) {
         LightingEquation equation = equation(source, hit);
         float cosine = equation.cosine(hit.nx(), hit.ny(), hit.nz());
@@ -165,7 +164,7 @@ public final class ReferenceTracer {
             tint[2]};
     }
 
-    /** The means over the samples of a larger light, falloff and all. */
+    /** Returns the means over an area light's samples, falloff included. */
     private float[] meanTerms(LightSource source, SurfacePoint hit) {
         int samples = source.samples().samples();
         double diffuse = 0;
@@ -175,7 +174,7 @@ public final class ReferenceTracer {
         int freeCount = 0;
         for (int s = 0; s < samples; s++) {
             LightSource sample = source.sample(AreaSamples.rotation(hit.px(), hit.py(), hit.pz()), s);
-            // Wherever its cone ends, a way that is free counts.
+            // A visible sample counts even outside the cone.
             if (equation(sample, hit).cosine(hit.nx(), hit.ny(), hit.nz()) > 0 && isVisible(sample, sampleTarget(sample), hit)) {
                 float[] one = Transmittance.ofShadowRay(geometry, sample, sampleTarget(sample), hit);
                 tint[0] += one[0];
@@ -226,12 +225,12 @@ public final class ReferenceTracer {
                 : isVisible(source, target, hit) ? LightRows.LIT : LightRows.SHADOWED;
     }
 
-    /** Whether a light shines on the shape of a point. */
+    /** Returns whether a light illuminates the shape at a point. */
     private boolean isLinked(LightSource source, SurfacePoint hit) {
         return geometry.linkedPrimitives(source.light().illuminates())[hit.primitive()];
     }
 
-    /** Whether none of the shapes that throw shadows in its light stands between a point and a light. */
+    /** Returns whether no shape that casts shadows from the light is between it and a point. */
     private boolean isVisible(LightSource source, ShadowRayTarget target, SurfacePoint hit) {
         Vec3 point = new Vec3(hit.px(), hit.py(), hit.pz());
         Geometry casting = geometry.shadowGeometry(source.light().shadowedBy());
@@ -241,10 +240,10 @@ public final class ReferenceTracer {
     }
 
     /**
-     * Adds what anti-aliasing sees along a ray ({@link EdgeCodes}).
+     * Adds the edge codes along a ray ({@link EdgeCodes}).
      *
-     * @param nodeIndex where it is seen ({@link EdgeCodeBuilder#childIndex})
-     * @param sums  the code of shapes and that of lights, {@code int[2]}
+     * @param nodeIndex the ray's node ({@link EdgeCodeBuilder#childIndex})
+     * @param sums      the code of shapes and that of lights, {@code int[2]}
      */
     private void addEdgeCodes(Ray ray, int depth, int nodeIndex, int[] sums) {
         int primitive = geometry.nearestBruteForce(ray);
@@ -286,7 +285,7 @@ public final class ReferenceTracer {
         return tint[0] != 1 || tint[1] != 1 || tint[2] != 1;
     }
 
-    /** The state of the sample that comes farthest: lit where any is, else shadowed where any shines here. */
+    /** Returns the state of the sample that passed most tests: lit if any is, else shadowed if any illuminates the point. */
     private int bestState(LightSource source, SurfacePoint hit) {
         int best = LightRows.FACING_AWAY;
         for (int s = 0; s < source.samples().samples(); s++) {
@@ -297,7 +296,7 @@ public final class ReferenceTracer {
         return best;
     }
 
-    /** The pixels that have several samples: {@code boolean[width * height]}, line by line. */
+    /** Returns the pixels that have several samples: {@code boolean[width * height]}, line by line. */
     private boolean[] finePixels() {
         PictureSettings picture = scene.picture();
         boolean[] fine = new boolean[picture.width() * picture.height()];

@@ -5,18 +5,18 @@ import lightning.scene.VisibleState;
 import lightning.scene.effects.SceneEffects;
 
 /**
- * What a picture shows whose mirrors and clear surfaces are updated on demand (paper §4.8).
+ * Scenes shown by a picture whose reflections and refractions are updated on demand (paper §4.8).
  *
- * @param scene    what the eye sees
- * @param mirrored what is seen in mirrors and through clear surfaces: a scene that may differ in lights, world and materials
+ * @param scene    the scene that camera rays see
+ * @param mirrored the scene that bounced rays see; may differ in lights, world and materials
  */
 public record RenderedScenes(Scene scene, Scene mirrored) {
-    /** Both the same. */
+    /** Returns a pair of the same scene. */
     public static RenderedScenes of(Scene scene) {
         return new RenderedScenes(scene, scene);
     }
 
-    /** Whether bounced rays show what the eye sees, as far as a picture can tell: equal visible parts, or no ray bounces. */
+    /** Returns whether bounced rays show the current scene: the visible parts are equal, or no ray bounces. */
     public boolean areReflectionsCurrent() {
         return VisibleState.isSame(scene, mirrored) || !SceneEffects.of(scene).spawnsSecondaryRays();
     }

@@ -8,29 +8,29 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.scene.Material;
 import lightning.scene.effects.ViewEffects;
 
-/** What of the work on a tile is called for. Asked once for each tile and light, or for each material of a tile. */
+/** Decides which work a tile requires. Queried once for each tile and light, or for each material of a tile. */
 public interface RequiredWork {
-    /** Which materials cast mirrored rays. */
+    /** Returns the materials that cast mirrored rays. */
     Predicate<Material> mirrorMaterials();
 
-    /** Whether rows must be asked if they are in a light's cone. */
+    /** Returns whether rows must be tested against a light's cone. */
     boolean needsConeTest(LightSource source, HitRows rows, Tracer tracer);
 
-    /** Whether rays must be cast among these shapes. */
+    /** Returns whether shadow rays must be cast among these shapes. */
     boolean needsShadowRays(CandidateList blockers);
 
-    /** Whether specular terms of rows of a material are needed. */
+    /** Returns whether specular terms of rows of a material are needed. */
     boolean needsSpecular(MaterialTable materials, int material);
 
-    /** Whether falloffs to a light are needed. */
+    /** Returns whether falloffs of a light are needed. */
     boolean needsFalloff(LightSource source);
 
-    /** Those of a view: of the scene, and more where it forces effects. */
+    /** Returns the required work of a view: that of the scene, and more for forced effects. */
     static RequiredWork of(ViewEffects view) {
         return view.forced().isEmpty() ? SCENE_ONLY : new ForcedWork(view.forced());
     }
 
-    /** What changes the picture, and no more. */
+    /** Requires only work that changes the picture. */
     RequiredWork SCENE_ONLY = new RequiredWork() {
         @Override
         public Predicate<Material> mirrorMaterials() {

@@ -2,38 +2,36 @@ package lightning.render.shading;
 
 import lightning.render.trace.Tracer;
 
-/**
- * Sets of rows of a tile: one bit for each row, the lowest of an {@code int} for its first row.
- */
+/** Bit sets of a tile's rows, one bit per row; the lowest bit of an {@code int} is its first row. */
 public final class RowBits {
-    /** Rows in a word. */
+    /** Rows per word. */
     public static final int WIDTH = Tracer.ROWS_PER_WORD;
     private static final int ALL = (1 << WIDTH) - 1;
 
     private RowBits() {}
 
-    /** Room for the rows of any tile. */
+    /** Allocates a set for the rows of any tile. */
     static int[] allocate() {
         return new int[words(TermKernel.MAX_ROWS)];
     }
 
-    /** How many words hold {@code rows} rows. */
+    /** Returns the number of words for {@code rows} rows. */
     public static int words(int rows) {
         return (rows + WIDTH - 1) / WIDTH;
     }
 
-    /** The bits of word {@code b} that stand for one of {@code rows} rows. */
+    /** Returns the bits of word {@code b} that stand for one of {@code rows} rows. */
     public static int validBits(int b, int rows) {
         int rest = rows - b * WIDTH;
         return rest >= WIDTH ? ALL : (1 << rest) - 1;
     }
 
-    /** The bits of word {@code b} that stand for rows {@code from … to − 1}. */
+    /** Returns the bits of word {@code b} that stand for rows {@code from … to − 1}. */
     public static int rangeBits(int b, int from, int to) {
         return validBits(b, to) & -1 << Math.max(0, from - b * WIDTH);
     }
 
-    /** How many of {@code rows} rows are in the set. */
+    /** Returns the number of {@code rows} rows that are in the set. */
     static int count(int[] bits, int rows) {
         int count = 0;
         for (int b = 0; b < words(rows); b++) {
@@ -42,7 +40,7 @@ public final class RowBits {
         return count;
     }
 
-    /** How many of rows {@code from … to − 1} are in the set. */
+    /** Returns the number of rows {@code from … to − 1} that are in the set. */
     static int count(int[] bits, int from, int to) {
         int count = 0;
         for (int b = from / WIDTH; b * WIDTH < to; b++) {
@@ -51,7 +49,7 @@ public final class RowBits {
         return count;
     }
 
-    /** The first word from {@code b} on without a row of the set; {@code words} where all have one. */
+    /** Returns the first word from {@code b} on without a row of the set; {@code words} if all have one. */
     public static int firstEmptyWord(int[] bits, int b, int words) {
         int end = b;
         while (end < words && bits[end] != 0) {
@@ -60,14 +58,14 @@ public final class RowBits {
         return end;
     }
 
-    /** Puts rows {@code from … to − 1} into the set. */
+    /** Adds rows {@code from … to − 1} to the set. */
     public static void add(int[] bits, int from, int to) {
         for (int b = from / WIDTH; b * WIDTH < to; b++) {
             bits[b] |= rangeBits(b, from, to);
         }
     }
 
-    /** Takes rows {@code from … to − 1} out of the set. */
+    /** Removes rows {@code from … to − 1} from the set. */
     static void remove(int[] bits, int from, int to) {
         for (int b = from / WIDTH; b * WIDTH < to; b++) {
             bits[b] &= ~rangeBits(b, from, to);
@@ -82,15 +80,15 @@ public final class RowBits {
         bits[row / WIDTH] |= 1 << row % WIDTH;
     }
 
-    /** Puts the rows in a state, see {@link LightRows}, into the set. */
+    /** Adds the rows in a state, see {@link LightRows}, to the set. */
     static void selectState(byte[] states, int rows, int state, int[] bits) {
         selectStates(states, rows, 1 << state, bits);
     }
 
     /**
-     * Puts the rows in any of some states into the set.
+     * Adds the rows in any of several states to the set.
      *
-     * @param stateMask a bit for each state
+     * @param stateMask one bit for each state
      */
     static void selectStates(byte[] states, int rows, int stateMask, int[] bits) {
         for (int b = 0; b < words(rows); b++) {
@@ -104,8 +102,8 @@ public final class RowBits {
     }
 
     /**
-     * Exchanges rows and columns of a square of bits: bit c of word r and bit r of word c, {@code int[WIDTH]}. Halves of the square
-     * change places, then halves of these (Warren, Hacker's Delight, §7-3).
+     * Transposes a square of bits: exchanges bit c of word r and bit r of word c, {@code int[WIDTH]}. Swaps halves of the square,
+     * then halves of these (Warren, Hacker's Delight, §7-3).
      */
     static void transpose(int[] square) {
         int low = ALL;

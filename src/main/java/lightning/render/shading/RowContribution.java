@@ -6,9 +6,8 @@ import lightning.render.trace.MaterialTable;
 import lightning.render.trace.Refraction;
 
 /**
- * What one light gives to single rows, without ambience, by the {@link LightingEquation} itself: for the few rows that stand
- * for a picture at a small size, where going over all rows would be work for nothing. The bits are those of a picture that
- * has this light alone.
+ * Contribution of one light to single rows, without ambience, by the {@link LightingEquation} itself. Used for the few rows of a
+ * thumbnail, where processing all rows would be wasted. The bits are those of a picture that has only this light.
  */
 public final class RowContribution {
     private final ShadingMaterial[] shadingMaterials;
@@ -19,19 +18,19 @@ public final class RowContribution {
         Arrays.setAll(shadingMaterials, m -> ShadingMaterial.of(materials, m));
     }
 
-    /** Whether a light gives nothing to any of the rows that a layer is of. */
+    /** Returns whether a light contributes nothing to any row of a layer. */
     public static boolean isZero(WeightedLight light, LightLayer layer) {
         return light.isDark() || layer == null || layer.litCount() == 0;
     }
 
     /**
-     * The color that a row sends of one light's share.
+     * Computes the color of one light's contribution to a row.
      *
-     * @param material  that of the row
-     * @param layer     the light's over the rows; unread where the light is dark
-     * @param mirrored  holds at {@code from} red, green and blue of the share that the row's mirrored ray brings, 0 where there is none;
-     *                  {@code refracted} likewise
-     * @param to        gets that of the row at {@code at}
+     * @param material the row's material
+     * @param layer    the light's layer over the rows; unread if the light is dark
+     * @param mirrored red, green and blue contributions of the row's mirrored ray at {@code from}, 0 if there is none; {@code
+     *                 refracted} has the same layout
+     * @param to       receives the row's color at {@code at}
      */
     public void color(HitRows rows, int row, int material, WeightedLight light, LightLayer layer, float[] mirrored, float[] refracted,
             int from,

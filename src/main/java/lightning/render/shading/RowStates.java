@@ -1,8 +1,8 @@
 package lightning.render.shading;
 
 /**
- * How rows' states, see {@link LightRows}, change. Loops by themselves, so that they are compiled soon: in a method that calls kernels
- * of lanes they wait until all of these are compiled into it.
+ * Transitions of row states, see {@link LightRows}. The loops are separate methods so that the JIT compiles them soon: inside a
+ * method that calls vector kernels, they would wait until all of those are inlined.
  */
 final class RowStates {
     private RowStates() {}
@@ -10,10 +10,10 @@ final class RowStates {
     /**
      * Moves rows into and out of a light's cone.
      *
-     * @param candidates the rows that may enter or leave it, as {@link RowBits}
-     * @param inside those of them that are in it
-     * @param facing the rows that face the light
-     * @param chosen gets those that are in it and whose ways are not known: their state is left as it is
+     * @param candidates rows that may enter or leave the cone, as {@link RowBits}
+     * @param inside     candidates that are in the cone
+     * @param facing     rows that face the light
+     * @param chosen     receives the rows in the cone without a known shadow ray result; their state is unchanged
      */
     static void moveCone(byte[] state, int rows, int[] candidates, int[] inside, int[] facing, int[] chosen) {
         for (int b = 0; b < RowBits.words(rows); b++) {
@@ -27,7 +27,7 @@ final class RowStates {
                 } else if (rayState != 0) {
                     state[row] = (byte) (rayState | (rayState == LightRows.UNBLOCKED ? LightRows.LIT : LightRows.SHADOWED));
                 } else if ((facing[b] >>> i & 1) == 0) {
-                    // It was among rows that the cone did not reach at all.
+                    // It was in a tile that the cone did not reach.
                     state[row] = LightRows.FACING_AWAY;
                 } else {
                     queried |= 1 << i;
@@ -38,10 +38,10 @@ final class RowStates {
     }
 
     /**
-     * Writes the states of rows whose ways were asked.
+     * Writes the states of rows whose shadow rays were cast.
      *
-     * @param queried   the rows, as {@link RowBits}
-     * @param blocked those from which the light is not seen, among others
+     * @param queried the rows, as {@link RowBits}
+     * @param blocked rows from which the light is not visible; may contain others
      */
     static void applyShadowRays(byte[] state, int rows, int[] queried, int[] blocked) {
         for (int b = 0; b < RowBits.words(rows); b++) {

@@ -1,16 +1,16 @@
 package lightning.render.shading;
 
-/** Makes pixels of their samples: the mean, added as a balanced tree in the order of the samples. */
+/** Resolves samples to pixels: the mean, added as a balanced tree in sample order. */
 public final class SampleMean {
     private SampleMean() {}
 
-    /** The mean of {@code perPixel} values from {@code from} on. */
+    /** Returns the mean of {@code perPixel} values from {@code from} on. */
     static float mean(float[] samples, int from, int perPixel) {
         float sum = sum(samples, from, perPixel);
         return sum <= Float.MAX_VALUE ? sum / perPixel : meanOfLarge(samples, from, perPixel);
     }
 
-    /** The same of values so large that their sum overflows a float. */
+    /** Returns the mean of values whose sum overflows a float. */
     static float meanOfLarge(float[] samples, int from, int perPixel) {
         double sum = 0;
         for (int s = from; s < from + perPixel; s++) {
@@ -19,7 +19,7 @@ public final class SampleMean {
         return (float) (sum / perPixel);
     }
 
-    /** The tree of {@link LightingEquation#sum}, of which four leaves are added at once: that takes a third of the time. */
+    /** Computes the tree of {@link LightingEquation#sum}; adds four leaves at a time, which takes a third of the time. */
     private static float sum(float[] v, int from, int count) {
         return switch (count) {
             case 1 -> v[from];
@@ -50,7 +50,7 @@ public final class SampleMean {
         }
     }
 
-    /** How many pixels of {@code perPixel} samples each are traced together. */
+    /** Returns the number of pixels with {@code perPixel} samples each that are traced together. */
     public static int pixelsPerBatch(int perPixel) {
         return TermKernel.MAX_ROWS / perPixel;
     }

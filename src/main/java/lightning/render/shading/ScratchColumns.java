@@ -3,7 +3,7 @@ package lightning.render.shading;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Columns that are handed out in turn and, after {@link #reset}, again. */
+/** Allocator of scratch columns, which are reused after {@link #reset}. */
 public final class ScratchColumns implements ColumnAllocator {
     private final List<float[]> floats = new ArrayList<>();
     private final List<byte[]> states = new ArrayList<>();
@@ -12,7 +12,7 @@ public final class ScratchColumns implements ColumnAllocator {
     private int floatsUsed;
     private int statesUsed;
 
-    /** Takes all columns back. */
+    /** Releases all columns. */
     public void reset() {
         floatsUsed = 0;
         statesUsed = 0;

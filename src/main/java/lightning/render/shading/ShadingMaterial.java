@@ -4,19 +4,19 @@ import lightning.render.trace.MaterialTable;
 import lightning.scene.Transmission;
 
 /**
- * What a material shows of the light that falls on it, as the {@link LightingEquation} needs it: red, green, blue each.
+ * Material properties as the {@link LightingEquation} needs them: red, green, blue each.
  *
- * @param ambient    k<sub>ambient</sub> before the scene's ambience
- * @param diffuse    k<sub>diffuse</sub> before the texture
- * @param specular   k<sub>specular</sub>, or the part of F0 that no texture multiplies
- * @param texturedF0      the part of F0 that texels multiply; null where the material is not metallic
- * @param reflective k<sub>reflective</sub>
- * @param clarity    what passes through; null where nothing does
- * @param bodyShare       how much of a clear surface is body
- * @param isTextured   whether its rows' texels are factors of k<sub>diffuse</sub>
- * @param hasImage   whether a picture is among these factors
- * @param hasSpecular     whether it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
- * @param isReflective    whether k<sub>reflective</sub> is above 0 in any channel
+ * @param ambient      k<sub>ambient</sub> before the scene's ambience
+ * @param diffuse      k<sub>diffuse</sub> before the texture
+ * @param specular     k<sub>specular</sub>, or the part of F0 that no texture multiplies
+ * @param texturedF0   the part of F0 that texels multiply; null if the material is not metallic
+ * @param reflective   k<sub>reflective</sub>
+ * @param clarity      transmission; null if the material is opaque
+ * @param bodyShare    body share of a clear surface
+ * @param isTextured   true if its rows' texels multiply k<sub>diffuse</sub>
+ * @param hasImage     true if an image is among these factors
+ * @param hasSpecular  true if it has specular terms: k<sub>specular</sub> is above 0 in any channel, or the material is metallic
+ * @param isReflective true if k<sub>reflective</sub> is above 0 in any channel
  */
 public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular, float[] texturedF0, float[] reflective,
         Transmission clarity, float bodyShare,
@@ -24,9 +24,9 @@ public record ShadingMaterial(float[] ambient, float[] diffuse, float[] specular
         boolean hasImage,
         boolean hasSpecular,
         boolean isReflective) {
-    // Arrays in a record: written once by their maker, never after.
+    // Arrays in a record: written once by their creator, never after.
 
-    /** That of material {@code m}. */
+    /** Returns the properties of material {@code m}. */
     static ShadingMaterial of(MaterialTable t, int m) {
         float[] reflective = {t.reflective(m, 0), t.reflective(m, 1), t.reflective(m, 2)};
         return new ShadingMaterial(new float[] {t.ambient(m, 0), t.ambient(m, 1), t.ambient(m, 2)},

@@ -22,11 +22,11 @@ import lightning.render.trace.tree.ShadowRayTarget;
 import lightning.scene.effects.RenderEffect;
 import lightning.scene.effects.ViewEffects;
 
-/** Asks for chosen rows whether the way to a light is free. Holds scratch memory: one for each thread. */
+/** Casts shadow rays from chosen rows to a light. Holds scratch memory: use one instance per thread. */
 final class ShadowCaster {
-    /** Words of rows that are looked at together: two lines of a tile. */
+    /** Words of rows that are culled together: two lines of a tile. */
     private static final int WORDS_PER_GROUP = 4;
-    /** With more shapes in question, looking at neighbors takes longer than the rays that it saves. */
+    /** With more candidate shapes, culling takes longer than the rays that it saves. */
     private static final int MAX_CULLED_BLOCKERS = 6;
 
     private final Geometry geometry;
@@ -36,36 +36,36 @@ final class ShadowCaster {
     private final BoxRay ray = new BoxRay();
     private final HorizonCulling horizonCulling = new HorizonCulling();
     private final FullOcclusionTest occlusionTest = new FullOcclusionTest();
-    /** What may stand between the tile and the light. */
+    /** Possible occluders between the tile and the light. */
     private final CandidateList blockers = new CandidateList();
-    /** What may stand between some rows of it and the light. */
+    /** Possible occluders between a group of rows and the light. */
     private final CandidateList groupBlockers = new CandidateList();
     private final int[] uncertain = RowBits.allocate();
-    /** The least and the greatest coordinates of the points where ways end, or of their directions. */
+    /** Bounds of the shadow ray targets, or of their directions. */
     private Vec3 targetMin = Vec3.ZERO;
     private Vec3 targetMax = Vec3.ZERO;
     private boolean hasPointTargets;
-    /** Where the ways that were swept last begin. */
+    /** Origins of the rays whose occluders were collected last. */
     private PointBox origins;
-    /** Whether any of the points lies on a primitive. */
+    /** Tests whether a target lies on a primitive. */
     private IntPredicate isUnderTarget = s -> false;
-    /** Where the ways to lights lead that rays were cast to. */
+    /** Shadow ray targets of point lights. */
     private final Map<Vec3, ShadowRays> pointTargets = new HashMap<>();
-    /** Where the ways to the samples of areas end, by their place in the area. */
+    /** Shadow ray targets of area light samples, by index in the area. */
     private final Map<AreaSamples, ShadowRayTarget[]> areaTargets = new HashMap<>();
     private ShadowRayTarget[] currentTargets;
-    /** The rows of which ways to the area may be blocked and others free, and those of which all are blocked. */
-    private final int[] doubtful = RowBits.allocate();
+    /** Rows with possibly blocked and possibly unblocked rays to the area, and rows whose rays are all blocked. */
+    private final int[] possiblyBlocked = RowBits.allocate();
     private final int[] fullyOccluded = RowBits.allocate();
     private final int[] queried = RowBits.allocate();
     private final boolean castsShadows;
-    /** Null where light passes no shape. */
+    /** Null if light passes through no shape. */
     private final TintTracer tintTracer;
-    /** Whether ways to the area that it was turned to may pass clear shapes. */
+    /** True if shadow rays to the current area may pass through clear shapes. */
     private boolean canBeTinted;
     private long rayCount;
 
-    /** @param view whether any shape blocks a light, else all ways are free */
+    /** @param view its effects decide whether shapes block light; if not, all shadow rays are unblocked */
     ShadowCaster(Geometry geometry, Tracer tracer, ViewEffects view) {
         castsShadows = view.shows(RenderEffect.SHADOWS);
         requiredWork = RequiredWork.of(view);
@@ -74,16 +74,16 @@ final class ShadowCaster {
         tintTracer = castsShadows && geometry.tintBvh() != null ? new TintTracer(geometry, tracer) : null;
     }
 
-    /** Rows asked since the start: each a ray, but where it is certain beforehand that nothing is in the way. */
+    /** Returns the number of rows tested since the start. Each is a ray, unless the ray is certainly unblocked. */
     long rayCount() {
         return rayCount;
     }
 
     /**
-     * Casts a ray from each chosen row.
+     * Casts a shadow ray from each chosen row.
      *
-     * @param chosen  rows to ask, as {@link RowBits}
-     * @param blocked gets those of them from which the light is not seen
+     * @param chosen  rows to test, as {@link RowBits}
+     * @param blocked receives the chosen rows from which the light is not visible
      */
     void cast(HitRows rows, LightSource source, int[] chosen, int[] blocked) {
         if (!castsShadows || !geometry.castsShadows()) {
@@ -105,14 +105,14 @@ final class ShadowCaster {
     }
 
     /**
-     * Chooses rows whose way to a light other shapes may block or free.
+     * Chooses rows whose shadow ray result a geometry change may change.
      *
-     * <p>What blocks a row that no way of which meets anything that is gone, is still there; and where a way was free, only what
-     * came can block it. {@link ShapeChange#hasSameTarget} must hold for a light at a point.
+     * <p>A blocked row stays blocked unless one of its shadow rays meets a removed shape, and an unblocked ray can only be blocked
+     * by an added shape. For a point light, {@link ShapeChange#hasSameTarget} must hold.
      *
-     * @param state  whether the rows' ways are blocked, as {@link LightRows} has it; those that nobody asked are not chosen
-     * @param chosen gets the rows, as {@link RowBits}
-     * @return whether there are any
+     * @param state  shadow ray results of the rows as in {@link LightRows}; untested rows are not chosen
+     * @param chosen receives the rows, as {@link RowBits}
+     * @return whether any row is chosen
      */
     boolean findChangedRows(HitRows rows, LightSource source, byte[] state, ShapeChange change, int[] chosen) {
         if (rows.count == 0) {
@@ -133,7 +133,10 @@ final class ShadowCaster {
         return any;
     }
 
-    /** Adds those of rows {@code from … to − 1} whose blocked ways may meet what is gone, or whose free ways what came. */
+    /**
+     * Adds those of rows {@code from … to − 1} whose blocked ray may meet a removed shape or whose unblocked ray may meet an added
+     * one.
+     */
     private boolean findChangedRows(HitRows rows, int from, int to, ShadowRays rayTarget, byte[] state, BoxSet removed, BoxSet added,
             int[] chosen) {
         boolean any = false;
@@ -149,10 +152,10 @@ final class ShadowCaster {
     }
 
     /**
-     * Chooses rows on whose free ways to a light another part of it may pass.
+     * Chooses rows whose unblocked shadow rays may have another tint after a geometry change.
      *
-     * @param chosen gets the rows, as {@link RowBits}
-     * @return whether there are any
+     * @param chosen receives the rows, as {@link RowBits}
+     * @return whether any row is chosen
      */
     boolean findRetintedRows(HitRows rows, LightSource source, byte[] state, ShapeChange change, int[] chosen) {
         Arrays.fill(chosen, 0);
@@ -170,17 +173,17 @@ final class ShadowCaster {
         return any;
     }
 
-    /** Counts rows that are asked again, though it is known that their ways are free. */
+    /** Counts rows that are tested again although their rays are known to be unblocked. */
     void countRays(int[] queried, int count) {
         rayCount += RowBits.count(queried, count);
     }
 
     /**
-     * What passes of a light on free ways.
+     * Returns the tints of unblocked shadow rays.
      *
-     * @param queried  rows of which nothing is known, as {@link RowBits}
-     * @param before what is known of others; null where it is 1
-     * @return red, green and blue columns; null where all are 1
+     * @param queried rows without a known tint, as {@link RowBits}
+     * @param before  tints of the other rows; null if all are 1
+     * @return red, green and blue columns; null if all are 1
      */
     float[][] tintColumns(HitRows rows, LightSource source, int[] queried, float[][] before, ColumnAllocator columns) {
         if (before == null && (tintTracer == null || RowBits.count(queried, rows.count) == 0)) {
@@ -206,7 +209,7 @@ final class ShadowCaster {
         return TintTracer.nullIfUntinted(rows, to);
     }
 
-    /** Adds what passes on each row's free way to sample {@code s} of an area, to which it was turned and whose ways are tinted. */
+    /** Adds the tint of each row's unblocked shadow ray to sample {@code s} of the current area, whose rays may be tinted. */
     void accumulateTints(HitRows rows, RowShadowRays shadowRays, AreaSamples area, int s, int[] free, double[][] sums) {
         tintTracer.trace(rows, free, shadowRays, area, s);
         for (int i = 0; i < rows.count; i++) {
@@ -219,7 +222,7 @@ final class ShadowCaster {
         }
     }
 
-    /** Whether any way to the area that it was turned to may pass clear shapes. */
+    /** Returns whether shadow rays to the current area may pass through clear shapes. */
     boolean canBeTinted() {
         return canBeTinted;
     }
@@ -238,10 +241,10 @@ final class ShadowCaster {
     }
 
     /**
-     * Turns to an area: finds the shapes that can stand between any row of the tile and any of its samples.
+     * Sets the current area light: collects the shapes between any row of the tile and any of its samples.
      *
-     * @param source one that is larger than a point
-     * @param shadowRays gets what all of them have alike
+     * @param source     an area light
+     * @param shadowRays receives the data common to all of these rays
      */
     void aim(HitRows rows, LightSource source, RowShadowRays shadowRays) {
         AreaSamples samples = source.samples();
@@ -269,12 +272,15 @@ final class ShadowCaster {
         return all;
     }
 
-    /** Where the way to one place of the area that it was turned to ends. */
+    /** Returns the shadow ray target of one position in the current area. */
     ShadowRayTarget target(int nodeIndex) {
         return currentTargets[nodeIndex];
     }
 
-    /** As {@link #cast(HitRows, LightSource, int[], int[])}, to samples of the area that it was turned to; ways that nothing can block cast no ray. */
+    /**
+     * Casts shadow rays to samples of the current area, as {@link #cast(HitRows, LightSource, int[], int[])}. Skips rays that
+     * nothing can block.
+     */
     void cast(HitRows rows, RowShadowRays shadowRays, int[] chosen, int[] blocked) {
         int[] uncertain = uncertainRows(rows, chosen);
         int count = RowBits.count(uncertain, rows.count);
@@ -288,12 +294,12 @@ final class ShadowCaster {
         }
     }
 
-    /** The rows of which all ways to the area that it was turned to are certainly blocked; bits that stand for no row have no meaning. */
+    /** Returns the rows whose shadow rays to the current area are all certainly blocked; bits without a row are undefined. */
     int[] fullyOccluded() {
         return fullyOccluded;
     }
 
-    /** Finds out of which neighbors' ways to an area it is certain that they are free or blocked. */
+    /** Classifies groups of rows whose shadow rays to an area are certainly unblocked or blocked. */
     private void classifyRows(HitRows rows, LightSource source) {
         boolean any = castsShadows && geometry.castsShadows();
         int words = RowBits.words(rows.count);
@@ -301,12 +307,12 @@ final class ShadowCaster {
             int to = Math.min(words, from + WORDS_PER_GROUP);
             boolean canBlock = any && canBlock(rows, from * RowBits.WIDTH, Math.min(rows.count, to * RowBits.WIDTH));
             boolean isOccluded = canBlock && isFullyOccluded(source);
-            Arrays.fill(doubtful, from, to, canBlock && !isOccluded ? -1 : 0);
+            Arrays.fill(possiblyBlocked, from, to, canBlock && !isOccluded ? -1 : 0);
             Arrays.fill(fullyOccluded, from, to, isOccluded ? -1 : 0);
         }
     }
 
-    /** Whether one of the shapes that may block the ways swept last certainly blocks all of them. */
+    /** Returns whether one of the collected occluders certainly blocks all rays of the current group. */
     private boolean isFullyOccluded(LightSource source) {
         occlusionTest.setRays(origins, source.position(), source.samples().extent(), hasPointTargets, isUnderTarget);
         boolean isOccluded = false;
@@ -316,15 +322,15 @@ final class ShadowCaster {
         return isOccluded;
     }
 
-    /** Those of the chosen rows whose ways to the area that it was turned to something may block; written again by the next call. */
+    /** Returns the chosen rows whose shadow rays to the current area may be blocked; valid until the next call. */
     int[] uncertainRows(HitRows rows, int[] chosen) {
         for (int b = 0; b < RowBits.words(rows.count); b++) {
-            queried[b] = chosen[b] & doubtful[b];
+            queried[b] = chosen[b] & possiblyBlocked[b];
         }
         return queried;
     }
 
-    /** Those of the chosen rows whose ways are not certainly free. */
+    /** Returns the chosen rows whose shadow rays are not certainly unblocked. */
     private int[] cullUncertain(HitRows rows, int[] chosen) {
         if (blockers.count > MAX_CULLED_BLOCKERS) {
             return chosen;
@@ -333,7 +339,7 @@ final class ShadowCaster {
         return uncertain;
     }
 
-    /** Leaves out chosen rows whose ways are certainly free: neighbors are looked at together. */
+    /** Removes chosen rows whose shadow rays are certainly unblocked; tests groups of neighbors together. */
     private void selectUncertain(HitRows rows, int[] chosen, int[] uncertain) {
         int words = RowBits.words(rows.count);
         for (int from = 0; from < words; from += WORDS_PER_GROUP) {
@@ -346,7 +352,7 @@ final class ShadowCaster {
         }
     }
 
-    /** Whether any of the blockers may be in a way from rows {@code from … to − 1}. */
+    /** Returns whether any occluder may block a ray from rows {@code from … to − 1}. */
     private boolean canBlock(HitRows rows, int from, int to) {
         if (blockers.overflow) {
             return true;
@@ -364,14 +370,14 @@ final class ShadowCaster {
         return any != 0;
     }
 
-    /** Finds the shapes that can stand between any row of the tile and the light. */
+    /** Collects the shapes that may be between any row of the tile and the light. */
     private ShadowRays aim(HitRows rows, LightSource source) {
         ShadowRays rayTarget = setTarget(rows, source);
         collectBlockers();
         return rayTarget;
     }
 
-    /** Turns to a light at a point, or far away. */
+    /** Sets the current point or directional light. */
     private ShadowRays setTarget(HitRows rows, LightSource source) {
         ShadowRays rayTarget = source.type().hasPosition()
                 ? pointTargets.computeIfAbsent(source.position(), point -> ShadowRays.toPoint(geometry.shadowRayTarget(point)))
@@ -384,7 +390,7 @@ final class ShadowCaster {
         return rayTarget;
     }
 
-    /** Finds the shapes that the ways swept last can meet. */
+    /** Collects the shapes that rays from the current origins can meet. */
     private void collectBlockers() {
         blockers.collect(geometry.bvh(), beam);
         if (!blockers.overflow) {
@@ -392,7 +398,7 @@ final class ShadowCaster {
         }
     }
 
-    /** Takes the ways from all points of a box. */
+    /** Sets the ray origins to all points of a box. */
     private void setOrigins(PointBox box) {
         origins = box;
         beam.clear();

@@ -3,18 +3,16 @@ package lightning.render.shading;
 import java.util.Arrays;
 import lightning.render.trace.HitRows;
 
-/**
- * A sum of lights' contributions over the rows of a tile: red, green and blue columns.
- */
+/** Sum of lights' contributions over the rows of a tile: red, green and blue columns. */
 final class SumColumns {
     final float[][] diffuse;
-    /** Null where no specular term will ever be stored. */
+    /** Null if no specular term is ever stored. */
     final float[][] specular;
-    /** Null where no grazing term was stored yet. */
+    /** Null until a grazing term is stored. */
     float[][] grazing;
-    /** Whether any light summed here has specular terms; else those columns are undefined. */
+    /** True if any light in the sum has specular terms; otherwise those columns are undefined. */
     boolean hasSpecular;
-    /** Whether any has grazing terms; else those columns are undefined. */
+    /** True if any light in the sum has grazing terms; otherwise those columns are undefined. */
     boolean hasGrazing;
 
     private SumColumns(float[][] diffuse, float[][] specular) {
@@ -22,12 +20,12 @@ final class SumColumns {
         this.specular = specular;
     }
 
-    /** Columns for the rows of any tile. */
+    /** Allocates columns for the rows of any tile. */
     static SumColumns allocate() {
         return new SumColumns(new float[3][TermKernel.MAX_ROWS], new float[3][TermKernel.MAX_ROWS]);
     }
 
-    /** The columns of grazing terms of scratch columns. */
+    /** Returns the grazing columns of scratch columns, allocated on first use. */
     float[][] grazing() {
         if (grazing == null) {
             grazing = new float[3][TermKernel.MAX_ROWS];
@@ -35,7 +33,7 @@ final class SumColumns {
         return grazing;
     }
 
-    /** A copy that is just long enough. */
+    /** Returns a copy that is just long enough. */
     SumColumns compact(int rows) {
         var compact = new SumColumns(copy(diffuse, rows), hasSpecular ? copy(specular, rows) : null);
         compact.grazing = hasGrazing ? copy(grazing, rows) : null;
@@ -48,7 +46,7 @@ final class SumColumns {
         return Arrays.stream(columns).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows))).toArray(float[][]::new);
     }
 
-    /** The bytes of the columns, array headers left out. */
+    /** Returns the bytes of the columns, without array headers. */
     long bytes() {
         return (12L + (specular == null ? 0 : 12L) + (grazing == null ? 0 : 12L)) * diffuse[0].length;
     }

@@ -1,17 +1,17 @@
 package lightning.render.shading;
 
 /**
- * What adds up to one of the lights' two sums, diffuse or specular, over the rows of a tile, in an order that gives the bits of
- * the tree of {@link LightingEquation#sum}: lights in two chains, each added up by itself, then the second chain's sum to the
- * first's, then sums that are known.
+ * Operands of one of the lights' two sums, diffuse or specular, over the rows of a tile. Their order gives the bits of the tree of
+ * {@link LightingEquation#sum}: two chains of lights are added up separately, then the second sum is added to the first, then known
+ * sums are added.
  *
- * <p>Each chain may begin with +0: contributions are never negative, so that it changes no bit. Reused; one for each thread.
- * Columns are as long as {@link lightning.render.trace.HitRows#paddedLength}.
+ * <p>Each chain may begin with +0: contributions are never negative, so this changes no bit. Reused; one instance per thread.
+ * Columns have {@link lightning.render.trace.HitRows#paddedLength}.
  */
 public final class SumOperands {
-    /** The lights of both chains at most: with more, one of the tree's branches is added up before. */
+    /** Maximum number of lights in both chains; with more, a branch of the tree is added up first. */
     static final int MAX_LIGHTS = 8;
-    /** Enough for the depth of a tree over the most lights that a scene may have. */
+    /** Sufficient for the depth of a tree over the maximum number of lights in a scene. */
     static final int MAX_SUMS = 12;
 
     private static final float[] ONES = new float[TermKernel.MAX_ROWS];
@@ -20,24 +20,24 @@ public final class SumOperands {
         java.util.Arrays.fill(ONES, 1);
     }
 
-    /** Lights in the first chain. */
+    /** Number of lights in the first chain. */
     public int firstChainLength;
-    /** Lights in both chains. */
+    /** Number of lights in both chains. */
     public int lightCount;
     /** Each light's cosine or specular term, and its falloff. */
     public final float[][] term = new float[MAX_LIGHTS][];
     public final float[][] falloff = new float[MAX_LIGHTS][];
-    /** Whether any light has tints. */
+    /** True if any light is tinted. */
     public boolean tinted;
-    /** What passes of each light; unread where none has tints. */
+    /** Tints of each light; unread if no light is tinted. */
     public final float[][] tintRed = new float[MAX_LIGHTS][];
     public final float[][] tintGreen = new float[MAX_LIGHTS][];
     public final float[][] tintBlue = new float[MAX_LIGHTS][];
-    /** Each light's weight. */
+    /** Weight of each light. */
     public final float[] red = new float[MAX_LIGHTS];
     public final float[] green = new float[MAX_LIGHTS];
     public final float[] blue = new float[MAX_LIGHTS];
-    /** Sums that are known. */
+    /** Number of precomputed sums. */
     public int sumCount;
     public final float[][] sumRed = new float[MAX_SUMS][];
     public final float[][] sumGreen = new float[MAX_SUMS][];
@@ -50,12 +50,12 @@ public final class SumOperands {
         tinted = false;
     }
 
-    /** Whether they add up to 0. */
+    /** Returns whether the operands add up to 0. */
     boolean isEmpty() {
         return lightCount == 0 && sumCount == 0;
     }
 
-    /** Puts a light behind the others. */
+    /** Appends a light. */
     void addLight(WeightedLight light, float[] lightTerm, float[] lightFalloff, float[][] tint) {
         tinted |= tint != null;
         tintRed[lightCount] = tint == null ? ONES : tint[0];
@@ -73,7 +73,7 @@ public final class SumOperands {
         firstChainLength = lightCount;
     }
 
-    /** Puts a known sum behind the others: red, green and blue columns. */
+    /** Appends a precomputed sum: red, green and blue columns. */
     void addSum(float[][] known) {
         sumRed[sumCount] = known[0];
         sumGreen[sumCount] = known[1];

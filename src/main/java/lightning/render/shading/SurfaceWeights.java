@@ -2,7 +2,7 @@ package lightning.render.shading;
 
 import lightning.render.trace.SurfacePoint;
 
-/** How the light of a point is shared between what its surface scatters, what it mirrors and what is seen through it. */
+/** Weights of a surface point's diffuse body, its reflection and its refraction. */
 public final class SurfaceWeights {
     private final SurfacePoint hit;
     private final float fresnel;
@@ -16,28 +16,28 @@ public final class SurfaceWeights {
         }
     }
 
-    /** Which part of the light a clear surface mirrors for its angle alone; 0 of an opaque one. */
+    /** Returns the Fresnel share that a clear surface mirrors; 0 for an opaque surface. */
     public float fresnel() {
         return fresnel;
     }
 
-    /** What is left in a channel after a way inside, 1 where there was none. */
+    /** Returns the transmittance of a channel along the path inside a solid; 1 if there was no such path. */
     public float interiorTint(int c) {
         return tint[c];
     }
 
-    /** The factor of what the surface scatters and emits. */
+    /** Returns the factor of diffuse and ambient light. */
     public float bodyWeight(float kr, int c) {
         return hit.backSide() == null ? 1 - kr
                 : (1 - reflectance(kr)) * ClearMaterialShader.bodyShare(hit.backSide().transmission()) * tint[c];
     }
 
-    /** The factor of what the mirrored ray brings. */
+    /** Returns the factor of the mirrored ray. */
     public float mirrorWeight(float kr, int c) {
         return hit.backSide() == null ? kr : reflectance(kr) * tint[c];
     }
 
-    /** The factor of what the refracted ray brings. */
+    /** Returns the factor of the refracted ray. */
     public float refractionWeight(float kr, int c) {
         return hit.backSide() == null ? 0
                 : (1 - reflectance(kr)) * ClearMaterialShader.channel(hit.backSide().transmission().color(), c) * tint[c];
@@ -47,7 +47,7 @@ public final class SurfaceWeights {
         return kr + (1 - kr) * fresnel;
     }
 
-    /** One channel of the color of a clear surface, as {@link LightingEquation} has it. */
+    /** Returns one channel of the color of a clear surface by the {@link LightingEquation}. */
     float color(int c, float ka, float ambience, float kd, float diffuse, float ks, float specular, float grazing, float kr,
             float mirroredColor, float refractedColor) {
         return LightingEquation.clearColor(ka, ambience, kd, diffuse, ks, specular, grazing, kr, mirroredColor,

@@ -5,8 +5,8 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 
 /**
- * Writes the columns of a layer from terms that were aimed at the light: 0 for rows that are not lit.
- * Holds scratch memory: one for each thread.
+ * Writes the columns of a layer from terms that were aimed at the light: 0 for unlit rows. Holds scratch memory: use one instance
+ * per thread.
  */
 final class TermColumnWriter {
     private final MaterialTable materials;
@@ -16,13 +16,13 @@ final class TermColumnWriter {
     private final int[] recomputed = RowBits.allocate();
     private final double[] factors = new double[TermKernel.MAX_ROWS];
 
-    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork demands) {
+    TermColumnWriter(MaterialTable materials, TermKernel terms, RequiredWork required) {
         this.materials = materials;
         this.terms = terms;
-        this.requiredWork = demands;
+        this.requiredWork = required;
     }
 
-    /** The diffuse term of lit rows, which is their cosine but for metallic materials. */
+    /** Returns the diffuse terms of lit rows: the cosine, except for metallic materials. */
     float[] diffuseColumn(HitRows rows, float[] cosine, int[] lit, ColumnAllocator columns) {
         float[] column = columns.floats(rows.count);
         terms.select(cosine, lit, rows.count, column);
@@ -30,7 +30,7 @@ final class TermColumnWriter {
         return column;
     }
 
-    /** Writes the diffuse term of those rows of a set whose material is metallic in place of their cosine. */
+    /** Replaces the cosine of metallic rows of a set by their diffuse term. */
     void writeMetallicDiffuse(HitRows rows, int[] queried, float[] column) {
         for (int r = 0; r < rows.runCount; r++) {
             if (materials.isMetallic(rows.runMaterial[r])) {
@@ -39,20 +39,20 @@ final class TermColumnWriter {
         }
     }
 
-    /** The terms beside the diffuse one, each null where no material has it. */
+    /** Specular and grazing columns of a layer, each null if no material needs it. */
     record SpecularColumns(float[] specular, float[] grazing) {
         static final SpecularColumns NONE = new SpecularColumns(null, null);
 
-        /** Those of a layer; none where there is no layer. */
+        /** Returns the columns of a layer; none if there is no layer. */
         static SpecularColumns of(LightRows layer) {
             return layer == null ? NONE : new SpecularColumns(layer.specular, layer.grazing);
         }
     }
 
     /**
-     * The specular and grazing terms of lit rows.
+     * Returns the specular and grazing terms of lit rows.
      *
-     * @param known rows whose terms stand in {@code before}, as far as it has these columns; null for none
+     * @param known rows whose terms are in {@code before}, as far as it has these columns; null for none
      */
     SpecularColumns specularColumns(HitRows rows, int[] lit, int[] known, SpecularColumns before, ColumnAllocator columns) {
         if (!hasSpecular(rows)) {
@@ -73,7 +73,7 @@ final class TermColumnWriter {
         return new SpecularColumns(column, grazing);
     }
 
-    /** A column with the terms of the rows in {@link #reused}, and 0 elsewhere. */
+    /** Returns a column with the terms of the rows in {@link #reused}, and 0 elsewhere. */
     private float[] startColumn(HitRows rows, int[] known, float[] before, ColumnAllocator columns) {
         float[] column = columns.floats(rows.count);
         if (known == null || before == null) {
@@ -85,9 +85,9 @@ final class TermColumnWriter {
     }
 
     /**
-     * Writes the specular term of those rows of a set whose material has one.
+     * Writes the specular terms of the rows of a set whose material is specular.
      *
-     * @param grazing gets the grazing term of those whose material is metallic; unread where none is
+     * @param grazing receives the grazing terms of metallic rows; unread if there are none
      */
     void writeSpeculars(HitRows rows, int[] queried, float[] column, float[] grazing) {
         for (int r = 0; r < rows.runCount; r++) {
@@ -100,7 +100,7 @@ final class TermColumnWriter {
         }
     }
 
-    /** Adds the rows to a set that may have a specular term of any sample of a light. */
+    /** Adds the rows to a set that may have a specular term for any sample of a light. */
     void addPossibleHighlights(HitRows rows, LightSource source, int[] candidates) {
         for (int r = 0; r < rows.runCount; r++) {
             int material = rows.runMaterial[r];
@@ -112,7 +112,7 @@ final class TermColumnWriter {
         }
     }
 
-    /** Whether any of the rows' materials has a specular term. */
+    /** Returns whether any row's material has a specular term. */
     boolean hasSpecular(HitRows rows) {
         for (int r = 0; r < rows.runCount; r++) {
             if (isSpecular(rows.runMaterial[r])) {
@@ -122,7 +122,7 @@ final class TermColumnWriter {
         return false;
     }
 
-    /** Whether any of the rows' materials is metallic. */
+    /** Returns whether any row's material is metallic. */
     boolean hasMetallic(HitRows rows) {
         for (int r = 0; r < rows.runCount; r++) {
             if (materials.isMetallic(rows.runMaterial[r])) {
@@ -140,7 +140,7 @@ final class TermColumnWriter {
         return requiredWork.needsSpecular(materials, material);
     }
 
-    /** The falloff of all rows, lit or not; null where it is 1 everywhere. */
+    /** Returns the falloff of all rows, lit or not; null if it is 1 everywhere. */
     float[] falloffColumn(HitRows rows, LightSource source, ColumnAllocator columns) {
         if (!requiredWork.needsFalloff(source)) {
             return null;

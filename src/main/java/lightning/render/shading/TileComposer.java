@@ -9,15 +9,12 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 
-/**
- * Carries colors from the deepest mirror level of a tile up to its pixels. Holds scratch columns:
- * one for each thread.
- */
+/** Composes colors from the deepest level of a tile up to its pixels. Holds scratch columns: use one instance per thread. */
 public final class TileComposer {
     private final LevelComposer composer;
     private final BackgroundShader backgroundShader = new BackgroundShader();
     private final MaterialTable materials;
-    /** By the depth of a level. */
+    /** Indexed by the depth of a level. */
     private BounceImages[] scratch = new BounceImages[2];
 
     public TileComposer(MaterialTable materials, SumKernel sums, ViewEffects view) {
@@ -26,10 +23,10 @@ public final class TileComposer {
     }
 
     /**
-     * What the rays bring that go on from a level's rows, where they are not followed: the recursion ended there.
+     * Returns black images for the rays that bounce from a level's rows if the recursion ended there.
      *
-     * @param depth over how many others the level is seen
-     * @return valid until this is asked again for the same depth; null where no ray goes on
+     * @param depth number of levels above this one
+     * @return valid until the next call for the same depth; null if no ray bounces
      */
     public BounceImages blackImages(HitRows rows, int depth) {
         BounceImages images = scratchImages(rows, depth);
@@ -42,11 +39,11 @@ public final class TileComposer {
     }
 
     /**
-     * Where the colors go that the rays bring which go on from a level's rows, to be composed from the levels below: the background
-     * where a ray hit nothing.
+     * Returns the images of the rays that bounce from a level's rows, to be composed from the levels below. They start with the
+     * background, which remains if a ray hits nothing.
      *
-     * @param depth over how many others the level is seen
-     * @return valid until this is asked again for the same depth; null where no ray goes on
+     * @param depth number of levels above this one
+     * @return valid until the next call for the same depth; null if no ray bounces
      */
     public BounceImages backgroundImages(HitRows rows, World world, int depth) {
         BounceImages images = scratchImages(rows, depth);
@@ -72,7 +69,7 @@ public final class TileComposer {
         return scratch[depth];
     }
 
-    /** Makes a tile of the film ready for the colors of a first level: what is behind all where no row is. */
+    /** Fills the background of a tile before its first level is composed. */
     public void fillBackground(HitRows rows, Scene scene, SamplePositions places, float[][] film) {
         backgroundShader.shadeEyeRays(rows, scene, places, film);
     }
@@ -80,11 +77,11 @@ public final class TileComposer {
     /**
      * Composes the rows of one level.
      *
-     * @param lights   the lights in scene order
-     * @param layers   the layer of each light; unread where the light is dark
-     * @param branches sums that are known already, or null
-     * @param images   what the rays bring that go on from the rows; null where none does
-     * @param to       gets each row's color at its parent, linear: red, green, blue, {@code float[1024]} each
+     * @param lights   lights in scene order
+     * @param layers   layer of each light; unread if the light is dark
+     * @param branches cached partial sums, or null
+     * @param images   colors of the rays that bounce from the rows; null if there are none
+     * @param to       receives each row's linear color at its parent: red, green, blue, {@code float[1024]} each
      */
     public void composeLevel(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums branches, World world,
             BounceImages images,
@@ -92,12 +89,12 @@ public final class TileComposer {
         composer.compose(rows, lights, layers, branches, world, images, to);
     }
 
-    /** Which of the lights' contributions levels are composed of from now on: all of them until it is called. */
+    /** Sets the light component that is composed from now on; initially all components. */
     public void setComponent(LightComponent part) {
         composer.setComponent(part);
     }
 
-    /** The sums beside one light, to be given to {@link #composeLevel} while that light alone is edited. */
+    /** Returns the partial sums next to one light, for {@link #composeLevel} while only that light is edited. */
     public BranchSums branchSums(HitRows rows, WeightedLight[] lights, LightLayer[] layers, BranchSums.Key key) {
         return composer.lightSum().branchSums(rows.count, lights, layers, key);
     }

@@ -16,14 +16,14 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.RayBeam;
 import lightning.render.trace.tree.ShadowRayTarget;
 
-/** Finds what passes of a light on free ways through clear shapes. Holds scratch memory: one for each thread. */
+/** Computes the transmittance of unblocked shadow rays through clear shapes. Holds scratch memory: use one instance per thread. */
 final class TintTracer {
     private static final ShadowRayTarget[] OPEN = {};
 
     private final Tracer tracer;
     private final PrimitiveTable primitives;
     private final Bvh tree;
-    /** The shapes that light passes on any way from the tile. */
+    /** Clear shapes that shadow rays from the tile may pass. */
     private final CandidateList candidates = new CandidateList();
     private final CandidateList allCandidates;
     private CandidateList activeCandidates;
@@ -33,7 +33,7 @@ final class TintTracer {
     private final ShadowRayHits crossings = new ShadowRayHits(TermKernel.MAX_ROWS);
     private final Transmittance transmittance = new Transmittance();
 
-    /** @param geometry in which light passes some shapes */
+    /** @param geometry with shapes that light passes through */
     TintTracer(Geometry geometry, Tracer tracer) {
         this.tracer = tracer;
         primitives = geometry.primitives();
@@ -41,15 +41,15 @@ final class TintTracer {
         allCandidates = CandidateList.fromBvh(tree, geometry.tintCasters());
     }
 
-    /** Turns to the ways of a beam; whether any of them may pass anything. */
+    /** Collects the clear shapes that rays of a beam may pass; returns whether there are any. */
     boolean aim(RayBeam beam) {
         candidates.collect(tree, beam);
-        // A tree has a primitive that is alone in it twice.
+        // A tree with a single primitive contains it twice.
         activeCandidates = candidates.overflow || allCandidates.count == 1 ? allCandidates : candidates;
         return !candidates.isEmpty();
     }
 
-    /** Asks chosen rows for what ways to one place, or in one direction, pass. */
+    /** Traces the shadow rays of chosen rows to one point or in one direction. */
     void trace(HitRows rows, int[] chosen, ShadowRays rays) {
         Vec3 source = rays.source();
         int end = RowBits.words(rows.count) * RowBits.WIDTH;
@@ -65,7 +65,7 @@ final class TintTracer {
         traceCrossings(rows, chosen);
     }
 
-    /** The same for ways to sample {@code s} of an area. */
+    /** Traces the shadow rays of chosen rows to sample {@code s} of an area. */
     void trace(HitRows rows, int[] chosen, RowShadowRays rays, AreaSamples area, int s) {
         int end = RowBits.words(rows.count) * RowBits.WIDTH;
         System.arraycopy(rays.x, 0, shadowRays.x, 0, end);
@@ -81,7 +81,7 @@ final class TintTracer {
         traceCrossings(rows, chosen);
     }
 
-    /** Where ways to the places of an area end; {@link #OPEN} where none of them lies on anything that light passes. */
+    /** Returns the shadow ray targets of an area; {@link #OPEN} if none of them lies on a clear shape. */
     private ShadowRayTarget[] createTargets(AreaSamples area) {
         ShadowRayTarget[] all = new ShadowRayTarget[area.x.length];
         Arrays.setAll(all, i -> ShadowRayTarget.find(new Vec3(area.x[i], area.y[i], area.z[i]), tree));
@@ -94,9 +94,9 @@ final class TintTracer {
     }
 
     /**
-     * What passes of the light on the way from a row that was asked; valid until the next.
+     * Returns the transmittance of a traced row's shadow ray; valid until the next call.
      *
-     * @return red, green and blue, or null where all passes
+     * @return red, green and blue, or null if all light passes
      */
     float[] tint(HitRows rows, int i) {
         if (crossings.first(i) == ShadowRayHits.END) {
@@ -112,7 +112,7 @@ final class TintTracer {
         return transmittance.compute(primitives, crossings, i, x, y, z, dx, dy, dz, hasTarget) ? transmittance.rgb : null;
     }
 
-    /** Columns that are 1 where nothing else is known. */
+    /** Returns columns that are 1 for rows without a known tint. */
     static float[][] startColumns(HitRows rows, float[][] before, ColumnAllocator columns) {
         float[][] tints = new float[3][];
         for (int c = 0; c < 3; c++) {
@@ -126,7 +126,7 @@ final class TintTracer {
         return tints;
     }
 
-    /** Columns as a layer keeps them: none where all of them are 1. */
+    /** Returns the tints as a layer stores them: null if all of them are 1. */
     static float[][] nullIfUntinted(HitRows rows, float[][] tints) {
         for (int c = 0; tints != null && c < 3; c++) {
             for (int i = 0; i < rows.count; i++) {
@@ -138,7 +138,7 @@ final class TintTracer {
         return null;
     }
 
-    /** Whether columns have the same bits, null for 1 everywhere. */
+    /** Returns whether columns have the same bits; null means 1 everywhere. */
     static boolean areEqual(HitRows rows, float[][] a, float[][] b) {
         if (a == null || b == null) {
             return a == b;

@@ -13,8 +13,8 @@ import lightning.scene.Material;
 import lightning.scene.Transmission;
 
 /**
- * What is left of light that passes clear shapes on its straight way to a point, as if nothing bent it: at each surface the share that a ray
- * seen through it has, (1 − m)·kt, by the angle from outside, and T on each way inside. Holds scratch memory: one for each thread.
+ * Transmittance of clear shapes along a straight shadow ray, without refraction. Each surface passes the share of a refracted ray,
+ * (1 − m)·kt, by the angle from outside; each path inside multiplies T. Holds scratch memory: use one instance per thread.
  */
 final class Transmittance {
     private final SurfaceHit surface = new SurfaceHit();
@@ -23,9 +23,9 @@ final class Transmittance {
     final float[] rgb = new float[3];
 
     /**
-     * What passes of a light on its free way to a point, red, green and blue.
+     * Returns the transmittance of an unblocked shadow ray: red, green and blue.
      *
-     * @param target where the way ends; unread where the light has no position
+     * @param target target of the shadow ray; unread if the light has no position
      */
     static float[] ofShadowRay(Geometry geometry, LightSource source, ShadowRayTarget target, SurfacePoint hit) {
         boolean hasTarget = source.type().hasPosition();
@@ -42,13 +42,13 @@ final class Transmittance {
     }
 
     /**
-     * Computes {@link #rgb}; whether any of it is not 1.
+     * Computes {@link #rgb}; returns whether any channel is not 1.
      *
-     * @param crossings  where ways meet what light passes
-     * @param rayState  which of them
-     * @param ox   where it begins; likewise {@code oy} and {@code oz}
-     * @param dx   the way, of any length; likewise {@code dy} and {@code dz}
-     * @param hasTarget whether it leads to a point, at distance 1; else it has no end
+     * @param crossings hits of the shadow rays with clear shapes
+     * @param rayState  index of the ray
+     * @param ox        origin, with {@code oy} and {@code oz}
+     * @param dx        direction of any length, with {@code dy} and {@code dz}
+     * @param hasTarget true if the ray ends at distance 1; otherwise it has no end
      */
     boolean compute(PrimitiveTable primitives, ShadowRayHits crossings, int rayState, double ox, double oy, double oz, double dx, double dy,
             double dz,

@@ -6,18 +6,18 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * A light of a scene as the equation needs it: how strongly it shines, and where from. It is what owns a layer; a layer holds no
- * weight, so that it stays when the weight alone is another.
+ * Light of a scene with its weight and source, as the equation needs it. Owns a layer. The layer does not contain the weight, so it
+ * stays valid if only the weight changes.
  *
- * @param light what it was made from, as its bank makes it
- * @param red   its weight in the red channel; 0 in all three where the light is off
- * @param green likewise
- * @param blue  likewise
- * @param source  where it shines from
+ * @param light  the scene's light, after its light group
+ * @param red    weight in the red channel; 0 in all three if the light is off
+ * @param green  weight in the green channel
+ * @param blue   weight in the blue channel
+ * @param source the light's geometry
  */
 public record WeightedLight(Light light, float red, float green, float blue, LightSource source) {
 
-    /** Prepares a light of a scene, as it stands there or as its bank makes it. */
+    /** Prepares a light of a scene, before or after its light group is applied. */
     public static WeightedLight of(Light light, Scene scene) {
         Light acting = scene.rig().effectiveLight(light);
         return of(acting, scene, scene.isActive(acting) ? acting.weight() : Rgb.BLACK);
@@ -28,12 +28,12 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return scene.rig().effectiveLights().stream().map(light -> of(light, scene)).toArray(WeightedLight[]::new);
     }
 
-    /** Whether any of them shines on some shapes alone, so that rows must know whose they are. */
+    /** Returns whether any light illuminates only some shapes, so that rows must store their owners. */
     public static boolean hasLinked(WeightedLight[] lights) {
         return Arrays.stream(lights).anyMatch(l -> !l.light().illuminates().isAll());
     }
 
-    /** Prepares a light as if it were on and no other were solo. */
+    /** Prepares a light as if it were on and no other light were solo. */
     public static WeightedLight ofSwitchedOn(Light light, Scene scene) {
         Light acting = scene.rig().effectiveLight(light);
         return of(acting, scene, acting.weight());
@@ -43,7 +43,7 @@ public record WeightedLight(Light light, float red, float green, float blue, Lig
         return new WeightedLight(light, (float) weight.r(), (float) weight.g(), (float) weight.b(), LightSource.of(light, scene));
     }
 
-    /** Whether it adds nothing anywhere: off, or a weight that is 0 in every channel. */
+    /** Returns whether it contributes nothing: it is off, or its weight is 0 in every channel. */
     public boolean isDark() {
         return red == 0 && green == 0 && blue == 0;
     }

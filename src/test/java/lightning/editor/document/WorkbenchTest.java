@@ -256,7 +256,7 @@ class WorkbenchTest {
         awaitIdle();
         assertThat(shownScene().light("moon")).isPresent();
         assertThat(workbench.frame().orElseThrow().mirrorsAreCurrent()).as("its mirrors show nothing of the other document").isTrue();
-        assertThat(workbench.frame().orElseThrow().update().plan()).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
+        assertThat(workbench.frame().orElseThrow().update().plan()).isEqualTo(new UpdatePlan.FirstPass("no image yet"));
     }
 
     @Test

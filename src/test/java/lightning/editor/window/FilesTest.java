@@ -180,7 +180,7 @@ class FilesTest extends EditorFixture {
         startCommand(Command.LOAD_FILE);
         waitFor("it is open", () -> model().editor().document().name().equals("wide.jen"));
         waitForPicture();
-        assertThat(telemetry()).startsWith("first pass: no picture yet");
+        assertThat(telemetry()).startsWith("full render: no image yet");
     }
 
     /** A scene of the size that no other test has, and of so much work that it can be canceled on any machine. */

@@ -68,7 +68,7 @@ class GoTest extends EditorFixture {
         assertThat(model().commands().disabledReason(Command.GO)).contains("nothing was edited since the last Go");
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertThat(text("status")).matches("Traced in [0-9.]+ m?s, exact");
-        assertThat(telemetry()).contains("first pass").contains("exact");
+        assertThat(telemetry()).contains("full render").contains("exact");
     }
 
     @Test

@@ -76,7 +76,7 @@ class HistoryPaneTest extends EditorFixture {
         click("status");
         List<String> told =
                 robot.lookup("#updates-table .table-cell").queryAllAs(TableCell.class).stream().map(TableCell::getText).toList();
-        assertThat(told).contains(model().picture().frame().update().plan().description(), "first pass: no picture yet");
+        assertThat(told).contains(model().picture().frame().update().plan().description(), "full render: no image yet");
         assertThat(model().updates().entries()).hasSize(2);
         assertThat(model().updates().entries().getFirst().update()).isSameAs(model().picture().frame().update());
     }

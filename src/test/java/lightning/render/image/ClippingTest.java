@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 class ClippingTest {
-    /** White itself, one value above it in each channel, the greatest float, and black. */
+    /** White itself, one value above it in each channel, the largest float, and black. */
     private static final Film FILM =
             Film.ofScanlines(5, 1, new float[] {1, 1, 1, 0, 0, 1.5f, 0, Math.nextUp(1f), 0, Float.MAX_VALUE, 0, 0, 0, 0, 0});
 
@@ -18,7 +18,7 @@ class ClippingTest {
         assertThat(clipping.brightest()).isEqualTo(Float.MAX_VALUE);
     }
 
-    /** Two stops down 1.5 is within white; one up and white itself is not. */
+    /** Two stops down, 1.5 is below white; one stop up, white itself is clipped. */
     @Test
     void exposure_changesClippedPixels() {
         assertThat(Clipping.of(FILM, new ViewTransform(-2)).clippedPixels()).isEqualTo(1);

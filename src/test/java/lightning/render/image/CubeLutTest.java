@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class CubeLutTest {
-    /** An edge of two points: each corner of the cube keeps its color, but black becomes gray. */
+    /** Two points per edge: each corner of the cube keeps its color, except that black becomes gray. */
     private static final String LIFTED = """
             # a look
             TITLE "lifted"
@@ -57,7 +57,7 @@ class CubeLutTest {
         assertThat(table.sizeText()).isEqualTo("2 × 2 × 2");
     }
 
-    /** On the gray diagonal only black and white count; half way between them is the mean of both. */
+    /** On the gray diagonal only black and white count; the midpoint is the mean of both. */
     @Test
     void gray_dependsOnlyOnGrayDiagonal() throws IOException {
         assertThat(of(table(LIFTED), 0.5, 0.5, 0.5)).containsExactly(0.75, 0.75, 0.75);
@@ -90,7 +90,7 @@ class CubeLutTest {
                 .containsExactly(1, 1, 1);
     }
 
-    /** Affine functions of the color are what tetrahedra hold exactly. */
+    /** Tetrahedral interpolation reproduces affine functions of the color exactly. */
     @Property
     void latticeOfAffineFunction_isExact(@ForAll @IntRange(min = 2, max = 9) int size, @ForAll long seed,
             @ForAll @DoubleRange(min = 0, max = 1) double r, @ForAll @DoubleRange(min = 0, max = 1) double g,
@@ -167,7 +167,7 @@ class CubeLutTest {
         return RandomFilms.gray(2, 1, v);
     }
 
-    /** The identity leaves codes as they are, of each curve; over the linear one it may reach beyond 1. */
+    /** The identity preserves the codes of each curve; over the linear curve its domain may exceed 1. */
     @Test
     void identityLut_equalsCurve() throws IOException {
         CubeLut identity = table("LUT_1D_SIZE 2\n0 0 0\n1 1 1\n");
@@ -179,7 +179,7 @@ class CubeLutTest {
             int[] expected = plain.toPixels(film);
             for (int i = 0; i < codes.length; i++) {
                 for (int shift = 0; shift < 24; shift += 8) {
-                    // Where a value lies on a border between codes, the curve's table may go to the other side of it.
+                    // For a value on a border between codes, the curve's table may choose the other side.
                     assertThat(Math.abs((codes[i] >> shift & 0xFF) - (expected[i] >> shift & 0xFF))).as("%s, pixel %s", curve, i)
                             .isLessThanOrEqualTo(1);
                 }

@@ -31,7 +31,7 @@ class DownscaleTest {
         assertThat(new Downscale(30, 20).apply(film)).isSameAs(film);
     }
 
-    /** Every pixel is covered by one, as a mean of equal shares shows where sizes divide. */
+    /** Every pixel is covered exactly once: if sizes divide, the mean of equal shares shows it. */
     @Property
     void mean_isPreservedForDivisibleSizes(@ForAll @IntRange(min = 1, max = 9) int width, @ForAll @IntRange(min = 1, max = 9) int height,
             @ForAll @IntRange(min = 2, max = 6) int times) {

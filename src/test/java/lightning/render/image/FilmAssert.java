@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import lightning.format.image.ImageFile;
 
-/** Picture assertions that leave pictures of what went wrong. */
+/** Picture assertions that save images of failures. */
 public final class FilmAssert {
 
     private static final Path FAILURES = Path.of("target", "failures");
@@ -14,11 +14,11 @@ public final class FilmAssert {
     private FilmAssert() {}
 
     /**
-     * Asserts that two films have the same size and the same bits in every visible pixel. Otherwise actual.png,
-     * expected.png and difference.png (see {@link DifferenceImage}) are left in {@code target/failures/NAME/}, and the
-     * error says where they are, how much differs and what stands in the worst pixel.
+     * Asserts that two films have the same size and the same bits in every visible pixel. Otherwise saves actual.png, expected.png
+     * and difference.png (see {@link DifferenceImage}) in {@code target/failures/NAME/}. The error reports the folder, the
+     * difference and the values of the worst pixel.
      *
-     * @param name what is tested; characters other than letters, digits, - and _ become _ in the folder's name
+     * @param name test name; characters other than letters, digits, - and _ become _ in the folder's name
      */
     public static void assertSameBits(Film actual, Film expected, String name) {
         assertSameBits(actual, expected, name, FAILURES);
@@ -49,7 +49,7 @@ public final class FilmAssert {
             ImageFile.write(folder.resolve("difference.png"), DifferenceImage.of(actual, expected),
                     ViewTransform.DEFAULT);
         } catch (IOException e) {
-            throw new UncheckedIOException("the pictures of a failed test could not be written", e);
+            throw new UncheckedIOException("could not write the images of a failed test", e);
         }
     }
 

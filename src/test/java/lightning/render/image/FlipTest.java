@@ -10,17 +10,17 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
 /**
- * ꟻLIP against three kinds of values: on paper from its definition (flat pictures, in which no filter does anything), from
- * the authors' own implementation (flip-evaluator 1.7, run on the pictures that are made here), and laws.
+ * Tests ꟻLIP against three kinds of values: computed by hand from its definition (flat pictures, where no filter has an effect),
+ * from the authors' own implementation (flip-evaluator 1.7, run on the pictures generated here), and mathematical laws.
  */
 class FlipTest {
 
     /**
-     * What a mean may differ by from that of the authors, who compute in 32 bits: one unit in the last place of L* (6e-6) is
-     * 2e-4 of an error where colors hardly differ, and one of the features (6e-8) as much in the exponent.
+     * Tolerance of a mean against the authors' implementation, which computes in 32 bits. One unit in the last place of L* (6e-6)
+     * changes an error by 2e-4 where colors hardly differ, and one of the features (6e-8) changes the exponent as much.
      */
     private static final double MEAN_TOLERANCE = 5e-5;
-    /** And the error of one pixel. */
+    /** Tolerance of the error of one pixel. */
     private static final double PIXEL_TOLERANCE = 2e-4;
 
     @Test
@@ -115,7 +115,7 @@ class FlipTest {
 
     @Property(tries = 10)
     void bandsOfLargeImage_haveNoSeam(@ForAll long seed) {
-        // Rows 60 to 80 lie in two bands; turned upside down they are rows 39 to 59, inside one.
+        // Rows 60 to 80 are in two bands; upside down they are rows 39 to 59, inside one.
         Film a = RandomFilms.anyCodes(24, 140, seed);
         Film b = RandomFilms.anyCodes(24, 140, ~seed);
         float[] errors = Flip.errors(a, b, Flip.PIXELS_PER_DEGREE);
@@ -140,7 +140,7 @@ class FlipTest {
         assertThatThrownBy(() -> Flip.mean(flat(0), flat(0), Double.NaN)).hasMessageContaining("1 to 1000");
     }
 
-    /** Compares the mean, and the error of pixel 10, 20. */
+    /** Compares the mean, and the error of pixel (10, 20). */
     private static void assertMatchesReference(Film a, Film b, double pixelsPerDegree, double mean, double pixel) {
         float[] errors = Flip.errors(a, b, pixelsPerDegree);
         assertThat(Flip.mean(a, b, pixelsPerDegree)).isCloseTo(mean, within(MEAN_TOLERANCE));
@@ -166,7 +166,7 @@ class FlipTest {
         return turned;
     }
 
-    /** The same noise as in the run of the authors' implementation, from 32-bit products alone. */
+    /** Returns the noise of the run of the authors' implementation, computed only from 32-bit products. */
     private static Film noise(int seed) {
         return codes(97, 83, (x, y) -> rgb(hash(x, y, seed), hash(x, y, seed + 1), hash(x, y, seed + 2)));
     }

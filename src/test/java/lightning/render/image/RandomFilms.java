@@ -6,12 +6,12 @@ import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
-/** Films to test with. */
+/** Random films for tests. */
 public final class RandomFilms {
 
     private RandomFilms() {}
 
-    /** Films of 1 to 70 pixels a side, so that one to three tiles meet in each direction; every bit pattern occurs. */
+    /** Returns films of 1 to 70 pixels a side, so that one to three tiles meet in each direction; every bit pattern occurs. */
     public static Arbitrary<Film> anyBits() {
         return Combinators.combine(Arbitraries.integers().between(1, 70), Arbitraries.integers().between(1, 70),
                 Arbitraries.longs()).as((width, height, seed) -> anyBits(width, height, seed));
@@ -31,7 +31,7 @@ public final class RandomFilms {
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** A film of display codes: what survives 8 bits. */
+    /** Returns a film of display codes, which 8 bits preserve. */
     public static Film anyCodes(int width, int height, long seed) {
         Random random = new Random(seed);
         Film film = Film.black(width, height);
@@ -43,14 +43,14 @@ public final class RandomFilms {
         return film;
     }
 
-    /** A film of one gray. */
+    /** Returns a uniform gray film. */
     public static Film gray(int width, int height, float value) {
         float[] rgb = new float[3 * width * height];
         Arrays.fill(rgb, value);
         return Film.ofScanlines(width, height, rgb);
     }
 
-    /** A copy in which the green of one pixel is another. */
+    /** Returns a copy with another green value in one pixel. */
     public static Film withGreen(Film film, int x, int y, float green) {
         Film copy = film.copy();
         copy.green(copy.tileOf(x, y))[Film.pixelInTile(x, y)] = green;

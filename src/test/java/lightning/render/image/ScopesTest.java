@@ -6,7 +6,7 @@ import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 class ScopesTest {
-    /** The left half is sRGB code 128 in red and black else, the right half white. */
+    /** Left half: sRGB code 128 in red, otherwise black. Right half: white. */
     private static Film halves() {
         float[] rgb = new float[3 * 8 * 4];
         for (int i = 0; i < 32; i++) {

@@ -22,7 +22,7 @@ class SsimTest {
 
     @Test
     void invertedChecker_isNearlyMinusOne() {
-        // Means of (nearly) 127.5 and, about them, values of ±127.5 that are exactly negated.
+        // Means of (nearly) 127.5, and values of ±127.5 around them that are exactly negated.
         Film checker = codes(40, 40, (x, y) -> (x + y) % 2 * 255);
         Film inverted = codes(40, 40, (x, y) -> (x + y + 1) % 2 * 255);
         double variance = 127.5 * 127.5;
@@ -62,7 +62,7 @@ class SsimTest {
         assertThat(ssim(a, a.copy())).isEqualTo(1);
     }
 
-    /** The definition, with the central moments taken as such and the weights of a circular Gaussian. */
+    /** Computes the definition directly with central moments and the weights of a circular Gaussian. */
     private static double direct(Film a, Film b, int left, int top) {
         double total = 0;
         double meanA = 0;

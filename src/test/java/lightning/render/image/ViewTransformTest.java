@@ -20,7 +20,7 @@ class ViewTransformTest {
     void knownCodes_matchStandard() {
         assertThat(ViewTransform.DEFAULT.encode(0)).isEqualTo(0);
         assertThat(ViewTransform.DEFAULT.encode(1)).isEqualTo(255);
-        // 1.055 · 0.5^(1/2.4) − 0.055 = 0.735357 and · 255 = 187.5 and a little: 187.516
+        // 1.055 · 0.5^(1/2.4) − 0.055 = 0.735357, and · 255 slightly above 187.5: 187.516
         assertThat(ViewTransform.DEFAULT.encode(0.5f)).isEqualTo(188);
         // The gray card: 1.055 · 0.18^(1/2.4) − 0.055 = 0.461356, · 255 = 117.65
         assertThat(ViewTransform.DEFAULT.encode(0.18f)).isEqualTo(118);
@@ -61,10 +61,11 @@ class ViewTransformTest {
         }
     }
 
-    /** By hand from the sources' formulas. */
+    /** Computed by hand from the published formulas. */
     @Test
     void toneCurves_matchPublications() {
-        // Hable at 2 · 0.5: (0.20 + 0.004) / (0.65 + 0.06) − 1/15 = 0.220657; at 11.2: 19.38 / 24.476 − 1/15 = 0.725125 (of his page).
+        // Hable at 2 · 0.5: (0.20 + 0.004) / (0.65 + 0.06) − 1/15 = 0.220657; at 11.2: 19.38 / 24.476 − 1/15 = 0.725125 (from his
+        // page).
         assertThat(ToneCurves.filmic(0.5)).isCloseTo(0.220657 / 0.725125, Offset.offset(1e-5));
         // Narkowicz at 1: 2.54 / 3.16.
         assertThat(ToneCurves.aces(1)).isCloseTo(2.54 / 3.16, Offset.offset(1e-12));
@@ -95,7 +96,7 @@ class ViewTransformTest {
     void falseColor_isNotSaved() {
         ViewTransform stops = new ViewTransform(0.5, DisplayCurve.FALSE);
         assertThat(stops.forOutput()).isEqualTo(new ViewTransform(0.5));
-        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).description()).isEqualTo("ACES (Narkowicz's Fit), -0.5 stops");
+        assertThat(new ViewTransform(-0.5, DisplayCurve.ACES).description()).isEqualTo("ACES (Approximation), -0.5 stops");
     }
 
     @Test

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Finer samples are rows like all others: edits update them, and only where an edge of a light moves are they traced anew. */
+/** Tests that edits update finer samples like other rows and retrace them only where an edge of a light moves. */
 class AntialiasTest {
     private static final int GRID = 3;
 
@@ -170,7 +170,7 @@ class AntialiasTest {
             for (int t = 0; t < renderer.cache().fineCount(); t++) {
                 samples += renderer.cache().fineTile(t).lights().pixels().length * GRID * GRID;
             }
-            assertThat(eye).as("only samples at edges of light are traced anew").isPositive().isLessThanOrEqualTo(samples);
+            assertThat(eye).as("only samples at light edges are traced again").isPositive().isLessThanOrEqualTo(samples);
             FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(moved, scene).trace(), "antialias-moved");
         }
     }

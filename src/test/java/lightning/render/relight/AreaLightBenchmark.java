@@ -17,8 +17,8 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * What edits of a light cost that is larger than a point, beside a full trace of the same scene, in turns: medians of the wall's
- * milliseconds and the processor's. {@code java … lightning.render.relight.AreaLightBenchmark scenes/bird.jen lamp 1920 1080 16 15}.
+ * Benchmark of area light edits against full traces of the same scene, interleaved: medians of wall-clock and CPU milliseconds.
+ * {@code java … lightning.render.relight.AreaLightBenchmark scenes/bird.jen lamp 1920 1080 16 15}.
  */
 final class AreaLightBenchmark {
     private static final OperatingSystemMXBean PROCESS = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What edits of a light that is larger than a point cost, and that they are exact. */
+/** Tests the work of area light edits and that they are exact. */
 class AreaLightWorkTest {
     private static final int SAMPLES = 8;
 
@@ -82,7 +82,7 @@ class AreaLightWorkTest {
         }
     }
 
-    /** Rows that were asked are asked no more, whichever of the samples had them in its cone. */
+    /** Rows with known shadow rays cast no new ones, even if another sample had them in its cone. */
     @Test
     void restoredCone_castsNoRays() {
         try (StudioRenderer studio = studio(LightType.SPOT)) {
@@ -104,7 +104,7 @@ class AreaLightWorkTest {
         }
     }
 
-    /** A floor seen from under a ball that hides the light from all of it, whichever way the light is moved a little. */
+    /** Floor seen from under a sphere that hides it from the light completely, even after small movements of the light. */
     @ParameterizedTest
     @EnumSource(LightType.class)
     void lightMovedBehindSphere_castsNoRaysInFullShadow(LightType type) {

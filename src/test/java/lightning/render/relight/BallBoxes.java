@@ -7,11 +7,11 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.PixelRays;
 import lightning.scene.Scene;
 
-/** The boxes around balls of radius 1, of which only the middles are told, and the rays that meet them. */
+/** Bounding boxes of spheres of radius 1, given by their centers, and the rays that meet them. */
 final class BallBoxes {
     private BallBoxes() {}
 
-    /** The rays through a scene's pixels that meet the box around any of some balls. */
+    /** Returns the number of camera rays that meet the box of any of the spheres. */
     static long eyeRays(Scene scene, Vec3... balls) {
         PixelRays eye = new PixelRays(scene);
         int width = scene.picture().width();
@@ -19,7 +19,7 @@ final class BallBoxes {
                 .filter(i -> meets(scene, eye.ray(i % width, i / width), balls)).count();
     }
 
-    /** Whether a ray, which is told from the eye as all are, meets any of the boxes. */
+    /** Returns whether a ray, relative to the camera, meets any of the boxes. */
     static boolean meets(Scene scene, Ray ray, Vec3... balls) {
         return Arrays.stream(balls).anyMatch(ball -> meets(ray, ball.minus(scene.camera().origin())));
     }

@@ -28,7 +28,7 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 
-/** Another accuracy, in the midst of a session, keeps what is known and breaks no promise. */
+/** Tests that a change of accuracy during a session keeps the cache and stays within its guarantees. */
 class CacheConversionTest {
     private static final RenderOptions EXACT = new RenderOptions(Accuracy.EXACT, ReflectionMode.STALE, MirrorStorage.FULL_ROWS, 1);
     private static final RenderOptions RATIO = EXACT.withAccuracy(Accuracy.RATIO);
@@ -40,7 +40,7 @@ class CacheConversionTest {
 
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
-    void accuracySwitch_keepsPromiseOfEachAccuracy(@ForAll("sessions") EditSession session,
+    void accuracySwitch_keepsGuaranteeOfEachAccuracy(@ForAll("sessions") EditSession session,
             @ForAll @Size(13) List<Accuracy> accuracies, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {
         RenderOptions options = EXACT.withReflections(reflections).withThreads(threads);
@@ -51,7 +51,7 @@ class CacheConversionTest {
                 if (accuracies.get(step) == Accuracy.EXACT) {
                     assertThat(update.errorBound()).isZero();
                 }
-                ReferenceCheck.assertPromise(renderer, update, "after edit " + step);
+                ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step);
             }
         }
     }

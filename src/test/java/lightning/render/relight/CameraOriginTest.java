@@ -14,18 +14,18 @@ import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A camera whose render space begins elsewhere, as that of a preview which moves. */
+/** Tests a camera with another render space origin, as for a moving preview. */
 class CameraOriginTest {
     private static final int SIZE = 80;
-    /** Half a step of a display of 8 bits, about. */
-    private static final float SEEN = 2e-3f;
+    /** About half a step of an 8-bit display. */
+    private static final float VISIBLE = 2e-3f;
 
     private static Scene scene(String name) throws Exception {
         Scene scene = JenReader.read(Path.of("scenes/" + name + ".jen")).scene();
         return scene.withPicture(scene.picture().withSize(SIZE, SIZE));
     }
 
-    /** The scene from a little to the side and above. */
+    /** Returns a camera slightly to the side and above. */
     private static Camera moved(Camera camera) {
         Vec3 toTarget = camera.to().minus(camera.from());
         return new Camera(camera.from().plus(toTarget.cross(camera.up()).times(0.3)).plus(camera.up().times(0.1 * toTarget.length())),
@@ -43,13 +43,13 @@ class CameraOriginTest {
         int different = 0;
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
-                boolean isUnchanged =
-                        Math.abs(own.red(x, y) - elsewhere.red(x, y)) <= SEEN && Math.abs(own.green(x, y) - elsewhere.green(x, y)) <= SEEN
-                                && Math.abs(own.blue(x, y) - elsewhere.blue(x, y)) <= SEEN;
+                boolean isUnchanged = Math.abs(own.red(x, y) - elsewhere.red(x, y)) <= VISIBLE
+                        && Math.abs(own.green(x, y) - elsewhere.green(x, y)) <= VISIBLE
+                        && Math.abs(own.blue(x, y) - elsewhere.blue(x, y)) <= VISIBLE;
                 different += isUnchanged ? 0 : 1;
             }
         }
-        assertThat(different).as("pixels at edges, where the last bit decides what is hit").isLessThan(SIZE * SIZE / 100);
+        assertThat(different).as("pixels at edges, where the last bit decides the hit").isLessThan(SIZE * SIZE / 100);
     }
 
     private static Film film(Scene scene) {

@@ -3,11 +3,11 @@ package lightning.render.relight;
 import java.util.concurrent.atomic.AtomicInteger;
 import lightning.base.work.Progress;
 
-/** Asks to stop from the n-th question on; until then hears everything. */
+/** Progress that requests cancellation at the n-th check; until then it accepts all reports. */
 final class CancelingProgress implements Progress {
     private final AtomicInteger remainingChecks;
 
-    /** @param checks how often the work may go on */
+    /** @param checks number of checks before cancellation */
     CancelingProgress(int checks) {
         remainingChecks = new AtomicInteger(checks);
     }

@@ -27,18 +27,18 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.statistics.StatisticsReport;
 
-/** An update that is canceled or fails leaves everything as if it had never begun. */
+/** Tests that a canceled or failed update leaves the state as before. */
 @Slow
 class CancellationTest {
-    /** So many stops that even an underflow would show: at accuracy ratio every scaling is followed by a refresh. */
-    private static final double REFRESHING = 160;
+    /** Exposure in stops at which even an underflow would be visible: at accuracy ratio a refresh follows every scaling. */
+    private static final double REFRESH_EXPOSURE = 160;
 
     @Provide
     Arbitrary<EditSession> sessions() {
         return EditSession.sessions();
     }
 
-    /** How an update ends before it is done. */
+    /** Kinds of interruption of an update. */
     enum Interruption {
         CANCELLED {
             @Override
@@ -56,34 +56,34 @@ class CancellationTest {
         abstract Progress after(int checks);
     }
 
-    /** Two renderers go through a session; the updates of one are ended once before they are done. */
+    /** Two renderers run a session; each update of one of them is interrupted once before it completes. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void interruptedUpdates_leaveStateUnchanged(@ForAll("sessions") EditSession session, @ForAll Interruption end,
             @ForAll @IntRange(min = 0, max = 12) int checks, @ForAll MirrorStorage storage, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 3) int threads, @ForAll Accuracy accuracy, @ForAll boolean refreshing) {
         RenderOptions options = new RenderOptions(accuracy, reflections, storage, threads);
-        try (Renderer undisturbed = new Renderer(options); Renderer disturbed = new Renderer(options)) {
-            undisturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
-            disturbed.setView(refreshing ? REFRESHING : 0, DisplayCurve.SRGB);
+        try (Renderer uninterrupted = new Renderer(options); Renderer disrupted = new Renderer(options)) {
+            uninterrupted.setView(refreshing ? REFRESH_EXPOSURE : 0, DisplayCurve.SRGB);
+            disrupted.setView(refreshing ? REFRESH_EXPOSURE : 0, DisplayCurve.SRGB);
             Scene first = session.scenes().getFirst();
-            undisturbed.render(first, Progress.NONE);
-            disturbed.render(first, Progress.NONE);
+            uninterrupted.render(first, Progress.NONE);
+            disrupted.render(first, Progress.NONE);
             int cancelled = 0;
             for (int step = 1; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
-                UpdateResult actual = interrupted(disturbed, scene, end.after(checks + step % 3), session, step);
+                UpdateResult actual = interrupted(disrupted, scene, end.after(checks + step % 3), session, step);
                 cancelled += actual == null ? 1 : 0;
-                actual = actual == null ? disturbed.render(scene, Progress.NONE) : actual;
-                assertThat(work(actual)).isEqualTo(work(undisturbed.render(scene, Progress.NONE)));
-                SessionAssert.assertSameBits(disturbed.film(), undisturbed.film(), "after-a-canceled-update", session, step,
+                actual = actual == null ? disrupted.render(scene, Progress.NONE) : actual;
+                assertThat(work(actual)).isEqualTo(work(uninterrupted.render(scene, Progress.NONE)));
+                SessionAssert.assertSameBits(disrupted.film(), uninterrupted.film(), "after-a-canceled-update", session, step,
                         actual.plan().description());
             }
             SceneCoverage.collect("canceled", cancelled > 0, 35);
         }
     }
 
-    /** An update that may be ended on its way; null if it was, and then nothing may be different. */
+    /** Runs an update that may be interrupted; returns null if it was, after checking that nothing changed. */
     private static UpdateResult interrupted(Renderer renderer, Scene target, Progress ending, EditSession session, int step) {
         Film film = renderer.film().copy();
         Scene scene = renderer.scene();
@@ -98,12 +98,12 @@ class CancellationTest {
         }
     }
 
-    /** What an update says but for its time. */
+    /** Returns the contents of an update result except for its time. */
     private static List<Object> work(UpdateResult update) {
         return List.of(parts(update.plan()), update.rowsTouched(), update.rowsComposed(), update.rays());
     }
 
-    /** All of a plan, but of a change of shapes only that there is one: each is found anew and equal to none but itself. */
+    /** Returns the parts of a plan, but only the existence of a shape change, because each instance equals only itself. */
     private static Object parts(UpdatePlan plan) {
         return plan instanceof UpdatePlan.Relight r
                 ? Arrays.asList(parts(r.top()), parts(r.mirrors()), r.oldDepth(), r.newDepth(), r.resampled(), r.shapes().isEmpty()) : plan;

@@ -28,8 +28,8 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * What each edit of a clear material costs: rays counted. The picture is two tiles side by side; a ball of glass stands in the left one, a stone
- * in the right.
+ * Tests the ray counts of each edit of a clear material. The picture is two tiles side by side: a glass sphere in the left one, a
+ * stone in the right.
  */
 class ClearMaterialWorkTest {
     private static final Vec3 LEFT = new Vec3(-3.5, 0, 0);
@@ -107,7 +107,7 @@ class ClearMaterialWorkTest {
         }
     }
 
-    /** The sun shines from the left: the stone stands in the glass's shadow. */
+    /** The sun shines from the left: the stone is in the glass's shadow. */
     @Test
     void removedShadows_castOnlyForBlockedRows() {
         try (StudioRenderer studio = studio()) {

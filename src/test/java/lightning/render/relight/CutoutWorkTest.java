@@ -29,8 +29,8 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Each edit of a cut-out traces again only where rays can meet its shapes: rays counted. The picture is two tiles side by side; a ball with
- * holes stands in the left one, a whole one in the right.
+ * Tests by ray counts that each edit of a cutout retraces only rays that can meet its shapes. The picture is two tiles side by
+ * side: a sphere with holes in the left one, a whole one in the right.
  */
 class CutoutWorkTest {
     private static final Vec3 LEFT = new Vec3(-3.5, 0, 0);
@@ -87,7 +87,7 @@ class CutoutWorkTest {
         }
     }
 
-    /** The sun stands behind the eye: neither ball can shade the other. */
+    /** The sun is behind the camera: neither sphere can shadow the other. */
     @Test
     void cutout_castsNoUnaffectedShadowRays() {
         try (StudioRenderer studio = studio()) {

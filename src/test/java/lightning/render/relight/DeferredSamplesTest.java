@@ -35,9 +35,9 @@ import net.jqwik.api.constraints.Size;
 import net.jqwik.api.statistics.StatisticsReport;
 import org.junit.jupiter.api.Test;
 
-/** Pixels' centers first and finer samples when there is time: the finished picture is the same in every bit. */
+/** Tests that pixel centers first and finer samples later give a finished picture with the same bits. */
 class DeferredSamplesTest {
-    /** What happens after the centers of an edit are there. */
+    /** Actions after the centers of an edit are finished. */
     enum NextAction {
         FINISH, LEAVE, CANCEL, RENDER, REFLECT
     }
@@ -54,11 +54,11 @@ class DeferredSamplesTest {
             @ForAll boolean edges) {
         RenderOptions options = new RenderOptions(accuracy, reflections, storage, 2);
         int followed = 0;
-        try (Renderer atOnce = new Renderer(options); Renderer later = new Renderer(options)) {
+        try (Renderer immediate = new Renderer(options); Renderer later = new Renderer(options)) {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Scene scene = edges ? sampled(session.scenes().get(step), new SamplingSettings(AntialiasMode.EDGES, 2))
                         : session.scenes().get(step);
-                atOnce.render(scene, Progress.NONE);
+                immediate.render(scene, Progress.NONE);
                 UpdateResult update = later.renderCenters(later.plan(scene), Progress.NONE);
                 boolean finished = later.isFinished();
                 followed += finished ? 0 : 1;
@@ -66,20 +66,21 @@ class DeferredSamplesTest {
                     SessionAssert.assertSameBits(later.film(), centers(later.cache().scenes()), "centers-first", session, step,
                             update.plan().description());
                 }
-                apply(actions.get(step), atOnce, later, scene);
+                apply(actions.get(step), immediate, later, scene);
                 if (later.isFinished()) {
-                    SessionAssert.assertSameBits(later.film(), atOnce.film(), "samples-later", session, step, update.plan().description());
+                    SessionAssert.assertSameBits(later.film(), immediate.film(), "samples-later", session, step,
+                            update.plan().description());
                 }
             }
             if (!later.isFinished()) {
                 later.finish(Progress.NONE);
             }
-            SessionAssert.assertSameBits(later.film(), atOnce.film(), "samples-last", session, session.scenes().size() - 1, "finish");
-            SceneCoverage.collect("samples that followed", followed > 0, 15);
+            SessionAssert.assertSameBits(later.film(), immediate.film(), "samples-last", session, session.scenes().size() - 1, "finish");
+            SceneCoverage.collect("samples updated from the finished picture", followed > 0, 15);
         }
     }
 
-    private static void apply(NextAction action, Renderer atOnce, Renderer later, Scene scene) {
+    private static void apply(NextAction action, Renderer immediate, Renderer later, Scene scene) {
         switch (action) {
             case LEAVE -> {}
             case FINISH -> {
@@ -96,7 +97,7 @@ class DeferredSamplesTest {
             }
             case RENDER -> later.render(scene, Progress.NONE);
             case REFLECT -> {
-                atOnce.updateReflections(Progress.NONE);
+                immediate.updateReflections(Progress.NONE);
                 later.updateReflections(Progress.NONE);
             }
         }
@@ -148,11 +149,11 @@ class DeferredSamplesTest {
             UpdateResult finished = renderer.finish(Progress.NONE);
             assertThat(finished.plan()).isEqualTo(edit.plan());
             assertThat(first.plan()).isInstanceOf(UpdatePlan.FirstPass.class);
-            assertThat(finished.rays().eye()).as("of the samples alone").isPositive().isEqualTo(firstSamples());
+            assertThat(finished.rays().eye()).as("rays of the samples only").isPositive().isEqualTo(firstSamples());
         }
     }
 
-    /** The eye's rays of the samples without those of the centers. */
+    /** Returns the camera rays of the samples without those of the centers. */
     private static long firstSamples() {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT)) {
             return renderer.render(key(0.5, true), Progress.NONE).rays().eye() - 70L * 50;
@@ -161,11 +162,11 @@ class DeferredSamplesTest {
 
     @Test
     void finish_reportsAllWorkSinceLastFinishedImage() {
-        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT); Renderer atOnce = new Renderer(RenderOptions.DEFAULT)) {
+        try (Renderer renderer = new Renderer(RenderOptions.DEFAULT); Renderer immediate = new Renderer(RenderOptions.DEFAULT)) {
             renderer.render(studio(), Progress.NONE);
-            atOnce.render(studio(), Progress.NONE);
+            immediate.render(studio(), Progress.NONE);
             centers(renderer, key(0.5, true));
-            UpdateResult whole = atOnce.render(key(0.5, true), Progress.NONE);
+            UpdateResult whole = immediate.render(key(0.5, true), Progress.NONE);
             UpdateResult finished = renderer.finish(Progress.NONE);
             assertThat(finished.plan()).isEqualTo(whole.plan());
             assertThat(finished.rowsTouched()).isEqualTo(whole.rowsTouched());
@@ -207,23 +208,23 @@ class DeferredSamplesTest {
         Scene lit = key(0.5, true);
         Scene dark = key(0.5, false);
         RenderOptions options = RenderOptions.DEFAULT.withReflections(ReflectionMode.STALE);
-        try (Renderer later = new Renderer(options); Renderer atOnce = new Renderer(options)) {
-            for (Renderer renderer : List.of(later, atOnce)) {
+        try (Renderer later = new Renderer(options); Renderer immediate = new Renderer(options)) {
+            for (Renderer renderer : List.of(later, immediate)) {
                 renderer.render(studio(), Progress.NONE);
                 renderer.render(lit, Progress.NONE);
                 renderer.render(dark, Progress.NONE);
-                // Mirrors show that the light is off, but what is known of it there is of the intensity before.
+                // Mirrors show that the light is off, but its cached layer there has the intensity before.
                 renderer.updateReflections(Progress.NONE);
             }
             for (Scene scene : List.of(dark.withPicture(dark.picture().withDepth(0)), lit)) {
                 centers(later, scene);
-                atOnce.render(scene, Progress.NONE);
+                immediate.render(scene, Progress.NONE);
             }
             if (!later.isFinished()) {
                 later.finish(Progress.NONE);
             }
-            assertThat(later.hasCurrentReflections()).isEqualTo(atOnce.hasCurrentReflections()).isTrue();
-            FilmAssert.assertSameBits(later.film(), atOnce.film(), "depth-and-back");
+            assertThat(later.hasCurrentReflections()).isEqualTo(immediate.hasCurrentReflections()).isTrue();
+            FilmAssert.assertSameBits(later.film(), immediate.film(), "depth-and-back");
             FilmAssert.assertSameBits(later.film(), new ReferenceTracer(lit).trace(), "depth-and-back");
         }
     }

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What becomes of a picture after many edits in a row. */
+/** Tests the error of a picture after many consecutive edits. */
 @Slow
 class DriftTest {
     private static final int EDITS = Integer.getInteger("lightning.edits", 10_000);
@@ -60,7 +60,7 @@ class DriftTest {
         }
     }
 
-    /** A relative error of 0.0045 would be half a step of 8 bits: that is 37 000 edits of one light. */
+    /** A relative error of 0.0045 would be half an 8-bit step: that is 37 000 edits of one light. */
     @Test
     void continuousDrag_refreshesBeforeErrorIsVisible() {
         Scene scene = StudioScene.withFourLights(4, 4);
@@ -87,7 +87,7 @@ class DriftTest {
         return brightest;
     }
 
-    /** A slider between a thousandth and one, up and down: what is lost is lost once, not again each time. */
+    /** A slider moves between a thousandth and one repeatedly: the loss occurs once, not each time. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1e-6})
     void sliderUpAndDown_keepsBoundSmall(double min) {
@@ -113,7 +113,7 @@ class DriftTest {
         }
     }
 
-    /** Over 60 · 60 · 3 = 10 800 values; a first pass leaves no more of the bound than a refresh: nothing. */
+    /** Over 60 · 60 · 3 = 10 800 values; after a refresh the bound is 0, as after a first pass. */
     @ParameterizedTest
     @CsvSource({"1,1", "1,7", "1,9", "10,10", "10,2", "50,50", "50,3", "100,100", "100,4"})
     void bound_isAtMostAHundredTimesTheLargestError(int count, long seed) {

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Edits of an environment do the work of edits of its lamps. */
+/** Tests that edits of an environment do the work of edits of its lights. */
 class EnvironmentWorkTest {
     private static final int LAMPS = 5;
 
@@ -77,7 +77,7 @@ class EnvironmentWorkTest {
         assertThat(turned.rays().shadow()).isEqualTo(facing());
     }
 
-    /** One ray for each row and lamp that it faces. */
+    /** Returns one ray for each row and environment light that it faces. */
     private long facing() {
         var seen = studio.referenceRows();
         return studio.scene().rig().effectiveLights().stream().skip(1)

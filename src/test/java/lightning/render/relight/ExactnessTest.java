@@ -38,8 +38,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * At accuracy exact every picture has the bits of a reference trace, whatever edits led to it, and whether the work that the
- * scene does not call for is left out or done, whichever engines its tiles come from.
+ * Tests that at accuracy exact every picture has the bits of a reference trace, for all sequences of edits, for required and forced
+ * work, and for all engines.
  */
 class ExactnessTest {
 
@@ -80,7 +80,7 @@ class ExactnessTest {
         }
     }
 
-    /** Every attribute at any magnitude that it may have, in lights and materials that were drawn likewise. */
+    /** Draws every attribute at any valid magnitude, in random lights and materials. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @Slow
     void extremeScenes_equalReferenceAfterEveryEdit(@ForAll("extremes") EditSession session, @ForAll long engines) {
@@ -104,7 +104,7 @@ class ExactnessTest {
             for (int step = 0; step < session.scenes().size(); step++) {
                 Scene scene = session.scenes().get(step);
                 UpdateResult update = renderer.render(scene, Progress.NONE);
-                // What is forced may change what normals are bent by.
+                // Forced effects may change how normals are bent.
                 mirrored = refreshesReflections(options.view().apply(before), options.view().apply(scene)) ? scene : mirrored;
                 SessionAssert.assertSameBits(renderer.film(), new ReferenceTracer(scene, mirrored).trace(),
                         "stale-reflections", session, step, update.plan().description());
@@ -122,7 +122,7 @@ class ExactnessTest {
         }
     }
 
-    /** A picture that is called exact has the bits of a full trace; where nothing bounces rays, none is called stale. */
+    /** Checks the accuracy statement: an exact picture has the bits of a full trace, and without bounced rays it is never stale. */
     private static void assertStatementHolds(AccuracyGuarantee promise, Renderer renderer, EditSession session, int step) {
         Scene scene = session.scenes().get(step);
         boolean bounces = scene.picture().depth() > 0 && scene.placedShapes().stream().map(PlacedShape::material)
@@ -152,13 +152,16 @@ class ExactnessTest {
         }
     }
 
-    /** Edits of depth and size, of where rays can hit something, and of the normals and ways there, bring the mirror images up to date. */
+    /**
+     * Returns whether an edit refreshes mirror images: edits of depth, size and hit geometry, and of the normals and shadow rays
+     * there.
+     */
     private static boolean refreshesReflections(Scene before, Scene scene) {
         return !before.picture().equals(scene.picture()) || !before.camera().equals(scene.camera())
                 || !before.nodes().equals(scene.nodes()) || !haveSameShadowRayTargets(before, scene);
     }
 
-    /** Of scenes with the same shapes. */
+    /** Compares scenes with the same shapes. */
     private static boolean haveSameShadowRayTargets(Scene before, Scene scene) {
         return scene.stage().usedMaterials().stream().allMatch(name -> before.materialsByName().get(name)
                 .hasSameRays(scene.materialsByName().get(name)));
@@ -181,7 +184,7 @@ class ExactnessTest {
         }
     }
 
-    /** An equal scene that shares no list with the given one. */
+    /** Returns an equal scene that shares no list with the given one. */
     private static Scene copy(Scene s) {
         return new Scene(s.picture().withDepth(s.picture().depth()), s.camera(), s.world(),
                 new Stage(List.copyOf(s.materials().reversed()).reversed(), List.copyOf(s.nodes().reversed()).reversed()),

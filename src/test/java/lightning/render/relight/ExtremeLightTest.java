@@ -29,11 +29,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Lights where the equation changes its form, or numbers run out; each edit is made and undone. */
+/** Tests lights at special cases of the equation and at numeric limits; each edit is made and undone. */
 class ExtremeLightTest {
     private static final Scene STUDIO = StudioScene.of(LightType.SPOT);
 
-    /** The stored point of the row in the middle of the picture, in the scene: on the ball. */
+    /** Returns the stored point of the row at the center of the picture, on the sphere. */
     private static SurfacePoint row() {
         Geometry geometry = new Geometry(STUDIO);
         Ray ray = new PixelRays(STUDIO).ray(15, 10);
@@ -44,7 +44,7 @@ class ExtremeLightTest {
         return new Geometry(STUDIO).toScene(new Vec3(row().px(), row().py(), row().pz()));
     }
 
-    /** Beside the row at its very height, so that its cosine from an axis straight down is 0. */
+    /** Returns a position at the row's exact height, so that its cosine from a downward axis is 0. */
     private static Vec3 nextToRow() {
         SurfacePoint row = row();
         return rowPoint().plus(new Vec3(row.nx(), 0, row.nz()).normalized().times(2));
@@ -80,7 +80,7 @@ class ExtremeLightTest {
         }
         for (double dropoff : new double[] {0, 0.1, 128, 10_000, 1e6}) {
             edit(edits, "dropoff " + dropoff, l -> l.withDropoff(dropoff));
-            edit(edits, "dropoff " + dropoff + ", rows behind it", l -> l.withDropoff(dropoff).withAngle(180));
+            edit(edits, "dropoff " + dropoff + ", rows on its far side", l -> l.withDropoff(dropoff).withAngle(180));
         }
         for (double intensity : new double[] {0, 1e-300, 1e-45, 1e-38, 1e22, 1e30}) {
             edit(edits, "intensity " + intensity, l -> l.withIntensity(intensity));
@@ -98,15 +98,15 @@ class ExtremeLightTest {
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("edits")
-    void editAndUndo_keepPromises(String name, UnaryOperator<Light> edit) {
+    void editAndUndo_keepGuarantees(String name, UnaryOperator<Light> edit) {
         Light key = STUDIO.lights().getFirst();
         Light edited = edit.apply(key);
-        // By one attribute at a time on the way back: ratios are then multiplied one after the other.
+        // Undoes one attribute at a time: ratios are then multiplied one after the other.
         Light half = edited.withIntensity(key.intensity()).withColor(key.color());
-        keepPromises(name, List.of(STUDIO, STUDIO.withLight(edited), STUDIO, STUDIO.withLight(edited), STUDIO.withLight(half), STUDIO));
+        keepGuarantees(name, List.of(STUDIO, STUDIO.withLight(edited), STUDIO, STUDIO.withLight(edited), STUDIO.withLight(half), STUDIO));
     }
 
-    private static void keepPromises(String name, List<Scene> scenes) {
+    private static void keepGuarantees(String name, List<Scene> scenes) {
         try (Renderer exact = renderer(Accuracy.EXACT); Renderer ratio = renderer(Accuracy.RATIO)) {
             for (Scene scene : scenes) {
                 var reference = new ReferenceTracer(scene).trace();
@@ -122,7 +122,7 @@ class ExtremeLightTest {
         return new Renderer(new RenderOptions(accuracy, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1));
     }
 
-    /** What "subtract the old, add the new" cannot do: 1e16 + 1 − 1e16 is 0. */
+    /** "Subtract the old, add the new" would fail: 1e16 + 1 − 1e16 is 0. */
     @Test
     void deletedBrightestLight_leavesNoError() {
         List<Light> lights = new ArrayList<>();
@@ -132,16 +132,16 @@ class ExtremeLightTest {
         }
         Scene bright = STUDIO.withLights(lights);
         Scene reduced = STUDIO.withLights(lights.stream().filter(l -> l.intensity() < 1e16).toList());
-        keepPromises("thirty lights", List.of(bright, reduced, bright, reduced.withLight(lights.getFirst().withIntensity(2)), reduced));
+        keepGuarantees("thirty lights", List.of(bright, reduced, bright, reduced.withLight(lights.getFirst().withIntensity(2)), reduced));
         assertThat(FilmError.largestError(new ReferenceTracer(reduced).trace(), new ReferenceTracer(bright).trace())).isGreaterThan(1e13);
     }
 
-    /** Weight and falloff, each well within a float, and their product far below one: what is lost must be told. */
+    /** Weight and falloff are well within float range, their product far below 1: the loss must be reported. */
     @Test
     void underflowedProduct_isRecomputedInTime() {
         Light key = STUDIO.lights().getFirst();
         Scene dim = STUDIO.withLight(key.withIntensity(1e-25));
         Scene narrow = STUDIO.withLight(key.withIntensity(1e-25).withDropoff(1500));
-        keepPromises("underflow", List.of(STUDIO, dim, narrow, dim, STUDIO, dim, narrow, dim, STUDIO));
+        keepGuarantees("underflow", List.of(STUDIO, dim, narrow, dim, STUDIO, dim, narrow, dim, STUDIO));
     }
 }

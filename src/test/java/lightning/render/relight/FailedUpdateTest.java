@@ -18,7 +18,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** An update that fails leaves what is known as it was, finer samples still to be made included. */
+/** Tests that a failed update leaves the cache unchanged, pending samples included. */
 class FailedUpdateTest {
     private static final String TEXT = """
             jen 1
@@ -43,7 +43,7 @@ class FailedUpdateTest {
         return ALL.withNodes(ALL.nodes().stream().filter(n -> List.of(shapes).contains(n.name())).toList());
     }
 
-    /** At accuracy ratio an update is followed by a refresh of its contributions, where an error would show. */
+    /** At accuracy ratio a refresh follows an update if an error would be visible. */
     @Test
     void failedUpdate_keepsPreviousImage() {
         Scene dim = ALL.withLight(ALL.lights().getFirst().withIntensity(0.3));
@@ -57,7 +57,7 @@ class FailedUpdateTest {
             try {
                 done = renderer.render(dim, new FailingProgress(checks, OutOfMemoryError::new));
             } catch (OutOfMemoryError e) {
-                assertThat(renderer.cache()).as("after %s questions", checks).isSameAs(known);
+                assertThat(renderer.cache()).as("after %s checks", checks).isSameAs(known);
                 checks++;
             }
         }
@@ -66,7 +66,8 @@ class FailedUpdateTest {
     }
 
     /**
-     * The centers know a shape of the wanted scene, the picture before them, from which samples follow, knows none: it takes a first pass.
+     * The centers contain a shape of the target scene; the finished picture, from which samples follow, does not and needs a first
+     * pass.
      */
     @Test
     void rejectedFirstPass_keepsCentersAndPendingSamples() {

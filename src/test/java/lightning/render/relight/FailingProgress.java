@@ -4,12 +4,12 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import lightning.base.work.Progress;
 
-/** Fails at the n-th question whether to stop. */
+/** Progress that fails at the n-th cancellation check. */
 final class FailingProgress implements Progress {
     private final AtomicInteger remainingChecks;
     private final Supplier<? extends Error> failure;
 
-    /** @param checks how often the work may go on */
+    /** @param checks number of checks before the failure */
     FailingProgress(int checks, Supplier<? extends Error> failure) {
         remainingChecks = new AtomicInteger(checks);
         this.failure = failure;

@@ -2,11 +2,11 @@ package lightning.render.relight;
 
 import lightning.render.image.Film;
 
-/** How far two films are apart. */
+/** Error measures between two films. */
 public final class FilmError {
     private FilmError() {}
 
-    /** The largest difference of two values, linear. */
+    /** Returns the largest difference of two values, linear. */
     public static double largestError(Film actual, Film expected) {
         float[] a = actual.toScanlines();
         float[] e = expected.toScanlines();
@@ -21,7 +21,7 @@ public final class FilmError {
         return largest;
     }
 
-    /** The largest difference as displayed at exposure 0, in steps of 8 bits, before they are rounded. */
+    /** Returns the largest difference as displayed at exposure 0, in 8-bit steps before rounding. */
     static double largestStep(Film actual, Film expected) {
         float[] a = actual.toScanlines();
         float[] e = expected.toScanlines();

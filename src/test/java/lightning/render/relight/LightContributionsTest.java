@@ -33,7 +33,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
-/** Which lights matter, held against the reference. */
+/** Tests light contributions against the reference. */
 @Slow
 class LightContributionsTest {
     private static final RenderOptions OPTIONS = new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1);
@@ -97,7 +97,10 @@ class LightContributionsTest {
         assertThat(found.lights().stream().filter(c -> c.light().equals("off")).findFirst().orElseThrow().shines()).isFalse();
     }
 
-    /** A white wall that both lights meet head-on, so that all pixels are as bright as both: 0.5/255/12.92 is the least that is displayed as 1. */
+    /**
+     * White wall that both lights hit at normal incidence, so that all pixels show both: 0.5/255/12.92 is the smallest value
+     * displayed as 1.
+     */
     @Test
     void lightsVisibleOnlyTogether_areNotBothIdle() throws Exception {
         Scene scene = JenReader.read("""

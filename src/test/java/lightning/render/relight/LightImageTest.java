@@ -25,7 +25,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** One light's share of a picture, from what is known of it. */
+/** Tests the image of one light's contribution, composed from the cache. */
 @Slow
 class LightImageTest {
 
@@ -34,7 +34,7 @@ class LightImageTest {
         return EditSession.sessions();
     }
 
-    /** Each case traces the reference for each light of each scene: as many as take no longer than another property's. */
+    /** Each case traces the reference for each light of each scene, so few cases take as long as another property. */
     @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
     void lightImage_matchesReferenceOfSingleLight(@ForAll("sessions") EditSession session, @ForAll ReflectionMode reflections,
             @ForAll @IntRange(min = 1, max = 2) int threads) {
@@ -85,7 +85,7 @@ class LightImageTest {
         try (Renderer renderer = new Renderer(RenderOptions.DEFAULT.withStorage(MirrorStorage.HIT_SHAPES))) {
             renderer.render(mirroring, Progress.NONE);
             assertThatThrownBy(() -> renderer.lightImage(StudioScene.KEY, Progress.NONE)).isInstanceOf(IllegalStateException.class)
-                    .hasMessage("mirror levels are kept as hit shapes");
+                    .hasMessage("mirror levels are stored as hit shapes");
         }
     }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Edits of a light's links do the least work. */
+/** Tests that edits of a light's links do the least work. */
 class LightLinkWorkTest {
     private static final LightUpdate LINKS = new LightUpdate.Partial(ConeChange.LINKS, false, false);
     private static final LightUpdate SHADOWS = new LightUpdate.Partial(ConeChange.NONE, false, false, true);

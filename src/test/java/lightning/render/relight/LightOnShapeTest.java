@@ -16,7 +16,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Ways to a light end on the shape that it lies on; rays that are cast afterwards do not. */
+/** Tests that shadow rays to a light end on the shape that it is on, and that later rays do not. */
 class LightOnShapeTest {
     private static final String TEXT = """
             jen 1

@@ -19,7 +19,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
-/** What lights give to a few pixels. */
+/** Tests light contributions to a few pixels. */
 @Slow
 class LightThumbnailsTest {
 

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Each edit of a light does the least work: its plan, rows and shadow rays, for every type of light. */
+/** Tests that each edit of a light does the least work: its plan, rows and shadow rays, for every type of light. */
 class LightWorkTest {
     private static final LightUpdate KEEP = new LightUpdate.Keep();
     private static final LightUpdate REWEIGHT = new LightUpdate.Reweight();
@@ -43,7 +43,7 @@ class LightWorkTest {
         assertThat(StudioRenderer.layers(update)).containsExactly(layers);
     }
 
-    /** The edit does not act on the type: nothing at all is done. */
+    /** Asserts that an edit without effect on the light's type does no work. */
     private static void assertNothingDone(UpdateResult update) {
         assertPlan(update, KEEP);
         assertWork(update, 0, 0, 0, 0);
@@ -250,7 +250,7 @@ class LightWorkTest {
                     assertPlan(update, TURN);
                     assertWork(update, reference.count(0, reference.isFacing(before)), rows(studio), 0,
                             reference.count(0, reference.isOutsideCone(before).and(reference.isInsideCone(studio.key()))));
-                    assertThat(studio.edit(_ -> before).rays().shadow()).as("turned back").isZero();
+                    assertThat(studio.edit(_ -> before).rays().shadow()).as("after turning back").isZero();
                 }
             }
         }
@@ -295,7 +295,7 @@ class LightWorkTest {
                 assertPlan(update, TURN);
                 assertWork(update, reference.count(0, reference.isFacing(before)), rows(studio), 0,
                         from == LightType.SPOT ? reference.count(0, reference.isOutsideCone(before)) : 0);
-                assertThat(studio.edit(_ -> before).rays().shadow()).as("back again").isZero();
+                assertThat(studio.edit(_ -> before).rays().shadow()).as("after undo").isZero();
             } else {
                 assertPlan(update, FULL);
                 assertWork(update, rows(studio), rows(studio), 0, reference.count(0, reference.isReached(studio.key())));

@@ -36,7 +36,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Each edit of a material does the least work: no visibility pass, and rays only from rows that begin to mirror. */
+/** Tests that each edit of a material does the least work: no visibility pass, and rays only from rows that start to mirror. */
 class MaterialWorkTest {
     private static final String MATT = "matt";
     private static final String GLASS = "glass";
@@ -71,7 +71,7 @@ class MaterialWorkTest {
         return studio.referenceRows().rowsOfLevel(0).size();
     }
 
-    /** Rays from all reflective rows that are followed. */
+    /** Returns the number of rays from all reflective rows within the depth. */
     private static long mirrored(ReferenceRows reference) {
         long rays = 0;
         for (int k = 0; k < 2; k++) {
@@ -209,7 +209,7 @@ class MaterialWorkTest {
         }
     }
 
-    /** The rays from there on are those of the older scene: what the ball shows in its mirror does not mirror itself. */
+    /** Further bounces show the older scene: in the sphere's new mirror image, the sphere itself does not mirror. */
     @ParameterizedTest
     @EnumSource(MirrorStorage.class)
     void staleReflections_showOlderSceneInNewMirror(MirrorStorage storage) {
@@ -236,7 +236,7 @@ class MaterialWorkTest {
         }
     }
 
-    /** At accuracy ratio samples stay until contributions are refreshed; by then mirrors are others than when they were chosen. */
+    /** At accuracy ratio samples stay until a refresh; by then mirrors differ from those at their selection. */
     @ParameterizedTest
     @EnumSource(MirrorStorage.class)
     void toggledMirrors_areSampledOnRefresh(MirrorStorage storage) {

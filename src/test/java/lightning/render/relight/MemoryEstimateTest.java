@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Memory reckoned beforehand, against what pictures then take. */
+/** Tests memory estimates against the memory that pictures use. */
 @Slow
 class MemoryEstimateTest {
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withThreads(1);
@@ -46,7 +46,7 @@ class MemoryEstimateTest {
                 new PictureSettings(width, height, scene.picture().depth()).withSampling(new SamplingSettings(antialias, grid)));
     }
 
-    /** Rows, layers, samples and films of a first pass. */
+    /** Returns the bytes of rows, layers, samples and films of a first pass. */
     private static long usedBytes(Scene scene, RenderOptions options) {
         try (Renderer renderer = new Renderer(options)) {
             renderer.render(scene, Progress.NONE);
@@ -72,7 +72,7 @@ class MemoryEstimateTest {
     @EnumSource(AntialiasMode.class)
     void forecast_isCloseToActual(AntialiasMode antialias) throws Exception {
         Scene scene = ballsScene(640, 448, antialias, 2);
-        // Small pictures have part of their tiles empty, and know edges of a few pixels only.
+        // Small pictures have partly empty tiles and edges of only a few pixels.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(25));
     }
 
@@ -80,14 +80,14 @@ class MemoryEstimateTest {
     void forecastWithManyLights_scalesDownPerPixel() throws Exception {
         Scene night = JenReader.read(Path.of("scenes/night.jen")).scene();
         Scene scene = night.withPicture(new PictureSettings(800, 448, night.picture().depth()));
-        // A pixel takes a sixth less than in a picture of 192 pixels, and each of these pictures has other edges in its tiles.
+        // A pixel needs a sixth less than in a picture of 192 pixels, and each of these pictures has other edges in its tiles.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(10));
     }
 
     @Test
     void forecastOfManySamples_usesFewSamples() throws Exception {
         Scene scene = ballsScene(320, 224, AntialiasMode.EDGES, 4);
-        // Beside the above, tiles of samples are filled better where there are more of them.
+        // In addition, sample tiles are filled better if there are more samples.
         assertThat(MemoryForecast.of(scene, OPTIONS).bytes(scene.picture())).isCloseTo(usedBytes(scene, OPTIONS), withPercentage(35));
     }
 
@@ -97,7 +97,7 @@ class MemoryEstimateTest {
         Scene huge = ballsScene(16384, 16384, AntialiasMode.EVERY, 8);
         assertThatThrownBy(() -> MemoryEstimate.check(huge, options)).isInstanceOf(PictureTooLargeException.class)
                 .hasMessageMatching(
-                        "the picture needs about \\d{3,4}\\.\\d GB of memory and may have 1\\.0 GB; it would fit with a size of .+")
+                        "the picture needs about \\d{3,4}\\.\\d GB of memory, and 1\\.0 GB is available; it would fit with a size of .+")
                 .satisfies(e -> {
                     Matcher size = Pattern.compile("(\\d+)x(\\d+)").matcher(e.getMessage());
                     assertThat(size.find()).isTrue();
@@ -138,7 +138,7 @@ class MemoryEstimateTest {
         long full = MemoryForecast.of(scene, OPTIONS).bytes(scene.picture());
         assertThatThrownBy(() -> MemoryEstimate.check(scene, OPTIONS.withMemory(full - 1)))
                 .isInstanceOfSatisfying(PictureTooLargeException.class, e -> {
-                    assertThat(e.message(suggestion -> Optional.of(suggestion.description()))).contains("mirrors kept as shapes");
+                    assertThat(e.message(suggestion -> Optional.of(suggestion.description()))).contains("mirrors stored as shapes");
                     assertThat(e).message().doesNotContain("shapes");
                 });
     }
@@ -146,10 +146,10 @@ class MemoryEstimateTest {
     @Test
     void oversizedFilm_isRejectedWithFittingSize() throws Exception {
         PictureSettings huge = ballsScene(16384, 16384, AntialiasMode.EVERY, 8).picture();
-        // 12 bytes a pixel are 3.2 GB.
+        // 12 bytes per pixel are 3.2 GB.
         assertThatThrownBy(() -> MemoryEstimate.checkFilm(huge, 1_000_000_000)).isInstanceOf(PictureTooLargeException.class)
                 .hasMessageStartingWith(
-                        "the picture needs about 3.2 GB of memory and may have 1.0 GB; it would fit with a size of 9120x9120");
+                        "the picture needs about 3.2 GB of memory, and 1.0 GB is available; it would fit with a size of 9120x9120");
         assertThatCode(() -> MemoryEstimate.checkFilm(huge.withSize(9120, 9120), 1_000_000_000)).doesNotThrowAnyException();
         assertThatCode(() -> MemoryEstimate.checkFilm(huge, 12L << 28)).doesNotThrowAnyException();
     }
@@ -157,7 +157,7 @@ class MemoryEstimateTest {
     @Test
     void fittingImageAboveUpperBound_isAccepted() throws Exception {
         Scene scene = ballsScene(640, 448, AntialiasMode.EDGES, 2);
-        // What a forecast may be too high by, as held above.
+        // Maximum overestimate of a forecast, as tested above.
         RenderOptions options = OPTIONS.withMemory((long) (1.25 * usedBytes(scene, OPTIONS)));
         assertThat(MemoryEstimate.upperBound(scene, OPTIONS)).isGreaterThan(options.memory());
         assertThatCode(() -> MemoryEstimate.check(scene, options)).doesNotThrowAnyException();

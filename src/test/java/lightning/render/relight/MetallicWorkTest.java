@@ -17,7 +17,7 @@ import lightning.scene.Scene;
 import lightning.scene.ShadingModel;
 import org.junit.jupiter.api.Test;
 
-/** Each edit of a metallic material does the least work, and none casts a ray. */
+/** Tests that each edit of a metallic material does the least work and casts no ray. */
 class MetallicWorkTest {
     private static final String MATT = "matt";
 
@@ -65,7 +65,7 @@ class MetallicWorkTest {
         }
     }
 
-    /** Its rows are put into another order before their terms are looked at. */
+    /** Its rows are reordered before their terms are updated. */
     @Test
     void mirrorChangedToPhong_hasPhongDiffuse() {
         try (StudioRenderer studio = studio()) {

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The least work where mirrors are: deeper and shallower recursion, stale and current reflections, several tiles. */
+/** Tests the least work with mirrors: larger and smaller depth, stale and current reflections, several tiles. */
 class MirrorWorkTest {
     private static final Vec3 ELSEWHERE = new Vec3(-1, 5, 3);
 
@@ -35,7 +35,7 @@ class MirrorWorkTest {
         return new StudioRenderer(ReflectionMode.CURRENT, storage, StudioScene.of(LightType.SPOT));
     }
 
-    /** Rows of a level and all below that a light reaches. */
+    /** Returns the number of rows of a level and all deeper ones that a light reaches. */
     private static long reachedFrom(int level, StudioRenderer studio) {
         ReferenceRows reference = studio.referenceRows();
         long count = 0;
@@ -132,7 +132,7 @@ class MirrorWorkTest {
         }
     }
 
-    /** Its layer is missing on that level alone. */
+    /** The light's layer is missing only on that level. */
     @Test
     void lightOffWhenLevelAdded_isCastWhenSwitchedOn() {
         try (StudioRenderer studio = current(MirrorStorage.FULL_ROWS)) {
@@ -146,7 +146,7 @@ class MirrorWorkTest {
         }
     }
 
-    /** The same where only the falloff of the layer would have been written. */
+    /** Here only the falloff of the layer would have been written. */
     @Test
     void lightOffWhenLevelAdded_canBeEditedMeanwhile() {
         try (StudioRenderer studio = current(MirrorStorage.FULL_ROWS)) {
@@ -164,7 +164,7 @@ class MirrorWorkTest {
         Scene wide = scene.withPicture(new PictureSettings(64, 24, 0)).withLights(List.of(left));
         try (StudioRenderer studio = new StudioRenderer(ReflectionMode.STALE, MirrorStorage.FULL_ROWS, wide)) {
             ReferenceRows reference = studio.referenceRows();
-            // Rows left of the camera's axis are those of the left tile: the axis passes between the tiles.
+            // Rows left of the camera's axis are in the left tile: the axis passes between the tiles.
             assertThat(reference.count(0, reference.isLit(left))).isPositive();
             assertThat(reference.count(0, reference.isLit(left).and(p -> p.vx() > 0))).isZero();
             UpdateResult update = studio.edit(l -> l.withIntensity(3));
@@ -172,7 +172,7 @@ class MirrorWorkTest {
         }
     }
 
-    static Stream<Arguments> picturesThatRefresh() {
+    static Stream<Arguments> refreshingImages() {
         PictureSettings edges = StudioScene.of(LightType.POINT).picture().withSampling(new SamplingSettings(AntialiasMode.EDGES, 2));
         return Stream.of(Arguments.of("depth", edges, edges.withDepth(1)), Arguments.of("size", edges, edges.withSize(20, 16)),
                 Arguments.of("antialias", edges, edges.withSampling(new SamplingSettings(AntialiasMode.OFF, 2))),
@@ -180,7 +180,7 @@ class MirrorWorkTest {
     }
 
     @ParameterizedTest(name = "{0}")
-    @MethodSource("picturesThatRefresh")
+    @MethodSource("refreshingImages")
     void changedImageSettings_refreshMirrors(String description, PictureSettings before, PictureSettings after) {
         Scene scene = StudioScene.of(LightType.POINT).withPicture(before);
         Scene edited = scene.withLight(scene.lights().getFirst().withIntensity(0.3));

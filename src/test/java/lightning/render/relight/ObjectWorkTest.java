@@ -32,10 +32,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Each edit of shapes traces again only where rays can meet what was or what is: its rays and rows, counted.
+ * Tests by ray and row counts that each edit of shapes retraces only rays that can meet the old or the new shape.
  *
- * <p>The picture is two tiles side by side. A ball stands in the middle of each; the sun is above, so that no ball shades the
- * other. A third ball, over the right one and out of the picture, throws a shadow on it.
+ * <p>The picture is two tiles side by side with a sphere in the center of each. The sun is above, so that no sphere shadows the
+ * other. A third sphere above the right one, outside the picture, casts a shadow on it.
  */
 class ObjectWorkTest {
     private static final int TILE = 32 * 32;
@@ -89,7 +89,7 @@ class ObjectWorkTest {
 
     private static final Light WIDE_SUN = SUN.withArea(SUN.area().withSpread(2));
 
-    /** Over everything, out of the picture. */
+    /** Places a shape above everything, outside the picture. */
     private static SceneNode roof(SceneNode node) {
         return node.withPlacement(new Placement(new Vec3(0, 60, 0), Vec3.ZERO, new Vec3(30, 30, 30)));
     }

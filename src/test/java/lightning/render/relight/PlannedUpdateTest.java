@@ -40,7 +40,7 @@ class PlannedUpdateTest {
             PlannedUpdate planned = renderer.plan(narrower);
             renderer.render(moved, Progress.NONE);
             renderer.render(planned, Progress.NONE);
-            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(narrower).trace(), "planned anew");
+            FilmAssert.assertSameBits(renderer.film(), new ReferenceTracer(narrower).trace(), "replanned");
         }
     }
 

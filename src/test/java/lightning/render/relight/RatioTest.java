@@ -38,10 +38,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** At accuracy ratio no value is further from the reference trace than the update says. */
+/** Tests that at accuracy ratio no value differs from the reference trace by more than the reported bound. */
 class RatioTest {
 
-    /** What ratios make of a picture is lost with most edits: half of the sessions have only those that scale. */
+    /** Most edits discard scaled contributions, so half of the sessions contain only edits that scale. */
     @Provide
     Arbitrary<EditSession> sessions() {
         return Arbitraries.oneOf(EditSession.sessions(), EditSession.scaleSessions());
@@ -57,7 +57,7 @@ class RatioTest {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
-                differs |= !ReferenceCheck.assertPromise(renderer, update, "after edit " + step).isNone();
+                differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
             SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
@@ -68,7 +68,7 @@ class RatioTest {
         return EditSession.extremeSessions();
     }
 
-    /** Exposures too, at which an error is refreshed away early, late or not at all. */
+    /** Includes exposures at which an error is refreshed early, late or never. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     @StatisticsReport(onFailureOnly = true)
     void extremes_areWithinReportedBound(@ForAll("extremes") EditSession session, @ForAll ReflectionMode reflections,
@@ -78,7 +78,7 @@ class RatioTest {
             boolean differs = false;
             for (int step = 0; step < session.scenes().size(); step++) {
                 UpdateResult update = renderer.render(session.scenes().get(step), Progress.NONE);
-                differs |= !ReferenceCheck.assertPromise(renderer, update, "after edit " + step).isNone();
+                differs |= !ReferenceCheck.assertGuarantee(renderer, update, "after edit " + step).isNone();
             }
             SceneCoverage.collect("differs from the exact picture", differs, 10);
         }
@@ -89,7 +89,7 @@ class RatioTest {
         return Arbitraries.of(-1000.0, -60.0, -20.0, 0.0, 40.0);
     }
 
-    /** Its first contributions have already lost digits, before anything was scaled. */
+    /** The first contributions have lost digits before any scaling. */
     @ParameterizedTest
     @CsvSource({"1e-34, 1e10", "1e-20, 1e20", "1e-25, 1e15", "1e-30, 1e10"})
     void underflowedContributions_areReportedWhenScaledUp(double intensity, double constant) {
@@ -103,7 +103,7 @@ class RatioTest {
                 Scene edited = scene.withLight(dim.withIntensity(bright));
                 UpdateResult update = renderer.render(edited, Progress.NONE);
                 assertThat(renderer.scene()).isEqualTo(edited);
-                ReferenceCheck.assertPromise(renderer, update, "at " + bright);
+                ReferenceCheck.assertGuarantee(renderer, update, "at " + bright);
             }
         }
     }

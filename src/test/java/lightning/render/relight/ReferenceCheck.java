@@ -9,23 +9,23 @@ import lightning.render.image.Film;
 import lightning.render.shading.ReferenceTracer;
 import lightning.render.shading.RenderedScenes;
 
-/** What a picture should be, by the reference. */
+/** Compares pictures with the reference. */
 final class ReferenceCheck {
     private ReferenceCheck() {}
 
-    /** The picture that a cache claims to show. */
+    /** Returns the reference picture of the scenes that a cache shows. */
     static Film referenceFilm(PixelCache cache) {
         return referenceTracer(cache.scenes()).trace();
     }
 
-    /** Requires that a picture is what it is said to be; returns how far it is from the reference. */
-    static Difference assertPromise(Renderer renderer, UpdateResult update, String when) {
-        AccuracyGuarantee promise = AccuracyGuarantee.of(renderer, update);
-        // A picture that is not called stale is held against its own scene alone.
-        RenderedScenes compared = promise.isStale() ? promise.scenes() : RenderedScenes.of(promise.scenes().scene());
+    /** Asserts the accuracy statement of a picture; returns its difference from the reference. */
+    static Difference assertGuarantee(Renderer renderer, UpdateResult update, String when) {
+        AccuracyGuarantee guarantee = AccuracyGuarantee.of(renderer, update);
+        // A picture that is not reported as stale is compared with its own scene only.
+        RenderedScenes compared = guarantee.isStale() ? guarantee.scenes() : RenderedScenes.of(guarantee.scenes().scene());
         Difference difference = Difference.of(renderer.film(), referenceTracer(compared).trace());
-        assertThat(promise.isMetBy(difference))
-                .as("%s: %s; %s was promised, %s is off by %s", when, update.plan().description(), promise.text(update),
+        assertThat(guarantee.isMetBy(difference))
+                .as("%s: %s; stated %s, but %s values differ by up to %s", when, update.plan().description(), guarantee.text(update),
                         difference.values(), difference.maxAbsolute())
                 .isTrue();
         return difference;

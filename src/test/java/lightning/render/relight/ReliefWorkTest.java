@@ -29,8 +29,8 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Each edit of a relief traces again only where rays can meet its shapes: rays counted. The picture is two tiles side by side; a rough ball
- * stands in the left one, a smooth one in the right.
+ * Tests by ray counts that each edit of a relief retraces only rays that can meet its shapes. The picture is two tiles side by
+ * side: a rough sphere in the left one, a smooth one in the right.
  */
 class ReliefWorkTest {
     private static final Vec3 LEFT = new Vec3(-3.5, 0, 0);
@@ -87,7 +87,7 @@ class ReliefWorkTest {
         }
     }
 
-    /** A way to a light meets what it met: no bump moves a point. */
+    /** Shadow rays keep their results: no bump moves a point. */
     @Test
     void relief_castsNoUnaffectedShadowRays() {
         try (StudioRenderer studio = studio()) {

@@ -18,7 +18,7 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-/** Going back to what was kept of an earlier picture. */
+/** Tests restoring the cache of an earlier picture. */
 class RestoreTest {
     private final Scene before = StudioScene.withFourLights(40, 30);
     private final Scene after = before.withLight(before.lights().getFirst().withAngle(10).withIntensity(0.2));
@@ -51,7 +51,7 @@ class RestoreTest {
         }
     }
 
-    /** A drag keeps sums over the other lights from its second edit on; a restored renderer has seen no first. */
+    /** A drag caches partial sums of the other lights from its second edit on; a restored renderer has not seen the first. */
     @Test
     void restoredRenderer_hasNoRepeatedEdit() {
         List<Light> lights = new ArrayList<>();

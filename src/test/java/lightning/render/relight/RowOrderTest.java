@@ -25,7 +25,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** Whatever edits led to it, a cache has the rows and columns that a first pass gives: nothing piles up. */
+/** Tests that after any edits a cache has the rows and columns of a first pass, without leftovers. */
 class RowOrderTest {
 
     @Provide
@@ -56,11 +56,11 @@ class RowOrderTest {
     }
 
     /**
-     * Holds a level and all that is seen from it to what is expected.
+     * Asserts that a level and all levels seen from it are as expected.
      *
-     * @param above of each expected row of the level above its place among the actual ones; null for the first level
-     * @param depth how many more rays are followed
-     * @return the level behind
+     * @param above for each expected row of the level above its index among the actual rows; null for the first level
+     * @param depth number of further bounces
+     * @return the index after the last compared level
      */
     private static int assertSame(TileLevel[] actual, MaterialTable actualMaterials, TileLevel[] expected, MaterialTable materials, int k,
             int[] above, int depth) {
@@ -76,11 +76,11 @@ class RowOrderTest {
     }
 
     /**
-     * Rows of the same materials, those that mirror in front. After an edit of shapes materials may have other indices than a first
-     * pass gives them, and their rows stand in another order then.
+     * Asserts that rows have the same materials, mirroring rows first. After an edit of shapes, material indices may differ from
+     * those of a first pass, and so may the row order.
      *
-     * @param above of each expected row of the level above its place among the actual ones; null for the first level
-     * @return the same of this level
+     * @param above for each expected row of the level above its index among the actual rows; null for the first level
+     * @return for each expected row of this level its index among the actual rows
      */
     private static int[] assertSame(HitRows actual, MaterialTable actualMaterials, HitRows expected, MaterialTable materials, int[] above) {
         assertThat(actual.count).isEqualTo(expected.count);
@@ -100,7 +100,7 @@ class RowOrderTest {
             for (int i = expected.runStart(r); i < expected.runEnd[r]; i++) {
                 int parent = expected.parent[i];
                 int a = byParent.getOrDefault(above == null ? parent : above[parent], -1);
-                assertThat(a).as("the row that is seen from row " + parent).isNotNegative();
+                assertThat(a).as("row seen from row " + parent).isNotNegative();
                 places[i] = a;
                 assertThat(of[a]).isEqualTo(material);
                 assertThat(actual.code == null ? 0 : actual.code[a]).isEqualTo(expected.code == null ? 0 : expected.code[i]);
@@ -128,7 +128,7 @@ class RowOrderTest {
         return of;
     }
 
-    /** Of lights that shine; the layers of others wait. */
+    /** Compares layers of lights that shine; other layers may be outdated. */
     private static void assertSameColumns(TileLevel actual, TileLevel expected) {
         for (int l = 0; l < expected.layers().length; l++) {
             if (expected.layers()[l] instanceof LightRows e && actual.layers()[l] instanceof LightRows a) {

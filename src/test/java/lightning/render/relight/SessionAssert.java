@@ -7,13 +7,13 @@ import lightning.sample.EditSession;
 import lightning.sample.FailedSceneRecorder;
 import lightning.scene.Scene;
 
-/** Compares films met during a session; a failure leaves the scenes as files beside the pictures. */
+/** Compares films of a session; a failure saves the scenes as files next to the pictures. */
 final class SessionAssert {
     private SessionAssert() {}
 
     /**
-     * @param name what is tested, the folder's name in {@code target/failures}
-     * @param step which edit it was; 0 is the first picture
+     * @param name test name, the folder's name in {@code target/failures}
+     * @param step index of the edit; 0 is the first picture
      */
     static void assertSameBits(Film actual, Film expected, String name, EditSession session, int step, String plan) {
         try {

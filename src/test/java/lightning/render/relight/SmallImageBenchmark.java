@@ -17,20 +17,20 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
- * What every edit takes in a small picture, warm, each some times in a row and then all again: of each the least and the median of the time
- * passed, the same of the processor time of all threads, in milliseconds, and the kilobytes that it allocates.
+ * Benchmark of every edit in a small picture after warm-up, in repeated blocks. Reports for each edit the minimum and median of
+ * wall-clock time and of the CPU time of all threads, in milliseconds, and the kilobytes allocated.
  */
 final class SmallImageBenchmark {
     private static final int RUNS_IN_SEQUENCE = 12;
     private static final double WINDOW_SECONDS = 1;
-    /** What compilers may work of a window at rest. */
+    /** Maximum CPU share of the JIT compilers in an idle window. */
     private static final double IDLE_SHARE = 0.05;
     private static final CompilationMXBean COMPILERS = ManagementFactory.getCompilationMXBean();
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private SmallImageBenchmark() {}
 
-    /** @param args width, height, threads, most seconds of warming up, seconds of measuring, scenes; those of an edit alone as scene:edit,edit */
+    /** @param args width, height, threads, maximum seconds of warm-up, seconds of measurement, scenes; scene:edit,edit selects edits */
     public static void main(String[] args) throws Exception {
         for (String arg : Arrays.asList(args).subList(5, args.length)) {
             String[] parts = arg.split(":");
@@ -62,7 +62,7 @@ final class SmallImageBenchmark {
         }
     }
 
-    /** Until Java's compilers rest, or for so long. */
+    /** Runs until Java's compilers are idle, or for the maximum time. */
     private static void warmUp(Renderer renderer, List<PaperCase> cases, PixelCache[] starts, double maxSeconds) {
         long begin = System.nanoTime();
         long worked = Long.MAX_VALUE;
@@ -76,7 +76,7 @@ final class SmallImageBenchmark {
         }
     }
 
-    /** Of each case the sorted times, processor times and kilobytes. */
+    /** Returns for each case the sorted times, CPU times and kilobytes. */
     private static double[][][] measure(Renderer renderer, List<PaperCase> cases, PixelCache[] starts, double seconds) {
         double[][][] measured = new double[starts.length][3][0];
         long begin = System.nanoTime();
@@ -112,7 +112,7 @@ final class SmallImageBenchmark {
         return sorted[sorted.length / 2];
     }
 
-    /** Those of threads that have ended are −1. */
+    /** Ignores threads that have ended, which report −1. */
     private static long sum(long[] ofThreads) {
         return Arrays.stream(ofThreads).filter(v -> v > 0).sum();
     }

@@ -19,7 +19,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import lightning.scene.Scene;
 
-/** The studio's scene and a renderer whose work is counted. */
+/** Studio scene with a renderer whose work is counted. */
 final class StudioRenderer implements AutoCloseable {
     private final Renderer renderer;
     private Scene scene;
@@ -30,7 +30,7 @@ final class StudioRenderer implements AutoCloseable {
         renderer.render(scene, Progress.NONE);
     }
 
-    /** One tile, reflections stale, a light of the given type. */
+    /** Creates a renderer with one tile, stale reflections and a light of the given type. */
     static StudioRenderer of(LightType type) {
         return new StudioRenderer(ReflectionMode.STALE, MirrorStorage.FULL_ROWS, StudioScene.of(type));
     }
@@ -47,7 +47,7 @@ final class StudioRenderer implements AutoCloseable {
         return renderer;
     }
 
-    /** What can be seen of the scene as it is now. */
+    /** Returns the visible rows of the current scene. */
     ReferenceRows referenceRows() {
         return new ReferenceRows(scene);
     }
@@ -58,7 +58,7 @@ final class StudioRenderer implements AutoCloseable {
         return renderer.render(target, Progress.NONE);
     }
 
-    /** Renders the scene with its light edited. */
+    /** Renders the scene after an edit of its light. */
     UpdateResult edit(UnaryOperator<Light> edit) {
         return render(scene.withLight(edit.apply(key())));
     }
@@ -71,7 +71,7 @@ final class StudioRenderer implements AutoCloseable {
         return render(scene.withPicture(scene.picture().withDepth(depth)));
     }
 
-    /** The plan for the first level's layers, in the order of the lights. */
+    /** Returns the plan for the first level's layers, in the order of the lights. */
     static List<LightUpdate> layers(UpdateResult update) {
         return ((UpdatePlan.Relight) update.plan()).top().layers().stream().map(LayerPlan::update).toList();
     }

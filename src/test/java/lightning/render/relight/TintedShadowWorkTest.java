@@ -25,8 +25,8 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Each edit of what light passes asks again only ways that can meet it: rays counted. The picture is two tiles side by side, of a floor; a
- * pane hangs over the left one, higher than the eye.
+ * Tests by ray counts that each edit of a clear shape recasts only shadow rays that can meet it. The picture is two tiles of a
+ * floor side by side; a pane hangs above the left one, higher than the camera.
  */
 class TintedShadowWorkTest {
     private static final int TILE = 32 * 32;
@@ -97,7 +97,7 @@ class TintedShadowWorkTest {
         }
     }
 
-    /** 12 bytes for each row of the tile under the glass, and of no other. */
+    /** 12 bytes for each row of the tile under the glass, and for no other row. */
     @Test
     void tileWithoutGlass_storesNoTint() {
         try (StudioRenderer tinted = studio(); StudioRenderer free = studio()) {

@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Test;
 class ViewEffectsTest {
     private static final Rgb RED = new Rgb(1, 0, 0);
 
-    /** A floor seen from above, lit from above through a ball. */
+    /** Floor seen from above, lit from above through a sphere. */
     private static Scene floor(Rgb reflective, Optional<TextureMap> texture) {
         Material material = Material.of("m").withDiffuse(Rgb.WHITE).withShininess(1).withReflective(reflective).withTexture(texture);
         return new Scene(new PictureSettings(9, 9, 3), new Camera(new Vec3(0, 4, 0), Vec3.ZERO, new Vec3(0, 0, 1), 20),

@@ -21,13 +21,13 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * A ball of radius 1 over the floor y = 0, every pixel against what geometry on paper says: rays from
- * a pinhole, the distance of a line from a center, the cone that touches the ball.
+ * Compares every pixel of a sphere of radius 1 over the floor y = 0 with analytic geometry: pinhole rays, the distance of a line
+ * from a center, and the tangent cone of the sphere.
  */
 class AnalyticImageTest {
     private static final int SIZE = 81;
     private static final Rgb SKY = new Rgb(0.25, 0.5, 1);
-    /** Pixels nearer to an outline than this are left out, in scene units. */
+    /** Pixels nearer to an outline than this are excluded, in scene units. */
     private static final double OUTLINE = 1e-3;
 
     private static Material material(String name, Rgb ambient, double diffuse, double specular, double shininess, double reflective) {
@@ -42,7 +42,7 @@ class AnalyticImageTest {
         return new Scene(new PictureSettings(SIZE, SIZE, depth), camera, new World(1, SKY), materials, nodes, lights);
     }
 
-    /** The unit direction through a pixel's center, by the pinhole's own geometry. */
+    /** Returns the unit direction through a pixel's center of a pinhole camera. */
     private static Vec3 ray(Camera camera, int x, int y) {
         Vec3 forward = camera.to().minus(camera.from()).normalized();
         Vec3 right = forward.cross(camera.up()).normalized();
@@ -53,12 +53,12 @@ class AnalyticImageTest {
         return forward.plus(right.times(across)).plus(up.times(above)).normalized();
     }
 
-    /** How near a line passes to a point. */
+    /** Returns the smallest distance of a line from a point. */
     private static double closestDistance(Vec3 from, Vec3 direction, Vec3 point) {
         return point.minus(from).cross(direction).length();
     }
 
-    /** Where a ray meets the ball that it passes nearer than 1. */
+    /** Returns the hit of a ray that passes the sphere's center at a distance below 1. */
     private static Vec3 hitSphere(Vec3 from, Vec3 direction, Vec3 ball) {
         double near = closestDistance(from, direction, ball);
         return from.plus(direction.times(ball.minus(from).dot(direction) - Math.sqrt(1 - near * near)));
@@ -79,7 +79,7 @@ class AnalyticImageTest {
                 .containsExactly(factor * (float) color.r(), factor * (float) color.g(), factor * (float) color.b());
     }
 
-    /** A light at height h over a ball at height c: its shadow is the disc of radius h/√((h − c)² − 1). */
+    /** For a light at height h and a sphere at height c, the shadow is the disc of radius h/√((h − c)² − 1). */
     @Test
     void sphereShadow_isDiscOfTangentCone() {
         double height = 6;
@@ -112,7 +112,7 @@ class AnalyticImageTest {
         assertThat(shadowed).isGreaterThan(100);
     }
 
-    /** The light is put where the picture's middle ray goes when mirrored at the ball. */
+    /** The light is placed on the mirrored center ray of the picture. */
     @Test
     void highlight_peaksAtHalfVector() {
         Vec3 ball = new Vec3(0, 2, 0);
@@ -143,7 +143,7 @@ class AnalyticImageTest {
         assertThat(checked).isGreaterThan(2000);
     }
 
-    /** The mirror image of the ball is the ball mirrored at the floor: seen where the line to it passes the floor. */
+    /** The mirror image is the sphere reflected at the floor, visible where the line to it crosses the floor. */
     @Test
     void mirrorImage_isReflectedSphere() {
         Rgb glow = new Rgb(0.9, 0.4, 0.1);

@@ -16,7 +16,7 @@ import lightning.scene.Photometry;
 import lightning.scene.Texture;
 import org.junit.jupiter.api.Test;
 
-/** Doors of a light in the eye that looks along −z, against angles that anyone can draw. */
+/** Tests the barn doors of a light at the camera that looks along −z against known angles. */
 class AngularMaskTest {
     private static final double TENTH = Math.tan(Math.toRadians(10));
 
@@ -43,7 +43,7 @@ class AngularMaskTest {
         assertThat(factor(new BarnDoors(90, 90, 90, 10), 0, 0, far, -10)).isZero();
     }
 
-    /** That lies on its side: its top is to the right of the eye, its right below. */
+    /** The light lies on its side: its top is to the right of the camera, its right below. */
     @Test
     void rectLightBarnDoors_followItsUpVector() {
         var scene = StudioScene.of(LightType.SPOT);
@@ -59,8 +59,8 @@ class AngularMaskTest {
         assertThat(right.factor(0, far, -10)).isEqualTo(1);
         Photometry half = new Photometry(Photometry.Type.C, new double[] {0, 10, 180}, new double[] {0}, new double[] {1, 2, 0});
         Light measured = rect.withProfile(Optional.of(new IesProfile("p.ies", half)));
-        assertThat(AngularMask.of(LightSource.of(measured, scene)).factor(0, 0, -10)).as("nor has it a profile").isEqualTo(1);
-        assertThat(AngularMask.of(LightSource.of(rect.withType(LightType.DISC), scene))).as("a disc has none").isNull();
+        assertThat(AngularMask.of(LightSource.of(measured, scene)).factor(0, 0, -10)).as("no profile either").isEqualTo(1);
+        assertThat(AngularMask.of(LightSource.of(rect.withType(LightType.DISC), scene))).as("a disc has no mask").isNull();
     }
 
     @Test
@@ -72,7 +72,7 @@ class AngularMaskTest {
     @Test
     void feather_fadesInsideEdge() {
         var right = new BarnDoors(90, 10, 90, 90);
-        assertThat(factor(right, 20, 0, 0, -10)).as("half way").isEqualTo(0.5, within(1e-12));
+        assertThat(factor(right, 20, 0, 0, -10)).as("midpoint").isEqualTo(0.5, within(1e-12));
         assertThat(factor(right, 20, -10 * TENTH * 1.01, 0, -10)).isEqualTo(1);
         assertThat(factor(right, 20, 10 * TENTH * 1.01, 0, -10)).isZero();
         double quarter = Math.tan(Math.toRadians(5));
@@ -126,7 +126,7 @@ class AngularMaskTest {
 
     @Test
     void typeCProfile_usesPolarAndAzimuthAngles() {
-        // Right, top, left, bottom of what looks along -z; nothing below 45 degrees of the axis backwards.
+        // Right, top, left, bottom for a light that looks along −z; 0 within 45 degrees of the backward axis.
         var p = new Photometry(Photometry.Type.C, new double[] {0, 90, 135}, new double[] {0, 90, 180, 270, 360},
                 new double[] {8, 4, 0, 8, 1, 0, 8, 2, 0, 8, 3, 0, 8, 4, 0});
         Vec3 front = new Vec3(0, 0, -1);
@@ -137,7 +137,7 @@ class AngularMaskTest {
         assertThat(profileFactor(LightType.SPOT, front, p, 0, -10, 0)).isEqualTo(0.375, within(1e-6));
         assertThat(profileFactor(LightType.SPOT, front, p, 10, 0, -10)).as("half way to the right").isEqualTo(0.75, within(1e-6));
         assertThat(profileFactor(LightType.SPOT, front, p, 10, 10, 0)).as("between right and top").isEqualTo(2.5 / 8, within(1e-6));
-        assertThat(profileFactor(LightType.SPOT, front, p, 1, 0, 10)).as("beyond what was measured").isZero();
+        assertThat(profileFactor(LightType.SPOT, front, p, 1, 0, 10)).as("outside the measured range").isZero();
     }
 
     @Test
@@ -148,7 +148,7 @@ class AngularMaskTest {
         assertThat(profileFactor(LightType.POINT, new Vec3(1, 0, 0), p, 0, 3, 0)).isZero();
     }
 
-    /** As docs/jen-format.md says: 0 towards −x, 90 towards z. */
+    /** As documented in docs/jen-format.md: 0 towards −x, 90 towards z. */
     @Test
     void pointLightProfile_startsAtMinusX() {
         var c = new Photometry(Photometry.Type.C, new double[] {0, 90}, new double[] {0, 90, 180, 270, 360},
@@ -157,7 +157,7 @@ class AngularMaskTest {
         assertThat(profileFactor(LightType.POINT, Vec3.Y, c, 0, 0, 5)).as("90").isEqualTo(1 / 8.0, within(1e-6));
         assertThat(profileFactor(LightType.POINT, Vec3.Y, c, 5, 0, 0)).as("180").isEqualTo(2 / 8.0, within(1e-6));
         assertThat(profileFactor(LightType.POINT, Vec3.Y, c, 0, 0, -5)).as("270").isEqualTo(3 / 8.0, within(1e-6));
-        // By planes to the left, ahead, to the right; in each downwards, ahead, upwards.
+        // Planes to the left, ahead, to the right; in each downwards, ahead, upwards.
         double[] angles = {-90, 0, 90};
         var a = new Photometry(Photometry.Type.A, angles, angles, new double[] {1, 2, 3, 4, 8, 5, 6, 7, 0});
         assertThat(profileFactor(LightType.POINT, Vec3.Y, a, 0, -5, 0)).as("ahead").isEqualTo(1, within(1e-6));
@@ -168,7 +168,7 @@ class AngularMaskTest {
     @Test
     void typeAAndBProfiles_useVerticalAndHorizontalAxis() {
         double[] angles = {-90, 0, 90};
-        // By planes to the left, ahead, to the right; in each downwards, ahead, upwards.
+        // Planes to the left, ahead, to the right; in each downwards, ahead, upwards.
         double[] candela = {1, 2, 3, 4, 8, 5, 6, 7, 0};
         Vec3 front = new Vec3(0, 0, -1);
         for (Photometry.Type type : new Photometry.Type[] {Photometry.Type.A, Photometry.Type.B}) {
@@ -178,7 +178,7 @@ class AngularMaskTest {
             assertThat(profileFactor(LightType.SPOT, front, p, -5, 0, 0)).as("left").isEqualTo(2 / 8.0, within(1e-6));
             assertThat(profileFactor(LightType.SPOT, front, p, 0, 0, 5)).as("behind").isZero();
         }
-        // Half to the right and half up: 45 degrees and atan(1/√2) by upright planes, the other way round by lying ones.
+        // Half to the right and half up: 45 degrees and atan(1/√2) with vertical planes, the reverse with horizontal ones.
         double small = Math.toDegrees(Math.atan(Math.sqrt(0.5))) / 90;
         double low = 8 + (7 - 8) * 0.5;
         double high = 5 + (0 - 5) * 0.5;

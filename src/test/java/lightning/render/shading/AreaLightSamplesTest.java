@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Larger lights against formulas, and their samples against many more. */
+/** Tests area lights against formulas, and their samples against many more samples. */
 class AreaLightSamplesTest {
     private static final Shape FLOOR = new Shape(Solid.PLANE, "floor", "white", placement(Vec3.ZERO, new Vec3(50, 1, 50)));
 
@@ -32,7 +32,7 @@ class AreaLightSamplesTest {
         return new Placement(at, Vec3.ZERO, scale);
     }
 
-    /** A white floor seen from straight above, by a camera that is under the light. */
+    /** White floor seen from straight above, by a camera under the light. */
     private static Scene floor(int size, List<SceneNode> nodes, Light light) {
         Material white = Material.of("white").withAmbient(Rgb.BLACK).withDiffuse(Rgb.WHITE);
         return new Scene(new PictureSettings(size, size, 0), new Camera(new Vec3(0, 0.5, 0), Vec3.ZERO, new Vec3(0, 0, 1), 90),
@@ -44,7 +44,10 @@ class AreaLightSamplesTest {
                 .withAttenuation(new Attenuation(0, 0, 1)).withArea(area.apply(AreaShape.DEFAULT.withSamples(64)));
     }
 
-    /** The form factor between a point and a rectangle over whose middle it is, four times that over a corner (Howell, B-3), by π over the area. */
+    /**
+     * The form factor of a rectangle centered above a point is four times that of a rectangle above a corner (Howell, B-3); divided
+     * by the area, times π.
+     */
     @Test
     void rectLight_litFloorMatchesFormFactor() {
         double x = 0.75;
@@ -56,7 +59,7 @@ class AreaLightSamplesTest {
         assertThat(new ReferenceTracer(scene).pixel(4, 4)[0]).isCloseTo((float) expected, within(0.005f * (float) expected));
     }
 
-    /** A disc of radius r at height h lights the point under its middle by π·r²/(r² + h²) over its area (Howell, B-12). */
+    /** A disc of radius r at height h lights the point under its center by π·r²/(r² + h²) over its area (Howell, B-12). */
     @Test
     void discLight_litFloorMatchesFormFactor() {
         float expected = 1f / (1 + 4);
@@ -72,7 +75,7 @@ class AreaLightSamplesTest {
         assertThat(new ReferenceTracer(floor(9, List.of(FLOOR, ceiling), light)).pixel(2, 3)[0]).isEqualTo(free).isPositive();
     }
 
-    /** Of a light that a floor cuts in two, the half that is above lights it. */
+    /** If a floor cuts a light in two, the upper half lights it. */
     @Test
     void sphereLightCutByFloor_lightsWithUpperHalf() {
         Light whole = lightAbove(LightType.POINT, a -> a.withRadius(0.4)).withPosition(new Vec3(0.3, 0.4, 0));
@@ -88,7 +91,7 @@ class AreaLightSamplesTest {
         assertThat(facing).isBetween(30, 34);
     }
 
-    /** What is over the edge of a wide shade sees half of what it would see without it. */
+    /** A point above the edge of a wide blocker sees half of the unblocked light. */
     @ParameterizedTest
     @EnumSource(value = LightType.class, names = "SPOT", mode = EnumSource.Mode.EXCLUDE)
     void halfOccludedLight_isHalfAsBright(LightType type) {
@@ -99,7 +102,7 @@ class AreaLightSamplesTest {
         assertThat(half / free).isCloseTo(0.5, within(1.0 / 16));
     }
 
-    /** All turns of 64 samples are 1024 places; the error of n of them falls faster than that of n drawn at random, 1/√n. */
+    /** All rotations of 64 samples give 1024 positions. The error of n of them decreases faster than 1/√n, that of n random samples. */
     @ParameterizedTest
     @EnumSource(LightType.class)
     void fewSamples_approximateThousandSamples(LightType type) {
@@ -110,7 +113,10 @@ class AreaLightSamplesTest {
         assertThat(all).isLessThan(sixteen / 2);
     }
 
-    /** Root mean square of visibility less that of 1024 samples, over points in a ball's penumbra, of full light. */
+    /**
+     * Returns the root mean square error of visibility against 1024 samples, over points in a sphere's penumbra, relative to full
+     * light.
+     */
     static double error(LightType type, int samples) {
         Light light = lightAbove(type, a -> a.withRadius(0.6).withSpread(12)).withAngle(80);
         Scene scene = floor(9, List.of(FLOOR), light);
@@ -135,7 +141,7 @@ class AreaLightSamplesTest {
         return Math.sqrt(squares / points);
     }
 
-    /** The share of samples that a point sees past a ball of radius 0.4 between it and the light. */
+    /** Returns the share of samples visible from a point past a sphere of radius 0.4 between it and the light. */
     private static double visible(AreaSamples area, int rotation, Vec3 point, LightType type) {
         int visibleCount = 0;
         for (int s = 0; s < area.samples(); s++) {

@@ -20,7 +20,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** Terms of all samples of a light that is larger than a point, and what is known of them beforehand. */
+/** Tests the terms of all samples of an area light, and their conservative bounds. */
 class AreaTermsTest {
     private static final int COUNT = 100;
     private static final int SAMPLES = 5;
@@ -92,7 +92,7 @@ class AreaTermsTest {
         TermKernel lanes = Engines.LANES.terms();
         lanes.addPossiblyFacing(rows, source, may);
         assertThat(RowBits.count(may, COUNT)).isZero();
-        // Seen along −z, a row that looks down mirrors −z, which is square to the light.
+        // Seen along −z, a row that faces down mirrors −z, which is perpendicular to the light.
         lanes.addPossibleHighlights(rows, 0, COUNT, source, 60, may);
         assertThat(RowBits.count(may, COUNT)).isZero();
     }
@@ -107,7 +107,7 @@ class AreaTermsTest {
         return equation;
     }
 
-    /** Rows of which many are on the edge of facing a sample, or of having a highlight, some of them in the light; sizes are log-uniform. */
+    /** Creates rows, many of which just face a sample or just have a highlight, some of them inside the light; sizes are log-uniform. */
     private LightSource draw(Random random, LightType type) {
         double size = type == LightType.DIRECTIONAL ? 90 * random.nextDouble() : StrictMath.pow(10, 8 * random.nextDouble() - 6);
         Vec3 center = unit(random).times(StrictMath.pow(10, 8 * random.nextDouble() - 4));
@@ -137,7 +137,7 @@ class AreaTermsTest {
         return source;
     }
 
-    /** Square to the way but for a little. */
+    /** Returns a direction almost perpendicular to the shadow ray. */
     private static Vec3 tilted(Random random, Vec3 side, Vec3 toTarget) {
         double little = (random.nextDouble() - 0.5) * StrictMath.pow(10, -9 * random.nextDouble());
         return side.normalized().plus(toTarget.normalized().times(little)).normalized();

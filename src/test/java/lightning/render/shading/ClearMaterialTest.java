@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is seen through clear shapes, against what paper says: a ball of radius 1 before a wall. */
+/** Compares refraction through clear shapes with known results: a sphere of radius 1 in front of a wall. */
 class ClearMaterialTest {
     private static final Rgb WALL = new Rgb(0.5, 0.25, 1);
     private static final Transmission GLASS = Transmission.NONE.withColor(Rgb.WHITE).withIor(1.5);
@@ -47,7 +47,10 @@ class ClearMaterialTest {
         assertThat((double) color[2]).isCloseTo(factor * WALL.b(), within(1e-5));
     }
 
-    /** Head-on each face mirrors 4 %: before the ball is nothing, and what goes to and fro in it leaves after 2, 4 … reflections. */
+    /**
+     * At normal incidence each face mirrors 4 %. Nothing is in front of the sphere, and inter-reflections leave it after 2, 4 …
+     * bounces.
+     */
     @ParameterizedTest
     @CsvSource({"0, 0", "1, 0", "2, 0.9216", "3, 0.9216", "4, 0.92307456"})
     void clearSphere_needsTwoBouncesToShowWall(int depth, double factor) {
@@ -74,7 +77,7 @@ class ClearMaterialTest {
         assertMiddle(lit, 1);
     }
 
-    /** Clear, with the index of air, a shape is not there: every pixel but for rounding. */
+    /** A clear shape with the index of air is invisible, except for rounding. */
     @Test
     void clearBodyWithIorOne_isInvisible() {
         Light light = Light.of("lamp", LightType.POINT).withPosition(new Vec3(3, 3, 4));

@@ -34,7 +34,7 @@ class ConeCullingTest {
         return new Scene(PictureSettings.DEFAULT, AT_ORIGIN, World.DEFAULT, List.of(), List.of(), List.of(light));
     }
 
-    /** Rows whose normals point up. */
+    /** Creates rows whose normals point up. */
     private static HitRows rows(Vec3... points) {
         HitRows rows = new HitRows(points.length, false);
         rows.count = points.length;
@@ -47,7 +47,7 @@ class ConeCullingTest {
         return rows;
     }
 
-    /** A lamp one above the ground that shines straight down: half its opening is the angle off the axis of what it just reaches. */
+    /** Tests a light at height 1 that shines straight down; the cone's half-angle is that of the farthest point it just reaches. */
     private static boolean reaches(double angle, Vec3... points) {
         Light down = Light.of("l", LightType.SPOT).withPosition(Vec3.Y).withDirection(Vec3.Y.negated()).withAngle(angle);
         return ConeCulling.canReach(LightSource.of(down, scene(down)), rows(points).bounds(TRACER));
@@ -77,7 +77,10 @@ class ConeCullingTest {
         assertThat(reaches(angle, new Vec3(-1, 0, -1), new Vec3(1, 2, 1))).isTrue();
     }
 
-    /** Cones from nothing over half spaces to all, or as wide as a row lies off the axis; boxes from points up, next to the light and far off. */
+    /**
+     * Cones from empty through half-spaces to full, or as wide as a row's angle from the axis; boxes from single points up, near
+     * the light and far away.
+     */
     @Property
     void culledBox_containsNoPointInCone(@ForAll long seed, @ForAll @IntRange(min = -6, max = 8) int scale) {
         var random = new Random(seed);
@@ -101,13 +104,13 @@ class ConeCullingTest {
         }
     }
 
-    /** Evenly, or 0, 45, 90, 135 or 180 degrees but for ten to a power. */
+    /** Returns a uniform angle, or 0, 45, 90, 135 or 180 degrees plus or minus a power of ten. */
     private static double angle(Random random) {
         double off = (random.nextBoolean() ? 1 : -1) * Math.pow(10, 1 - 16 * random.nextDouble());
         return random.nextInt(3) == 0 ? 180 * random.nextDouble() : Math.clamp(45 * random.nextInt(5) + off, 0, 180);
     }
 
-    /** How far the first row lies off the axis, in degrees, or a few roundings more or less. */
+    /** Returns the angle of the first row from the axis, in degrees, plus or minus a few roundings. */
     private static double edgeAngle(Light light, HitRows rows, Random random) {
         Vec3 toTarget = new Vec3(rows.px[0], rows.py[0], rows.pz[0]).minus(light.position());
         double cosine = toTarget.normalized().dot(light.direction().normalized());

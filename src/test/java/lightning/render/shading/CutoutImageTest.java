@@ -22,10 +22,10 @@ import lightning.scene.TextureMap;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
-/** What is seen, lit and mirrored through holes: scenes whose colors are known. */
+/** Tests visibility, lighting and reflections through cutouts, in scenes with known colors. */
 class CutoutImageTest {
     private static final Rgb BLUE = new Rgb(0, 0, 1);
-    /** The left half of a surface is there; the right one is not. */
+    /** Opaque in the left half of a surface, transparent in the right one. */
     private static final TextureMap LEFT = new TextureMap("left.png", 1, 1, new Texture(2, 1, new float[] {1, 1, 1, 0, 0, 0}));
     private static final TextureMap NOTHING = new TextureMap("nothing.png", 1, 1, new Texture(1, 1, new float[3]));
 
@@ -41,7 +41,7 @@ class CutoutImageTest {
         return new Shape(solid, name, material, new Placement(at, Vec3.ZERO, new Vec3(size, size, size)));
     }
 
-    /** Seen from straight above, two pixels wide; +x is right, and what is far is small. */
+    /** View from straight above, two pixels wide; +x is right, and distant shapes are small. */
     private static Scene above(List<Material> materials, List<Shape> shapes, List<Light> lights) {
         return new Scene(new PictureSettings(2, 1, 3), new Camera(new Vec3(0, 10, 0), Vec3.ZERO, new Vec3(0, 0, -1), 10),
                 new World(1, BLUE),
@@ -71,14 +71,14 @@ class CutoutImageTest {
         assertThat(color(film, 1)).containsExactly(1, 0, 0);
     }
 
-    /** Longitude 0.5 looks to +z; the picture's right half is where x is above 0. */
+    /** Longitude 0.5 points to +z; the right half of the image is where x is above 0. */
     @Test
     void sphereWithHole_showsInnerBackSide() {
         Scene scene = above(List.of(cut("shell", new TextureMap("ring.png", 1, 1,
                 new Texture(1, 2, new float[] {0, 0, 0, 1, 1, 1})))),
                 List.of(shape(Solid.SPHERE, "ball", "shell", Vec3.ZERO, 2)), List.of());
         ReferenceTracer tracer = new ReferenceTracer(scene);
-        // The upper half is cut out: what is seen is the lower half, from inside.
+        // The upper half is cut out: the lower half is visible from inside.
         assertThat(tracer.pixel(0, 0)).containsExactly(1, 0, 0);
         Scene none = above(List.of(cut("shell", NOTHING)), List.of(shape(Solid.SPHERE, "ball", "shell", Vec3.ZERO, 2)), List.of());
         assertThat(new ReferenceTracer(none).pixel(0, 0)).containsExactly(0, 0, 1);

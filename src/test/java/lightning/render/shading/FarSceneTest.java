@@ -13,10 +13,10 @@ import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A scene far from the origin is seen as sharply as at it. */
+/** Tests that a scene far from the origin is rendered as precisely as at the origin. */
 class FarSceneTest {
 
-    /** Everything, the camera too, moved together: all places of the studio are whole numbers, so that none is rounded. */
+    /** Returns a scene translated with its camera. All coordinates of the studio are whole numbers, so none is rounded. */
     private static Scene moved(Scene scene, Vec3 offset) {
         Camera c = scene.camera();
         Scene moved = new Scene(scene.picture(), new Camera(c.from().plus(offset), c.to().plus(offset), c.up(), c.fov()), scene.world(),
@@ -25,7 +25,7 @@ class FarSceneTest {
         return moved.withLights(scene.lights().stream().map((Light l) -> l.withPosition(l.position().plus(offset))).toList());
     }
 
-    /** At 2²² floats are half a unit apart, at 2³⁹ 65 536 units: the radius of the balls is 1. */
+    /** At 2²² floats are half a unit apart, at 2³⁹ 65 536 units: the radius of the spheres is 1. */
     @ParameterizedTest
     @ValueSource(doubles = {0x1p10, 0x1p22, 0x1p39})
     void sceneFarFromOrigin_hasSameBits(double far) {

@@ -47,7 +47,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whatever scene is accepted, its picture is made of numbers: no NaN, no infinity, nothing negative. */
+/** Tests that every valid scene gives finite pixels: no NaN, no infinity, no negative value. */
 @Slow
 class FiniteFilmTest {
 
@@ -91,15 +91,15 @@ class FiniteFilmTest {
         assertFinite(JenReader.read(file).scene());
     }
 
-    /** Diffuse ½·1, specular 1: normal, eye and light in one line, and nothing mirrored. */
+    /** Diffuse ½·1, specular 1: normal, camera and light are collinear, and there is no mirror. */
     @Test
     void shapeBelowDoublePrecision_facesCamera() throws IOException, JenException {
         assertThat(new ReferenceTracer(read("lost-dot")).pixel(0, 0)).containsExactly(1.5f, 1.5f, 1.5f);
     }
 
     /**
-     * As much light as a scene may hold: a thousand of the brightest lamps at one place between two mirrors, seen
-     * eleven times, each time with a highlight of 1: 11·10³·10³³, in each of 64 samples.
+     * Maximum light of a scene: a thousand of the brightest lights at one point between two mirrors, seen eleven times, each time
+     * with a highlight of 1: 11·10³·10³³, in each of 64 samples.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
@@ -116,7 +116,7 @@ class FiniteFilmTest {
         assertFinite(scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, SceneLimits.MAX_SAMPLES))));
     }
 
-    /** Metallic mirrors multiply each light, so that less is accepted. */
+    /** Metallic mirrors multiply each light, so the accepted maximum is lower. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.1, 0.3, 1})
     void brightestMetallicScene_doesNotOverflow(double roughness) {
@@ -126,7 +126,7 @@ class FiniteFilmTest {
         assertFinite(scene.withPicture(scene.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 4))));
     }
 
-    /** No more is refused than must be: where it grazes the metal as the eye does, a light is a third as bright as is reckoned with. */
+    /** The limit is not too strict: at grazing angles of light and camera, a light is a third as bright as the limit assumes. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.1, 0.3})
     void brightestGrazingLightOnMetal_isCloseToBound(double roughness) {
@@ -145,7 +145,7 @@ class FiniteFilmTest {
                 .withReflective(Rgb.WHITE);
     }
 
-    /** The intensity of a thousand lamps of the brightest color that are accepted before a metal. */
+    /** Returns the intensity of a thousand lights of the brightest color that is accepted with a metal. */
     private static double maxTermSum(Material metal) {
         return SceneLimits.MAX_TOTAL_LIGHT / metal.maxTerm() / (SceneLimits.MAX_LIGHTS * SceneLimits.MAX_LIGHT_COLOR) * (1 - 1e-12);
     }
@@ -155,7 +155,7 @@ class FiniteFilmTest {
                 .withColor(Rgb.gray(SceneLimits.MAX_LIGHT_COLOR)).withIntensity(intensity).withPosition(at)).toList();
     }
 
-    /** A thousand of the brightest lamps where the eye is, between two walls that reflect one another. */
+    /** A thousand of the brightest lights at the camera, between two mirroring walls. */
     private static Scene betweenMirrors(Material material, double intensity, Vec3 to) {
         Camera camera = new Camera(Vec3.ZERO, to, Vec3.Y, SceneLimits.MIN_FOV);
         return new Scene(new PictureSettings(2, 2, SceneLimits.MAX_DEPTH), camera,
@@ -178,7 +178,7 @@ class FiniteFilmTest {
     private static void assertTracersAgree(Scene scene) {
         Film film = new ReferenceTracer(scene).trace();
         for (float value : film.toScanlines()) {
-            assertThat(value >= 0 && value <= Float.MAX_VALUE).as("a value of the film is " + value).isTrue();
+            assertThat(value >= 0 && value <= Float.MAX_VALUE).as("film value " + value).isTrue();
         }
         try (WorkerPool workers = new WorkerPool(1)) {
             FilmAssert.assertSameBits(new TraditionalTracer(scene).trace(workers, Progress.NONE).film(), film, "corner");

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Light that grazes a surface makes neither bands nor sparkle, and a light at no distance is no brighter than one. */
+/** Tests that grazing light causes neither bands nor speckles, and that a light at distance 0 is not brighter than a near one. */
 class GrazingLightTest {
     private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE).withShininess(1);
 
@@ -55,7 +55,7 @@ class GrazingLightTest {
         }
     }
 
-    /** N·L is 0 exactly: the mirror direction looks along the floor, and still nothing shines. */
+    /** N·L is exactly 0: the mirror direction is along the floor, and there must be no highlight. */
     @Test
     void lightAtHorizon_hasNoHighlight() {
         Material shiny = Material.of("white").withDiffuse(Rgb.WHITE).withSpecular(Rgb.WHITE).withShininess(1);
@@ -66,7 +66,7 @@ class GrazingLightTest {
         assertThat(new ReferenceTracer(scene.withLight(sun.withDirection(new Vec3(0, -1e-3, 1)))).pixel(24, 20)[0]).isGreaterThan(0.9f);
     }
 
-    /** A tilted floor's normal is rounded; lights more than that above it reach all of it. */
+    /** The normal of a tilted floor is rounded; lights above that error reach all of it. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 0.1, 1e-3, 1e-5, 1e-6, -1e-6, -0.1})
     void tiltedFloor_hasUniformColor(double cosine) {
@@ -83,7 +83,7 @@ class GrazingLightTest {
         assertThat(values[0] > 0).isEqualTo(cosine > 0);
     }
 
-    /** Every pixel of a ball is as bright as the cosine of its own normal: no speck of shadow on the lit side. */
+    /** Every pixel of a sphere is as bright as the cosine of its own normal: no shadow speckle on the lit side. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-3, 1e4})
     void sphereUnderDirectionalLight_dependsOnlyOnNormal(double scale) {
@@ -108,7 +108,7 @@ class GrazingLightTest {
         assertThat(lit).isGreaterThan(200);
     }
 
-    /** So near that the square of the distance has no digits left: the vector to the light must still have length 1. */
+    /** The squared distance has no digits left, but the vector to the light must have length 1. */
     @Test
     void lightAtTinyDistance_isNotBrighterThanAtZero() {
         for (double distance = 1e-100; distance > 1e-320; distance *= 0.7) {

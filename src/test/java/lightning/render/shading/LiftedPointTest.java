@@ -24,8 +24,8 @@ import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * A triangle in z = 0 about the origin, whose normals lean outwards by 30°: in its middle the planes at a right angle to them are
- * cos 30° · sin 30° above it. The light stands at 45° of that point.
+ * Triangle in z = 0 around the origin, whose normals lean outwards by 30°. At its center the tangent planes are cos 30° · sin 30°
+ * above it. The light is at 45° from that point.
  */
 class LiftedPointTest {
     private static final double LEAN = Math.toRadians(30);
@@ -35,7 +35,7 @@ class LiftedPointTest {
     private static final double COSINE = Math.sqrt(0.5);
     private static final double TOLERANCE = 1e-5;
 
-    /** The red of the middle, seen from straight above. */
+    /** Returns the red of the center, seen from straight above. */
     private static double centerValue(double diffuse, double specular, Light light) {
         float[] positions = new float[9];
         float[] normals = new float[9];
@@ -70,7 +70,7 @@ class LiftedPointTest {
         assertThat(centerValue(0, 1, LIGHT)).isEqualTo(Math.pow(COSINE, 3), within(TOLERANCE));
     }
 
-    /** Nothing from 45.1° off the axis on: the triangle's own middle would be lit. */
+    /** The profile is 0 from 45.1° off the axis on: the triangle's own center would be lit. */
     @Test
     void profile_usesDirectionToLiftedPoint() {
         var narrow = new Photometry(Photometry.Type.C, new double[] {0, 44.9}, new double[] {0}, new double[] {1, 1});

@@ -31,13 +31,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A lamp on a lampshade lights a floor in front of it, without a speck, and nothing behind it. */
+/** Tests that a light on a lampshade lights a floor in front of it without speckles, and nothing on the other side. */
 class LightOnSurfaceTest {
     private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE).withShininess(1);
     private static final Placement GROUP = new Placement(new Vec3(0.3, 2.7, -0.4), new Vec3(37, 74, -21), new Vec3(1.3, 1.3, 1.3));
     private static final Placement IN_GROUP = new Placement(new Vec3(0.1, 0, 0.2), new Vec3(11, -35, 60), new Vec3(0.7, 0.7, 0.7));
 
-    /** A shape, a point of its surface and the outward normal there, own coordinates; a square has none. */
+    /** Provides a shape, a point of its surface and the outward normal there in object space; a square has none. */
     static Stream<Arguments> shades() {
         return Stream.of(
                 Arguments.of(new Shape(Solid.PLANE, "shade", "white", IN_GROUP), new Vec3(0.1, 0, -0.2), Optional.empty()),
@@ -86,7 +86,7 @@ class LightOnSurfaceTest {
         }
     }
 
-    /** The surface under the eye hides nothing that is before it. */
+    /** The surface at the camera hides nothing in front of it. */
     @ParameterizedTest
     @MethodSource("shades")
     void cameraAtLight_seesSurfaceInFront(Shape shade, Vec3 position, Optional<Vec3> normal) {

@@ -18,7 +18,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** However lights are added up, the bits are those of the equation's tree. */
+/** Tests that every grouping of the lights' sum has the bits of the equation's tree. */
 class LightSumTest {
     private static final int MOST = 40;
 
@@ -81,7 +81,7 @@ class LightSumTest {
                 random.nextBoolean() ? column() : null, 1);
     }
 
-    /** A layer of contributions, all of whose rows are lit. */
+    /** Layer of contributions whose rows are all lit. */
     private static final class Weighted extends WeightedLayer {
         Weighted(float[][] diffuse, float[][] specular, float[][] grazing) {
             super(diffuse, specular, grazing);

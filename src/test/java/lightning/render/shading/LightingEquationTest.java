@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The terms of the equation one by one, at a row in the origin whose normal is y. */
+/** Tests the terms of the equation at a row in the origin with normal y. */
 class LightingEquationTest {
     private static final double FLOAT = 1e-7;
 
@@ -57,7 +57,7 @@ class LightingEquationTest {
         assertThat(equation.falloff()).isEqualTo(1);
     }
 
-    /** The ray comes down at 45°; the light stands where its mirror image goes, then 60° from there. */
+    /** The ray comes down at 45°; the light is in the mirror direction, then 60° from it. */
     @ParameterizedTest
     @CsvSource({"45,1,1", "45,20,1", "-15,1,0.5", "-15,2,0.25", "-15,0.5,0.7071068", "-15,0,1", "-60,3,0"})
     void specular_isPowerOfMirrorCosine(double degrees, double shininess, double specular) {
@@ -105,14 +105,14 @@ class LightingEquationTest {
 
     @Test
     void rowOnConeBoundary_isInside() {
-        assertThat(equationAt(spot(0).withAngle(0)).insideCone()).as("on the axis of a cone of no width").isTrue();
+        assertThat(equationAt(spot(0).withAngle(0)).insideCone()).as("on the axis of an empty cone").isTrue();
         Light sideways = spot(0).withDirection(new Vec3(1, 0, 0)).withAngle(90);
         assertThat(equationAt(sideways).insideCone()).as("at a right angle").isTrue();
         Light away = spot(0).withDirection(new Vec3(0, 1, 0)).withAngle(180);
-        assertThat(equationAt(away).insideCone()).as("behind a cone of 180°").isTrue();
+        assertThat(equationAt(away).insideCone()).as("opposite to a cone of 180°").isTrue();
     }
 
-    /** Rounding makes the cosine less than −1 for some of these, which is the cosine of 180°. */
+    /** Rounding makes the cosine less than −1, the cosine of 180°, for some of these. */
     @Test
     void rowBehindLight_isInsideConeOf180Degrees() {
         Random random = new Random(1);
@@ -141,7 +141,7 @@ class LightingEquationTest {
         assertThat(LightingEquation.contribution(weight, 0.5f, 1e-38f)).isEqualTo(weight * (0.5f * 1e-38f));
     }
 
-    /** ((1 + t) + (t + t)) with t half of 1's last place: left to right every t would be lost. */
+    /** ((1 + t) + (t + t)) with t half of the last place of 1: from left to right every t would be lost. */
     @Test
     void sum_isBalancedTree() {
         float t = 0x1p-24f;

@@ -23,10 +23,13 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 
-/** Terms of metallic materials against glTF 2.0's specification (appendix B.3) in many digits, and the energy that they send. */
+/**
+ * Compares terms of metallic materials with the glTF 2.0 specification (appendix B.3) in high precision, and tests energy
+ * conservation.
+ */
 class MicrofacetTermsTest {
     private static final MathContext DIGITS = new MathContext(60);
-    /** The last rounding to float, and what the doubles before are off by at most: N·H loses up to 2⁻⁵³/α² = 2⁻³⁵ of t, twice. */
+    /** Final rounding to float, plus the maximum error of the doubles before: N·H loses up to 2⁻⁵³/α² = 2⁻³⁵ of t, twice. */
     private static final double ROUNDING = 0x1p-24 + 0x1p-30;
 
     private static LightingEquation lit(Vec3 from) {
@@ -51,7 +54,7 @@ class MicrofacetTermsTest {
         return exact(a[0]).multiply(exact(b[0])).add(exact(a[1]).multiply(exact(b[1]))).add(exact(a[2]).multiply(exact(b[2])));
     }
 
-    /** N·L·D·V by the specification, π left out, and s = (1 − V·H)⁵. */
+    /** Returns N·L·D·V by the specification without π, and s = (1 − V·H)⁵. */
     private static BigDecimal[] specification(double[] n, double[] l, double[] v, double alpha) {
         BigDecimal[] h = {exact(l[0]).subtract(exact(v[0])), exact(l[1]).subtract(exact(v[1])), exact(l[2]).subtract(exact(v[2]))};
         BigDecimal length = h[0].pow(2).add(h[1].pow(2)).add(h[2].pow(2)).sqrt(DIGITS);
@@ -71,12 +74,15 @@ class MicrofacetTermsTest {
         return cosine.add(a2.add(BigDecimal.ONE.subtract(a2).multiply(cosine.pow(2))).sqrt(DIGITS));
     }
 
-    /** From smooth to rough, head on and along the surface, the light where the ray comes from, where it is mirrored, and all about. */
+    /**
+     * From smooth to rough, at normal and grazing angles, with the light at the ray's origin, in the mirror direction, and
+     * everywhere else.
+     */
     @Property
     void terms_matchSpecification(@ForAll long seed) {
         Random random = new Random(seed);
         double roughness = randomShare(random, 4);
-        // A row that the light is level with is not lit, and H has no direction where the light comes from straight behind.
+        // A row level with the light is unlit, and H has no direction if the light is exactly opposite.
         double rise = Math.max(1e-12, randomShare(random, 12));
         double seen = random.nextInt(4) == 0 ? rise : randomShare(random, 12);
         double rotation = Math.PI * random.nextInt(3) + (random.nextInt(3) == 0 ? 6.3 : 1) * randomShare(random, 16);
@@ -86,20 +92,21 @@ class MicrofacetTermsTest {
         float vy = (float) -seen;
         LightingEquation equation = lit(to);
         double alpha = alpha(roughness);
-        // The lamp has its direction at length 1, perhaps by another rounding.
+        // The light normalizes its direction, possibly with another rounding.
         Vec3 source = LightSource.of(Light.of("l", LightType.DIRECTIONAL).withDirection(to.times(-1)),
                 new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT, List.of(), List.of(), List.of())).position();
         BigDecimal[] expected = specification(new double[] {0, 1, 0}, new double[] {source.x(), source.y(), source.z()},
                 new double[] {vx, vy, 0}, alpha);
         double gloss = expected[0].multiply(BigDecimal.ONE.subtract(expected[1])).doubleValue();
         double grazing = expected[0].multiply(expected[1]).doubleValue();
-        // Of 1 − V·H about 2⁻⁵² is lost, five times. Along the surface gloss is little beside grazing, to which it is added.
+        // About 2⁻⁵² of 1 − V·H is lost, five times. At grazing angles the specular term is small compared with the grazing term,
+        // to which it is added.
         double loss = expected[0].doubleValue() * 0x1p-45;
         assertThat((double) equation.metallicSpecular(0, 1, 0, vx, vy, 0, alpha)).isCloseTo(gloss, within(ROUNDING * gloss + loss + 1e-30));
         assertThat((double) equation.metallicGrazing(0, 1, 0, vx, vy, 0, alpha)).isCloseTo(grazing, within(ROUNDING * grazing + loss));
     }
 
-    /** From 0 to 1, evenly, or next to either by ten to a power, or just there. */
+    /** Returns a uniform share from 0 to 1, or one within a power of ten of either end, or the end itself. */
     private static double randomShare(Random random, double digits) {
         double small = random.nextInt(8) == 0 ? 0 : Math.pow(10, -digits * random.nextDouble());
         return switch (random.nextInt(3)) {
@@ -133,13 +140,13 @@ class MicrofacetTermsTest {
         }
     }
 
-    /** What a surface sends towards the eye of light that comes evenly from everywhere, without base color and F0. */
+    /** Reflectance towards the camera under uniform light from all directions, without base color and F0. */
     private record Albedo(double diffuse, double specular, double grazing) {
         double white(double f0) {
             return (1 - f0) * diffuse + f0 * specular + grazing;
         }
 
-        /** Over halves of the microfacets' normals as D has them, which takes the peak out of the sum. */
+        /** Integrates over microfacet half-vectors distributed by D, which removes the peak from the sum. */
         static Albedo of(double roughness, double seen, int grid) {
             double a = alpha(roughness);
             float vx = (float) Math.sqrt(1 - seen * seen);
@@ -173,7 +180,10 @@ class MicrofacetTermsTest {
         }
     }
 
-    /** A white surface sends no more than it gets; the sum's own error is less than twice what a coarser one differs by. */
+    /**
+     * A white surface reflects at most the light it receives; the integration error is less than twice the difference from a
+     * coarser grid.
+     */
     @Property(tries = 60)
     @Slow
     void whiteSurface_conservesEnergy(@ForAll @DoubleRange(min = 0, max = 1) double roughness,
@@ -183,7 +193,7 @@ class MicrofacetTermsTest {
         assertThat(fine).isPositive().isLessThan(1 + 2 * Math.abs(fine - coarse) + 0x1p-20);
     }
 
-    /** The factor that the material's constants leave to the equation. */
+    /** Factor that the material's constants leave to the equation. */
     @Example
     void baseColor_splitsIntoDiffuseAndF0() {
         Material half = Material.of("m").withModel(ShadingModel.METALLIC).withBase(new Rgb(1, 0.5, 0)).withMetalness(0.5).withF0(0.5);

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Mirrors whose images can be summed on paper. */
+/** Tests mirrors whose images have analytic sums. */
 class MirrorImageTest {
     private static final Rgb EMITTED = new Rgb(0.5, 0.25, 1);
 
@@ -54,7 +54,7 @@ class MirrorImageTest {
         }
     }
 
-    /** e·(1 − r)·(1 + r + … + r^depth): a geometric series in each channel; beyond the depth is black. */
+    /** Returns e·(1 − r)·(1 + r + … + r^depth): a geometric series in each channel; black beyond the depth. */
     private static double[] series(Rgb reflective, int depth) {
         double[] r = {reflective.r(), reflective.g(), reflective.b()};
         double[] e = {EMITTED.r(), EMITTED.g(), EMITTED.b()};
@@ -73,7 +73,7 @@ class MirrorImageTest {
         assertAllPixels(scene(depth, mirror(reflective), camera, wall("front", -1), wall("back", 1.5)), series(reflective, depth));
     }
 
-    /** A channel that mirrors all shows nothing of its own; one that mirrors nothing only that. */
+    /** A channel that reflects everything shows only the reflection; one that reflects nothing shows only the surface. */
     @Test
     void reflectivityOfOneChannel_affectsOnlyThatChannel() {
         Camera camera = new Camera(new Vec3(0.1, 0.2, 0), new Vec3(0.3, 0.1, -1), Vec3.Y, 60);
@@ -82,7 +82,7 @@ class MirrorImageTest {
         assertThat(series(reflective, 10)).startsWith(0.5, 0);
     }
 
-    /** Every mirrored ray stays in the ball, from wherever it is seen: one that slipped out would bring 7. */
+    /** Every mirrored ray stays inside the sphere, from every camera position; a ray that escaped would return 7. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 0.99, 0.999, 0.99999})
     void mirrorSphereFromInside_losesNoRays(double sideOffset) {
@@ -95,7 +95,7 @@ class MirrorImageTest {
         }
     }
 
-    /** A camera a hair above a mirroring floor: all it mirrors is the sky. */
+    /** Camera just above a mirroring floor: it reflects only the sky. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-3, 1e-6})
     void mirrorFloorAtGrazingAngle_showsOnlySky(double height) {

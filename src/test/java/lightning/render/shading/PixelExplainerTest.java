@@ -54,7 +54,7 @@ class PixelExplainerTest {
         }
     }
 
-    /** Lights change their places in the scene, and every second one where it stands. */
+    /** Lights change their order in the scene, and every second one its position. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     void colorAfterEdit_matchesReferenceBits(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
         List<Light> lights = scene.lights().reversed().stream()
@@ -91,7 +91,7 @@ class PixelExplainerTest {
         assertThat(mirrored).isTrue();
     }
 
-    /** Whatever made a normal, the last step is the one that shades, unless it was bent. */
+    /** For every kind of normal, the last step is the shading normal, unless it was bent. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     void lastNormalStep_isShadingNormal(@ForAll("scenes") Scene scene, @ForAll Random pixels) {
         var explainer = new PixelExplainer(scene);
@@ -107,7 +107,7 @@ class PixelExplainerTest {
         }
     }
 
-    /** By its bumps the ball's night side faces the light here and there; the ball itself is in between. */
+    /** Bumps on the sphere's unlit side face the light in places; the sphere itself is in between. */
     @Test
     void lightBelowBumpySurface_isReported() {
         float[] gray = new float[3 * 8 * 8];
@@ -138,7 +138,7 @@ class PixelExplainerTest {
         assertThat(below).isGreaterThan(50);
     }
 
-    /** A card of which the left half is there, twice, before a ball; the ball is cut out wholly where its picture says nothing. */
+    /** Two cards whose left halves are opaque, in front of a sphere, which is fully cut out where its image is transparent. */
     @Test
     void passedCutouts_areReportedOnce() {
         var left = new TextureMap("left.png", 1, 1, new Texture(2, 1, new float[] {1, 1, 1, 0, 0, 0}));
@@ -156,7 +156,7 @@ class PixelExplainerTest {
         assertThat(explainer.geometry().shape(explainer.explainPixel(1, 0).hit().primitive()).name()).isEqualTo("ball");
     }
 
-    /** A ball over a floor, a light above it: the floor below is in the ball's shadow. */
+    /** A sphere over a floor with a light above: the floor below is in the sphere's shadow. */
     @Test
     void shadow_reportsNearestBlocker() {
         Scene scene = new Scene(new PictureSettings(1, 1, 0), new Camera(new Vec3(0, 1, 9), Vec3.ZERO, Vec3.Y, 20),

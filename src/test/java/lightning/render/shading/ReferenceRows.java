@@ -11,10 +11,7 @@ import lightning.render.trace.SurfacePoint;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/**
- * The hit rows of a picture and how each light meets them, found ray by ray without any cache: what the
- * renderer's counts are checked against.
- */
+/** Hit rows of a picture and their relation to each light, found ray by ray without a cache: the reference for the renderer's counts. */
 public final class ReferenceRows {
     private final Scene scene;
     private final Geometry geometry;
@@ -47,28 +44,28 @@ public final class ReferenceRows {
         return hits;
     }
 
-    /** Whether anything is seen through a clear surface that the eye sees. */
+    /** Returns whether a refracted ray from the first level hits anything. */
     public boolean hasRefractedHits() {
         return rowsOfLevel(0).stream().filter(row -> row.backSide() != null).map(SurfacePoint::refractedRay)
                 .anyMatch(ray -> ray != null && geometry.nearestBruteForce(ray) >= 0);
     }
 
-    /** Whether a row casts a mirrored ray. */
+    /** Returns whether a row casts a mirrored ray. */
     public boolean isMirror(SurfacePoint row) {
         return geometry.materials().isReflective(row.material());
     }
 
-    /** The rows seen over {@code level} mirrors. */
+    /** Returns the rows seen over {@code level} mirrors. */
     public List<SurfacePoint> rowsOfLevel(int level) {
         return levels.get(level);
     }
 
-    /** How many rows of a level are of some kind. */
+    /** Returns the number of rows of a level that match a predicate. */
     public long count(int level, Predicate<SurfacePoint> kind) {
         return rowsOfLevel(level).stream().filter(kind).count();
     }
 
-    /** How many rows all levels from {@code first} on have together. */
+    /** Returns the number of rows of all levels from {@code first} on. */
     public long rowsFrom(int first) {
         return levels.subList(first, levels.size()).stream().mapToLong(List::size).sum();
     }
@@ -79,22 +76,22 @@ public final class ReferenceRows {
         return equation;
     }
 
-    /** Rows that face a light. */
+    /** Matches rows that face a light. */
     public Predicate<SurfacePoint> isFacing(Light light) {
         return p -> equation(p, light).cosine(p.nx(), p.ny(), p.nz()) > 0;
     }
 
-    /** Rows inside a light's cone; all for a light without one. */
+    /** Matches rows inside a light's cone; all rows for a light without one. */
     public Predicate<SurfacePoint> isInsideCone(Light light) {
         return p -> equation(p, light).insideCone();
     }
 
-    /** Rows that face a light inside its cone: those that need to know the way to it. */
+    /** Matches rows that face a light inside its cone and need a shadow ray. */
     public Predicate<SurfacePoint> isReached(Light light) {
         return isFacing(light).and(isInsideCone(light));
     }
 
-    /** Rows with nothing between them and a light. */
+    /** Matches rows with an unblocked shadow ray to a light. */
     public Predicate<SurfacePoint> isUnblocked(Light light) {
         LightSource source = LightSource.of(light, scene);
         return p -> {
@@ -105,17 +102,17 @@ public final class ReferenceRows {
         };
     }
 
-    /** Rows that a light lights. */
+    /** Matches rows that a light lights. */
     public Predicate<SurfacePoint> isLit(Light light) {
         return isReached(light).and(isUnblocked(light));
     }
 
-    /** Rows that face a light inside its cone, with something in between. */
+    /** Matches rows that face a light inside its cone but are in shadow. */
     public Predicate<SurfacePoint> isShadowed(Light light) {
         return isReached(light).and(isUnblocked(light).negate());
     }
 
-    /** Rows that face a light and are outside its cone. */
+    /** Matches rows that face a light and are outside its cone. */
     public Predicate<SurfacePoint> isOutsideCone(Light light) {
         return isFacing(light).and(isInsideCone(light).negate());
     }

@@ -7,7 +7,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.Size;
 
-/** Squares of bits, as words of rows and samples are. */
+/** Tests the transposition of bit squares, words of rows and samples. */
 class RowBitsTest {
     @Property
     void transpose_swapsRowsAndColumns(@ForAll @Size(RowBits.WIDTH) short[] words) {

@@ -24,10 +24,10 @@ import net.jqwik.api.constraints.FloatRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** A pixel of several samples is their mean. */
+/** Tests that a pixel of several samples is their mean. */
 class SampleMeanTest {
 
-    /** A white disc, a glowing ball seen from far, on black: the sum of all pixels is its area. */
+    /** White disc, an emissive sphere seen from far away, on black: the sum of all pixels is its area. */
     private static Scene disc(AntialiasMode antialias, int grid) {
         Material glow = Material.of("glow").withAmbient(Rgb.WHITE).withDiffuse(Rgb.BLACK).withShininess(1);
         return new Scene(new PictureSettings(40, 40, 0, new SamplingSettings(antialias, grid)),
@@ -47,7 +47,7 @@ class SampleMeanTest {
     void sumOverDisc_isItsArea() {
         double radius = 20 / (1000 * Math.tan(Math.toRadians(0.1)));
         double target = Math.PI * radius * radius;
-        // Each pixel that the circle crosses, some 8 radii of them, is off by 1/grid at most, and in both directions alike.
+        // Each pixel that the circle crosses, about 8 radii of them, is off by at most 1/grid, equally often in both directions.
         assertThat(area(new ReferenceTracer(disc(AntialiasMode.EVERY, 8)).trace())).isCloseTo(target, within(target * 0.002));
     }
 

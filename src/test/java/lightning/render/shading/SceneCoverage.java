@@ -7,10 +7,10 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import net.jqwik.api.statistics.Statistics;
 
-/** Counts over the cases of a property what their pictures show, and asks for a tenth of each. */
+/** Coverage statistics of property tests: counts what the pictures of the cases show and requires a tenth of each kind. */
 public final class SceneCoverage {
     private static final double MIN_PERCENT = 10;
-    /** Below so many cases the shares say nothing. */
+    /** With fewer cases the shares are not significant. */
     private static final int MIN_CASES = 100;
 
     private SceneCoverage() {}
@@ -35,7 +35,7 @@ public final class SceneCoverage {
         collect(label, shown, MIN_PERCENT);
     }
 
-    /** Counts one case, in which something is shown or not, and asks for a share of it. */
+    /** Counts whether one case shows something and requires a minimum share of such cases. */
     public static void collect(String label, boolean shown, double minPercent) {
         Statistics.label(label).collect(shown).coverage(coverage -> {
             coverage.check(true).count((count, all) -> all < MIN_CASES || 100.0 * count >= minPercent * all);

@@ -23,16 +23,16 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 
-/** Highlights at every shininess, against numbers of 60 digits. */
+/** Tests highlights at every shininess against 60-digit arithmetic. */
 class ShininessTest {
     private static final MathContext DIGITS = new MathContext(60);
-    /** How far the cosine between V and R may be off: eight units of the last place of 1. */
+    /** Tolerance of the cosine between V and R: eight units in the last place of 1. */
     private static final BigDecimal COSINE = new BigDecimal(0x1p-49);
-    /** Half a unit of a float's last place, for normal and for tiny values. */
+    /** Half a unit in a float's last place, for normal and for tiny values. */
     private static final BigDecimal FLOAT = new BigDecimal(0x1p-24);
     private static final BigDecimal TINY = new BigDecimal(Float.MIN_VALUE).divide(BigDecimal.TWO);
 
-    /** A row and a light near or far from where the row mirrors the ray to; all numbers are exact. */
+    /** Row with a light near to or far from its mirror direction; all numbers are exact. */
     private record Highlight(Vec3 n, Vec3 v, Vec3 p, Vec3 light) {
 
         static Highlight of(Random random) {
@@ -67,7 +67,7 @@ class ShininessTest {
             return equation.specular((float) n.x(), (float) n.y(), (float) n.z(), (float) v.x(), (float) v.y(), (float) v.z(), shininess);
         }
 
-        /** V·R between vectors of length 1, R = L − 2(N·L)N, not below 0. */
+        /** Returns V·R between unit vectors, R = L − 2(N·L)N, at least 0. */
         BigDecimal cosine() {
             BigDecimal[] normal = exact(n);
             BigDecimal[] view = exact(v);
@@ -93,7 +93,7 @@ class ShininessTest {
         }
     }
 
-    /** Whole exponents and halves of them. */
+    /** Returns a power with an integer or half-integer exponent. */
     private static BigDecimal power(BigDecimal x, double n) {
         BigDecimal whole = x.pow((int) n, DIGITS);
         return n == Math.rint(n) ? whole : whole.multiply(x.sqrt(DIGITS), DIGITS);
@@ -128,7 +128,7 @@ class ShininessTest {
         return high.add(high.multiply(FLOAT)).add(TINY);
     }
 
-    /** The contrast: N and V are floats, and a millionfold of what their lengths lack shows. */
+    /** Counterexample: N and V are floats, and the high exponent amplifies their length errors a million times. */
     @Test
     @Slow
     void unnormalizedVectors_makeHighlightWrongByPercents() {

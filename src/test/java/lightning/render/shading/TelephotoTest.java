@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The same frame from near and from ever farther away, every pixel against geometry on paper: what goes wrong lies as near to
- * an edge of a shadow as floats at that distance are apart, and nothing else goes wrong.
+ * Renders the same frame from near and from ever larger distances and compares every pixel with analytic geometry. Errors may only
+ * lie within float precision at that distance from a shadow edge.
  */
 class TelephotoTest {
     private static final int WIDTH = 150;
@@ -45,7 +45,7 @@ class TelephotoTest {
             for (int x = 0; x < WIDTH; x++) {
                 Vec3 ray = ray(camera, half, x, y);
                 Vec3 point = hit(camera.from(), ray);
-                // The stored point: rounded to float, and moved off the surface by up to two such roundings.
+                // The stored point is rounded to float and offset from the surface by up to two such roundings.
                 double error = 3 * 0x1p-24 * point.minus(camera.from()).length();
                 Vec3 to = LIGHT.minus(point);
                 boolean floor = point.y() < 1e-9;

@@ -22,13 +22,13 @@ import lightning.scene.Transmission;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
-/** Light that passes clear shapes on its way: colors that are known. */
+/** Tests the known colors of light that passes through clear shapes. */
 class TintedShadowTest {
     private static final Rgb GREEN = new Rgb(0.25, 1, 0.5);
     private static final Rgb ROSE = new Rgb(1, 0.5, 0.75);
     private static final Material WHITE = Material.of("white").withDiffuse(Rgb.WHITE);
 
-    /** A pane of index 1 mirrors nothing by its angle. */
+    /** A pane of index 1 has no Fresnel reflection. */
     private static Material pane(String name, Rgb clear) {
         return Material.of(name).withDiffuse(Rgb.BLACK)
                 .withTransmission(Transmission.NONE.withColor(clear).withIor(1).withThin(true).withShadows(ShadowCasting.TINTED));
@@ -38,7 +38,7 @@ class TintedShadowTest {
         return new Shape(Solid.PLANE, name, material, new Placement(new Vec3(0, y, 0), Vec3.ZERO, new Vec3(size, 1, size)));
     }
 
-    /** What a floor under a sun straight above shows, seen from below the panes. */
+    /** Returns the color of a floor under a sun straight above, seen from below the panes. */
     private static float[] floorColor(List<Material> glass, Light light) {
         List<Shape> shapes = new ArrayList<>(List.of(square("floor", "white", 0, 20)));
         List<Material> materials = new ArrayList<>(List.of(WHITE));
@@ -93,7 +93,7 @@ class TintedShadowTest {
         assertThat(floorColor(List.of(stone), sun())).containsExactly(0, 0, 0);
     }
 
-    /** Head-on a surface of index 1.5 mirrors 4 %; a pane has two, and what goes to and fro between them passes in part. */
+    /** At normal incidence a surface of index 1.5 mirrors 4 %; a pane has two, and part of the inter-reflections passes. */
     @Test
     void glass_withholdsReflectedLight() {
         Material glass = pane("glass", Rgb.WHITE);
@@ -103,7 +103,7 @@ class TintedShadowTest {
         assertThat(floorColor(List.of(mirror), sun())).containsExactly(0.5f, 1, 1);
     }
 
-    /** The product goes through all sizes of floats down to 0, never below, and is no NaN beside the brightest light. */
+    /** The product passes through all float magnitudes down to 0, never below, and is not NaN next to the brightest light. */
     @Test
     void manyPanes_leaveNoLight() {
         Light brightest = sun().withIntensity(SceneLimits.MAX_INTENSITY);
@@ -116,14 +116,14 @@ class TintedShadowTest {
             float[] lit = floorColor(glass, brightest);
             assertThat(lit[2]).isEqualTo((float) SceneLimits.MAX_INTENSITY);
             assertThat(lit[0]).isBetween(0f, last);
-            // What floats cannot hold is less than anyone sees.
+            // Values below float range are invisible.
             assertThat((double) lit[0]).isCloseTo(SceneLimits.MAX_INTENSITY * Math.pow(1e-5, n), within(1e-6 * lit[0] + 1e-14));
             last = lit[0];
         }
         assertThat(last).isZero();
     }
 
-    /** A billion distances inside: a tint that is nearly white is black there, and white stays white in every bit. */
+    /** A billion tint distances inside: an almost white tint becomes black, and white stays white in every bit. */
     @Test
     void longPathThroughWhiteTint_staysWhite() {
         Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withTransmission(new Transmission(Rgb.WHITE, 1, false,
@@ -132,7 +132,7 @@ class TintedShadowTest {
         assertThat(pixel(List.of(WHITE, liquid), List.of(square("floor", "white", 0, 20), ball), sun())).containsExactly(1, 0, 0);
     }
 
-    /** A ball of radius 1, which the way passes through its middle: 2 units inside. */
+    /** Sphere of radius 1 with the shadow ray through its center: 2 units inside. */
     @Test
     void solidBody_tintsByPathLength() {
         Material liquid = Material.of("liquid").withDiffuse(Rgb.BLACK).withTransmission(new Transmission(new Rgb(0.5, 1, 1), 1, false,
@@ -142,7 +142,7 @@ class TintedShadowTest {
         assertThat(lit[0]).as("two surfaces").isEqualTo(0.25f);
         assertThat(lit[1]).isCloseTo(0.25f, within(1e-5f));
         assertThat(lit[2]).isCloseTo(0.0625f, within(1e-5f));
-        // From a bulb in its middle it is one surface, and one unit.
+        // From a light at its center the ray passes one surface and one unit.
         float[] inside = pixel(List.of(WHITE, liquid), List.of(square("floor", "white", 0, 20), ball),
                 Light.of("bulb", LightType.POINT).withPosition(new Vec3(0, 6, 0)));
         assertThat(inside[0]).isCloseTo(0.5f, within(2e-2f));

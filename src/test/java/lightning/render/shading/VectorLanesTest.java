@@ -21,7 +21,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** Lanes give the bits of the readable code. */
+/** Tests that vector lanes give the bits of the scalar code. */
 class VectorLanesTest {
     private static final double[] EXPONENTS = {0, 1, 2, 0.5, 16, 37.25, 1e-6, 1e4, 1e6};
 
@@ -88,7 +88,7 @@ class VectorLanesTest {
                 assertSameBits(falloff[i], equation.falloff(), "falloff");
             }
             if (i < from || !RowBits.contains(queried, i)) {
-                assertSameBits(specular[i], -1, "specular of a row not asked for");
+                assertSameBits(specular[i], -1, "specular term of an unselected row");
             } else {
                 assertSameBits(specular[i], equation.specular(rows.nx[i], rows.ny[i], rows.nz[i], rows.vx[i], rows.vy[i],
                         rows.vz[i], shininess), "specular");
@@ -120,7 +120,7 @@ class VectorLanesTest {
         return rows;
     }
 
-    /** Directions along the axes too. */
+    /** Includes directions along the axes. */
     private static Vec3 unit(Random random) {
         return switch (random.nextInt(6)) {
             case 0 -> new Vec3(0, random.nextBoolean() ? 1 : -1, 0);
@@ -129,7 +129,7 @@ class VectorLanesTest {
         };
     }
 
-    /** Now and then it stands in one of the rows. */
+    /** Sometimes the light is at a row's point. */
     private static LightSource lamp(Random random, LightType type, HitRows rows) {
         int row = random.nextInt(rows.count);
         Vec3 position = random.nextInt(3) == 0 ? new Vec3(rows.px[row], rows.py[row], rows.pz[row])

@@ -8,14 +8,14 @@ import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 
 /**
- * The paper's update after a change of attenuation or dropoff (§4.2, §4.4): each row's new falloff over
- * its old one, both computed, because neither is stored. Holds scratch columns: one for each thread.
+ * The paper's update after a change of attenuation or dropoff (§4.2, §4.4): each row's new falloff over its old one. Both are
+ * computed, because neither is stored. Holds scratch columns: use one instance per thread.
  */
 final class AttenuationRatio {
     private final TermKernel terms;
     private final double[] before = new double[TermKernel.MAX_ROWS];
     private final double[] after = new double[TermKernel.MAX_ROWS];
-    /** The ratio of each row; 1 where the row is not lit. */
+    /** Ratio of each row; 1 for unlit rows. */
     final float[] ratio = new float[TermKernel.MAX_ROWS];
 
     private double minFalloff;
@@ -24,7 +24,7 @@ final class AttenuationRatio {
         this.terms = terms;
     }
 
-    /** The least of all falloffs, old and new, of the rows computed last, but not below the least normal float. */
+    /** Returns the smallest old or new falloff of the last rows, at least the smallest normal float. */
     double minFalloff() {
         return minFalloff;
     }
@@ -32,7 +32,7 @@ final class AttenuationRatio {
     /**
      * Computes the ratio of each lit row.
      *
-     * @return whether there is one: not where an old falloff is 0 or too small to divide by
+     * @return false if an old falloff is 0 or too small to divide by
      */
     boolean compute(HitRows rows, LightSource from, LightSource to, byte[] states) {
         factors(rows, from, before);

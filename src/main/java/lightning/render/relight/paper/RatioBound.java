@@ -6,47 +6,43 @@ import lightning.render.trace.MaterialTable;
 import lightning.scene.Light;
 
 /**
- * How far a picture made by ratios may be from the exact one.
+ * Error bound of a picture made by ratios.
  *
- * <p>Let u = 2⁻²⁴. Every float operation with a normal result errs by a factor in 1 ± u. The exact
- * contribution is fl(w·fl(t·f)), f itself rounded: 3 roundings. The stored one began with 3 as well, and
- * each scaling added 2: the ratio and the product. All quantities are ≥ 0 and a float ratio of two
- * values with n roundings between them lies in 1 ± n·u/(1 − n·u) =: 1 ± γ(n) (Higham, Accuracy and
- * Stability, §3.1). The equation adds and multiplies values ≥ 0 only, so a sum is off by no larger share than
- * the worst of its terms, and each of the two pictures adds its own roundings on the way of a contribution to
- * the film: one for each step down the balanced sum over the lights; five to close the equation (kd or
- * ks·, + ambient, ·(1 − kr), + specular, + Cr); and two for each mirror that it is seen in (kr·, +); and where a pixel
- * is the mean of samples, one for each step down their balanced sum and one for the division. Hence for every value I
- * of the film
+ * <p>Let u = 2⁻²⁴. Every float operation with a normal result errs by a factor in 1 ± u. The exact contribution is fl(w·fl(t·f)) with f
+ * rounded: 3 roundings. The stored one also starts with 3, and each scaling adds 2: the ratio and the product. All quantities are ≥ 0. A
+ * float ratio of two values with n roundings between them is in 1 ± n·u/(1 − n·u) =: 1 ± γ(n) (Higham, Accuracy and Stability, §3.1).
+ *
+ * <p>The equation only adds and multiplies values ≥ 0, so the relative error of a sum is at most that of its worst term. Each of the two
+ * pictures adds its own roundings between a contribution and the film: one for each level of the balanced sum over the lights; five
+ * for the equation (kd or ks·, + ambient, ·(1 − kr), + specular, + Cr); two for each mirror it is seen in (kr·, +). A mean of samples
+ * adds one for each level of their balanced sum and one for the division. Hence for every value I of the film
  *
  * <pre>|I − exact| ≤ γ(N)·I/(1 − γ(N)) + A,   N = 6 + scalings·2 + 2·(⌈log₂ lights⌉ + 5 + 2·mirrors + mean)</pre>
  *
- * <p>Where a result is not normal it errs by at most η = 2⁻¹⁵⁰ instead. Three times this is so:
+ * <p>A result that is not normal errs by at most η = 2⁻¹⁵⁰ instead. This happens in three places:
  *
  * <ul>
- * <li>A contribution that was just computed has lost digits already: w·t times η where its falloff was rounded, w·η in t·f and
- * η in w·(t·f), together at most 2η·(w + 1). It has the same bits as the exact one; but once it is scaled, the loss is
- * scaled along, and the exact one's is not. As a share of w this is 2η·(w + 1)/w.
- * <li>Scaling it from weight w and falloff f to w′ and f′ adds at most η·(1 + w) by the ratio of the weights and the product
- * with it, which the second factor f′/f scales along, and η·(1 + w′) by that factor and its product.
- * <li>The exact contribution of w′ and f′ has lost 2η·(w′ + 1) of its own.
+ * <li>A new contribution has lost w·t·η when its falloff was rounded, w·η in t·f and η in w·(t·f), together at most 2η·(w + 1). It has
+ * the same bits as the exact one. A later scaling also scales this loss, but not that of the exact one. As a share of w it is
+ * 2η·(w + 1)/w.
+ * <li>Scaling from weight w and falloff f to w′ and f′ adds at most η·(1 + w) by the ratio of the weights and its product, which the
+ * second factor f′/f also scales, and η·(1 + w′) by that factor and its product.
+ * <li>The exact contribution of w′ and f′ has lost 2η·(w′ + 1) itself.
  * </ul>
  *
- * <p>What was lost before a scaling is scaled along, so it stays the same share of w′·f′. The last two together are a share of
- * at most 4η·(w + w′ + 4)/(w′·f) with the least f of the old and new falloffs, and only add up, however often a slider
- * goes up and down. As long as only weights change, no falloff need be known: then the shares are of w, and become shares
- * of w·f when falloffs change. Some rows of a layer may be younger than its stamp tells: they entered a cone, their
- * material changed, or their tile was computed anew. So before each scaling the share is at least that of a contribution
- * just computed for the light as it was.
+ * <p>A loss before a scaling is scaled too, so it stays the same share of w′·f′. The last two losses together are a share of at most
+ * 4η·(w + w′ + 4)/(w′·f), where f is the smallest old or new falloff. These shares only add up, however often a slider moves back and
+ * forth. As long as only weights change, no falloff is needed: the shares are of w, and become shares of w·f when falloffs change. Some
+ * rows of a layer may be newer than its stamp, because they entered a cone, their material changed, or their tile was recomputed. So before
+ * each scaling the share is at least that of a new contribution for the light before the scaling.
  *
- * <p>Rows whose falloff is below the least normal float count as if it were that: no ratio of falloffs scales them any more,
- * and of weights no falloff need be known. A channel whose weight w′ is below it was scaled once, from a normal weight, and
- * is scaled no more either: beyond its shares it is off by at most w′ + η. What closes the equation underflows by less than
- * 64η. Both are within two least normal floats for each light. A is twice the sum over the lights, for diffuse and
- * specular contributions, on each level of mirrors.
+ * <p>A row whose falloff is below the smallest normal float counts as if it had that falloff: no later ratio of falloffs scales it, and
+ * ratios of weights need no falloff. A channel whose weight w′ is below it was scaled once, from a normal weight, and is not scaled again:
+ * beyond its shares it is off by at most w′ + η. Underflows in the rest of the equation are less than 64η. Both are within two smallest
+ * normal floats per light. A is twice the sum over the lights, for diffuse and specular contributions, on each level of mirrors.
  *
- * <p>So far no term is above 1. Of a metallic material the specular and the grazing one are at most T
- * ({@link MaterialTable#maxTerm}); each loss above is at most that of a term of 1, T times, so that A is 1 + 2T times the sum.
+ * <p>This assumes terms of at most 1. The specular and grazing terms of a metallic material are at most T
+ * ({@link MaterialTable#maxTerm}). Each loss is at most T times that of a term of 1, so A is 1 + 2T times the sum.
  */
 final class RatioBound {
     private static final double UNIT_ROUNDOFF = 0x1p-24;
@@ -55,11 +51,11 @@ final class RatioBound {
     private RatioBound() {}
 
     /**
-     * The stamp of a layer after it was scaled.
+     * Returns the stamp of a layer after it was scaled.
      *
-     * @param weight       whether weights were scaled
-     * @param falloff      whether falloffs were scaled
-     * @param minFalloff the least falloff, old or new, of rows whose falloff was scaled
+     * @param weight     true if weights were scaled
+     * @param falloff    true if falloffs were scaled
+     * @param minFalloff the smallest old or new falloff of rows whose falloff was scaled
      */
     static ScaledStamp stampAfterScaling(LayerStamp stamp, Light light, boolean weight, boolean falloff, double minFalloff) {
         ScaledStamp before = ScaledStamp.of(stamp);
@@ -71,7 +67,7 @@ final class RatioBound {
                 falloff ? 0 : ofWeight);
     }
 
-    /** What contributions lose that are computed and not scaled, as a share of the weight. */
+    /** Returns the loss of contributions that are computed and not scaled, as a share of the weight. */
     private static double initialLoss(Light light) {
         return 2 * UNDERFLOW * (weight(light) + 1) / minWeight(light);
     }
@@ -80,12 +76,12 @@ final class RatioBound {
         return light.weight().max();
     }
 
-    /** The least weight of a channel that is a normal float; +∞ where there is none. */
+    /** Returns the smallest weight of a channel that is a normal float; +∞ if there is none. */
     private static double minWeight(Light light) {
         double min = Double.POSITIVE_INFINITY;
         Rgb weight = light.weight();
         for (double channel : new double[] {weight.r(), weight.g(), weight.b()}) {
-            // Rounded as the contributions' weight is.
+            // Rounded like the contributions' weight.
             float w = (float) channel;
             min = w >= Float.MIN_NORMAL ? Math.min(min, w) : min;
         }
@@ -93,10 +89,10 @@ final class RatioBound {
     }
 
     /**
-     * The relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 where nothing was scaled.
+     * Returns the relative part γ(N)/(1 − γ(N)) over all layers of one level; 0 if nothing was scaled.
      *
-     * @param mirrors in how many mirrors the level is seen at most
-     * @param samples of how many samples a pixel is the mean
+     * @param mirrors maximum number of mirrors that the level is seen in
+     * @param samples number of samples per pixel
      */
     static double relative(LayerStamp[] stamps, int mirrors, int samples) {
         int max = 0;
@@ -112,20 +108,20 @@ final class RatioBound {
         return gamma / (1 - gamma);
     }
 
-    /** The depth of the balanced sum of so many terms: ⌈log₂ terms⌉. */
+    /** Returns the depth of the balanced sum of this many terms: ⌈log₂ terms⌉. */
     private static int treeDepth(int terms) {
         return 32 - Integer.numberOfLeadingZeros(Math.max(0, terms - 1));
     }
 
-    /** What the terms of one light over rows of these materials at most add up to. */
+    /** Returns the maximum sum of one light's terms over rows of these materials. */
     static double maxTermSum(MaterialTable materials) {
         return materials.hasMetallic() ? 1 + 2 * materials.maxTerm() : 2;
     }
 
     /**
-     * The absolute part A of as many levels as given.
+     * Returns the absolute part A for a number of levels.
      *
-     * @param terms what the terms of one light at most add up to ({@link #maxTermSum})
+     * @param terms maximum sum of one light's terms ({@link #maxTermSum})
      */
     static double absolute(LayerStamp[] stamps, int levels, double terms) {
         double sum = 0;

@@ -18,8 +18,8 @@ import lightning.render.trace.RowSplice;
 import lightning.render.trace.ShapeChange;
 
 /**
- * The second stage for one tile as the paper has it (§4): contributions are stored with everything
- * multiplied in, and scaled by ratios. Holds scratch memory: one for each thread.
+ * Second stage for one tile by the paper's method (§4): contributions include all factors and are scaled by ratios. Holds scratch
+ * memory: use one instance per thread.
  */
 public final class RatioKernel {
     private static final float[] ZEROS = new float[TermKernel.MAX_ROWS];
@@ -36,39 +36,39 @@ public final class RatioKernel {
     }
 
     /**
-     * The least falloff, before or after, of any row whose contributions {@link #update} scaled by a ratio of falloffs
-     * since the start; where it is below the least normal float, that.
+     * Returns the smallest falloff, before or after, of any row that {@link #update} scaled by a ratio of falloffs since the start;
+     * at least the smallest normal float.
      */
     double minFalloff() {
         return minFalloff;
     }
 
-    /** Rows of layers that were looked at, written or scaled since the start. */
+    /** Returns the number of layer rows tested, written or scaled since the start. */
     long rowsTouched() {
         return lightKernel.rowsTouched() + rowsScaled;
     }
 
-    /** All contributions, shadow rays included: the worst case, and the paper's answer to an old value of 0. */
+    /** Recomputes all contributions, shadow rays included: the worst case, and the paper's solution for an old value of 0. */
     public RatioRows recompute(HitRows rows, WeightedLight light) {
         scratch.reset();
         return contributions(rows, light, lightKernel.recompute(rows, light.source(), scratch),
                 ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    /** All contributions anew for rows whose states are known: no shadow ray is cast. */
+    /** Recomputes all contributions of rows whose states are known. Casts no shadow ray. */
     RatioRows recomputeContributions(HitRows rows, WeightedLight light, RatioRows before) {
         scratch.reset();
         return contributions(rows, light, lightKernel.recomputeTerms(rows, light.source(), before, scratch),
                 ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    /** The terms of rows whose states are known, in columns that are valid until the next call; no shadow ray is cast. */
+    /** Returns the terms of rows whose states are known, in columns that are valid until the next call. Casts no shadow ray. */
     LightRows terms(HitRows rows, WeightedLight light, RatioRows layer) {
         scratch.reset();
         return lightKernel.recomputeTerms(rows, light.source(), layer, scratch);
     }
 
-    /** All contributions from terms that are known: the same as {@link #recompute} would give, and no ray is cast. */
+    /** Computes all contributions from known terms, with the result of {@link #recompute}. Casts no ray. */
     RatioRows fromTerms(HitRows rows, WeightedLight light, LightRows layer) {
         rowsScaled += layer.litCount;
         return contributions(rows, light, layer, ColumnAllocator.NEW_ARRAYS.states(rows.count));
@@ -90,13 +90,13 @@ public final class RatioKernel {
                 .withTint(copyCompact(rows, layer.tint()));
     }
 
-    /** A copy that stays, just long enough. */
+    /** Returns a permanent copy that is just long enough. */
     private static float[][] copyCompact(HitRows rows, float[][] tint) {
         return tint == null ? null
                 : Arrays.stream(tint).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows.count))).toArray(float[][]::new);
     }
 
-    /** A copy that stays, just long enough. */
+    /** Returns a permanent copy that is just long enough. */
     private static short[][] copyCompact(HitRows rows, short[][] visibleSamples) {
         return visibleSamples == null ? null
                 : Arrays.stream(visibleSamples).map(column -> Arrays.copyOf(column, HitRows.paddedLength(rows.count)))
@@ -127,7 +127,7 @@ public final class RatioKernel {
             ColumnAllocator.NEW_ARRAYS.floats(rows.count)};
     }
 
-    /** The paper's updates of color, intensity, attenuation, dropoff and angle, alone or together. */
+    /** Applies the paper's updates of color, intensity, attenuation, dropoff and angle, alone or together. */
     public RatioRows update(HitRows rows, WeightedLight from, WeightedLight to, RatioRows before, ConeChange cone, boolean falloff) {
         if (to.source().isArea() && (cone != ConeChange.NONE || falloff)) {
             return recomputeArea(rows, to, before, cone);
@@ -152,7 +152,10 @@ public final class RatioKernel {
         return cone == ConeChange.NONE ? scaled : updateCone(rows, to, before, scaled, cone);
     }
 
-    /** Samples of one row fall off by different ratios, so that no ratio of their sum is known: it is computed anew, without a ray. */
+    /**
+     * Recomputes an area light's layer without casting rays. The samples of one row have different falloff ratios, so their sum has
+     * no known ratio.
+     */
     private RatioRows recomputeArea(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
         scratch.reset();
         LightRows known = toTermLayer(before);
@@ -160,7 +163,7 @@ public final class RatioKernel {
         return updated == known ? before : contributions(rows, light, updated, ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    /** What passes of the light is one rounding more, which no bound of ratios counts: it is computed anew, without a ray. */
+    /** Recomputes a tinted layer without casting rays. The tint adds a rounding that the error bound of ratios does not include. */
     private RatioRows recomputeTinted(HitRows rows, WeightedLight light, RatioRows before, ConeChange cone) {
         scratch.reset();
         LightRows known = toTermLayer(before);
@@ -169,7 +172,7 @@ public final class RatioKernel {
                 ColumnAllocator.NEW_ARRAYS.states(rows.count));
     }
 
-    /** A layer of which the states are known, what samples see and what passes of the light. */
+    /** Returns a layer with known states, visible samples and tints. */
     private static LightRows toTermLayer(RatioRows before) {
         return new LightRows(before.states(), before.litCount() == 0 ? null : ZEROS, before.specular == null ? null : ZEROS,
                 before.grazing == null ? null : ZEROS, null, before.visibleSamples(), before.litCount()).withTint(before.tint());
@@ -205,7 +208,7 @@ public final class RatioKernel {
         return to;
     }
 
-    /** Removes rows that left the cone and adds those that entered it; {@code scaled} holds the others. */
+    /** Removes rows that left the cone and adds rows that entered it; {@code scaled} holds the others. */
     private RatioRows updateCone(HitRows rows, WeightedLight light, RatioRows before, RatioRows scaled, ConeChange cone) {
         scratch.reset();
         LightRows known = toTermLayer(before);
@@ -214,8 +217,8 @@ public final class RatioKernel {
     }
 
     /**
-     * The layer after other shapes: rows whose way to the light may be blocked or free since are asked again, and those that are
-     * lit now are computed anew.
+     * Updates a layer after a geometry change. Casts shadow rays again from rows whose result may change and recomputes the rows
+     * that are now lit.
      *
      * @param light the light that the layer was computed for
      */
@@ -231,7 +234,7 @@ public final class RatioKernel {
                 : mergeRows(rows, light, before, before, lightKernel.update(rows, light.source(), updated, ConeChange.NONE, true, scratch));
     }
 
-    /** Rows that were lit before and are so {@code updated} from {@code scaled}, others from what is known now. */
+    /** Merges rows: those lit before come from {@code scaled}, others from {@code updated}. */
     private RatioRows mergeRows(HitRows rows, WeightedLight light, RatioRows before, RatioRows scaled, LightRows updated) {
         RatioRows entered = contributions(rows, light, updated, ColumnAllocator.NEW_ARRAYS.states(rows.count));
         for (int i = 0; i < rows.count && entered.litCount() > 0; i++) {
@@ -239,7 +242,7 @@ public final class RatioKernel {
                     && (entered.states()[i] & LightRows.STATE_MASK) == LightRows.LIT;
             if (stays) {
                 copyRow(scaled.diffuse, entered.diffuse, i);
-                // A layer that was known exactly may lack highlights that are 0: those of now are, too.
+                // A layer that was exact may lack highlights that are 0; then those of the new rows are 0 too.
                 if (entered.specular != null && scaled.specular != null) {
                     copyRow(scaled.specular, entered.specular, i);
                 }
@@ -252,11 +255,11 @@ public final class RatioKernel {
     }
 
     /**
-     * The layer after an edit of materials: of the rows of those that changed the specular contributions anew, without a
-     * ray. Where a material is metallic, or was, the diffuse ones too.
+     * Updates a layer after an edit of materials. Recomputes the specular contributions of rows of the changed materials without
+     * casting rays, and the diffuse ones too if a material is or was metallic.
      *
      * @param light   the light that the layer was computed for
-     * @param changed materials whose shininess, roughness or model changed, or that got or lost their highlights
+     * @param changed materials whose shininess, roughness or model changed, or that gained or lost highlights
      */
     RatioRows updateSpeculars(HitRows rows, WeightedLight light, RatioRows before, MaterialSet changed) {
         if (before.litCount() == 0 || !changed.intersects(rows)) {
@@ -280,7 +283,7 @@ public final class RatioKernel {
                 before.litCount()).withTint(before.tint());
     }
 
-    /** A term's contributions: of rows whose material did not change as they were, where they were any. */
+    /** Returns a term's contributions; rows of unchanged materials keep theirs, if they had any. */
     private static float[][] recomputeChanged(HitRows rows, WeightedLight light, LightRows layer, float[] term, float[][] before,
             MaterialSet changed) {
         if (term == null) {
@@ -296,10 +299,10 @@ public final class RatioKernel {
     }
 
     /**
-     * The layer over rows that were put together of old ones and others.
+     * Returns the layer for rows spliced from old and added ones.
      *
-     * @param before over the old rows
-     * @param added  over the added rows; null where there are none
+     * @param before layer of the old rows
+     * @param added  layer of the added rows; null if there are none
      */
     RatioRows splice(RowSplice splice, RatioRows before, RatioRows added) {
         if (before.states() == LightRows.UNREACHED.state && (added == null || added.states() == LightRows.UNREACHED.state)) {

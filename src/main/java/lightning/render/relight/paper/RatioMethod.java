@@ -19,12 +19,12 @@ import lightning.render.trace.MaterialTable;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** The paper's own method: layers hold finished contributions, which edits scale by ratios, with a running bound of the error. */
+/** The paper's method: layers hold finished contributions, which edits scale by ratios, with a running error bound. */
 public record RatioMethod() implements UpdateMethod {
 
     /**
-     * The paper's choice: a turned light is recomputed in full (§4.5), and so is one whose old weight is 0
-     * (§4.1), shadow rays included. Layers of a light that is off are updated once it shines.
+     * Follows the paper: a turned light (§4.5) and a light whose old weight is 0 (§4.1) are recomputed in full, shadow rays
+     * included. Layers of a light that is off are updated once it shines.
      */
     @Override
     public LightUpdate update(LayerStamp before, WeightedLight target, Scene scene) {
@@ -67,7 +67,7 @@ public record RatioMethod() implements UpdateMethod {
         return ErrorBound.of(cache).isVisible(exposure, curve) ? refresh(cache) : new UpdatePlan.Nothing();
     }
 
-    /** Recomputes all contributions that were scaled, for the scene shown. */
+    /** Plans the recomputation of all scaled contributions for the shown scene. */
     public static UpdatePlan.Relight refresh(PixelCache cache) {
         int depth = cache.scene().picture().depth();
         MaterialTable materials = cache.geometry().materials();

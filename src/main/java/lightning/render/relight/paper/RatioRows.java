@@ -12,12 +12,11 @@ import lightning.render.shading.WeightedLayer;
 import lightning.scene.Light;
 
 /**
- * One light's layer as the paper stores it (§2.4): the finished contributions, weight and falloff
- * multiplied in, which edits scale by ratios. Rows that the light does not reach hold 0; the paper's
- * negative diffuse color, its flag for them, is the state here.
+ * Layer of one light as the paper stores it (§2.4): finished contributions, including weight and falloff, which edits scale by
+ * ratios. Rows that the light does not reach hold 0. The state column replaces the paper's flag for them, a negative diffuse color.
  */
 public final class RatioRows extends WeightedLayer {
-    /** All columns that there are: what makes, counts and splices layers knows no others. */
+    /** Columns of a layer. All code that creates, counts and splices layers uses this list. */
     enum Column implements ColumnKind {
         STATE(ElementType.BYTE),
         DIFFUSE_RED(ElementType.FLOAT),
@@ -55,15 +54,15 @@ public final class RatioRows extends WeightedLayer {
         }
     }
 
-    /** No row is reached: shared, as {@link LightRows#UNREACHED}. */
+    /** Shared layer without a reached row, like {@link LightRows#UNREACHED}. */
     static final RatioRows UNREACHED = new RatioRows(LightRows.UNREACHED.state, null, null, null, null, 0);
 
     private final byte[] states;
     private final int litCount;
-    /** To which samples of its light each row's ways are free; see {@link LightRows#visibleSamples}. */
+    /** Visible light samples of each row; see {@link LightRows#visibleSamples}. */
     private final short[][] visibleSamples;
 
-    /** What passes of the light on free ways, which contributions hold; see {@link LightRows#tint}. */
+    /** Tints of unblocked shadow rays, included in the contributions; see {@link LightRows#tint}. */
     private final float[][] tint;
 
     private final ColumnSet<Column> columns;
@@ -86,10 +85,10 @@ public final class RatioRows extends WeightedLayer {
     }
 
     /**
-     * The columns that layers of a light may have.
+     * Returns the columns that layers of a light may have.
      *
-     * @param metallic whether any material is metallic
-     * @param tinted   whether light passes any
+     * @param metallic true if any material is metallic
+     * @param tinted   true if light passes through any material
      */
     static Set<Column> columns(Light light, boolean metallic, boolean tinted) {
         Set<Column> columns = EnumSet.allOf(Column.class);
@@ -107,7 +106,7 @@ public final class RatioRows extends WeightedLayer {
         return colors == null ? null : colors[c];
     }
 
-    /** This layer, whose contributions hold these tints; null for none. */
+    /** Returns this layer with these tints, which its contributions include; null for none. */
     RatioRows withTint(float[][] tints) {
         return tints == tint ? this : new RatioRows(LightRows.withChannels(columns, Column.TINT_COLUMNS, tints), litCount);
     }
@@ -132,7 +131,7 @@ public final class RatioRows extends WeightedLayer {
         return litCount;
     }
 
-    /** The columns that this layer has. */
+    /** Returns the columns of this layer. */
     ColumnSet<Column> columns() {
         return columns;
     }
@@ -147,13 +146,13 @@ public final class RatioRows extends WeightedLayer {
         return columns.bytes() - columns.bytes(Column.STATE);
     }
 
-    /** Other falloffs need the point alone, other terms point, normal and direction. */
+    /** New falloffs need only the point; new terms need point, normal and direction. */
     @Override
     public long rowBytesRead(LightLayer before) {
         return before != null && before.states() == states ? 12 : 36;
     }
 
-    /** Scaling reads every contribution and writes it anew. */
+    /** Scaling reads and writes every contribution. */
     @Override
     public long newBytes(LightLayer before) {
         return before == null ? bytes() : bytes() + before.bytes();

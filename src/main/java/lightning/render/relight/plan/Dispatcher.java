@@ -17,50 +17,50 @@ import lightning.scene.LightMatcher;
 import lightning.scene.Scene;
 
 /**
- * Finds the least update that leads from the scene rendered last to the scene wanted (paper §4.9), by
- * comparing the two. Composite edits, undo and edits of several lights at once are one case.
+ * Plans the least update from the scene rendered last to the target scene by comparing both (paper §4.9). Composite edits, undo and
+ * simultaneous edits of several lights need no special case.
  */
 public final class Dispatcher {
     private Dispatcher() {}
 
     /**
-     * The plan for a scene.
+     * Plans the update to a scene.
      *
-     * @param cache   what is known, or null
-     * @param mirrors whether mirror images shall show the wanted scene too
-     * @param method  how edits are carried out
+     * @param cache   cache of the last picture, or null
+     * @param mirrors true if mirror images must show the target scene too
+     * @param method  update method
      */
     public static UpdatePlan plan(PixelCache cache, Scene target, boolean mirrors, UpdateMethod method) {
         return plan(cache, target, null, mirrors, method);
     }
 
     /**
-     * The same where it is known what rays of the scene can meet.
+     * Plans the update to a scene with existing geometry.
      *
-     * @param geometry of the wanted scene, which followed from what is known, perhaps in several steps; null where it is not known
+     * @param geometry geometry of the target scene, derived from the cached one in one or more steps; null if unknown
      */
     public static UpdatePlan plan(PixelCache cache, Scene target, Geometry geometry, boolean mirrors, UpdateMethod method) {
         if (cache == null) {
-            return new UpdatePlan.FirstPass(Messages.key("no picture yet"));
+            return new UpdatePlan.FirstPass(Messages.key("no image yet"));
         }
         Scene known = cache.scene();
         if (known.picture().width() != target.picture().width() || known.picture().height() != target.picture().height()) {
-            return new UpdatePlan.FirstPass(Messages.key("another size"));
+            return new UpdatePlan.FirstPass(Messages.key("resolution changed"));
         }
         boolean resampled = !known.picture().sampling().hasSameSamples(target.picture().sampling());
-        // Where rays are followed from what mirrors nothing, edges cannot be looked for in the levels that are known.
+        // If rays are followed from materials that do not mirror, edges cannot be found in the cached levels.
         if (resampled && (hasNoCenters(known) || hasNoCenters(target)
                 || cache.geometry().castsReflections() != MaterialTable.CASTS_REFLECTIONS)) {
-            return new UpdatePlan.FirstPass(Messages.key("other samples"));
+            return new UpdatePlan.FirstPass(Messages.key("anti-aliasing changed"));
         }
         if (!known.camera().equals(target.camera())) {
-            return new UpdatePlan.FirstPass(Messages.key("another camera"));
+            return new UpdatePlan.FirstPass(Messages.key("camera changed"));
         }
         ShapeChange shapes = cache.geometry().canServe(target) ? ShapeChange.NONE
                 : geometry != null ? cache.geometry().changeTo(geometry) : cache.geometry().changeTo(target);
         boolean reshaped = shapes != ShapeChange.NONE;
         if (!shapes.hasUnchanged() || reshaped && resampled) {
-            return new UpdatePlan.FirstPass(Messages.key("other shapes"));
+            return new UpdatePlan.FirstPass(Messages.key("objects changed"));
         }
         int oldDepth = known.picture().depth();
         int newDepth = target.picture().depth();
@@ -73,17 +73,17 @@ public final class Dispatcher {
         LevelPlan mirrored = refresh ? planLevel(cache.mirroredGeometry(), cache.mirroredScene(), cache.mirroredLights(), target,
                 materials, shapes, method) : null;
         if (resampled && !(top.materials().mirroringChanged().isEmpty() && mirrored.materials().mirroringChanged().isEmpty())) {
-            return new UpdatePlan.FirstPass(Messages.key("other samples and mirrors"));
+            return new UpdatePlan.FirstPass(Messages.key("anti-aliasing and reflections changed"));
         }
         return new UpdatePlan.Relight(top, mirrored, oldDepth, newDepth, resampled, shapes);
     }
 
-    /** Whether all pixels have several samples, so that their centers are not traced. */
+    /** Returns whether all pixels have several samples, so that their centers are not traced. */
     private static boolean hasNoCenters(Scene scene) {
         return scene.picture().sampling().antialias() == AntialiasMode.EVERY;
     }
 
-    /** @param lights those of {@code known} */
+    /** @param lights lights of {@code known} */
     private static LevelPlan planLevel(Geometry shown, Scene known, List<CachedLight> lights, Scene target, MaterialTable materials,
             ShapeChange shapes, UpdateMethod method) {
         LightMatcher match = new LightMatcher(known.rig().effectiveLights(), target.rig().effectiveLights());
@@ -95,7 +95,7 @@ public final class Dispatcher {
             boolean isReusable = origin != null && isReusable(origin, known, target, shapes);
             LightUpdate update =
                     planLight(isReusable ? origin.stamp() : null, origin == null || origin.stamp() == null, light, target, method);
-            // A dark light's layers that do not hold are dropped, and with them what would tell where it shone.
+            // Layers of a dark light that are invalid are dropped, and with them the record of the rows that it lit.
             boolean isDropped = origin != null && !isReusable && update instanceof LightUpdate.Keep;
             ShapeChange shadows = isReusable && origin.stamp() != null ? shapes.shadowChange(shown, origin.stamp().light().shadowedBy(),
                     LayerPlan.shadowedBy(light.light(), origin.stamp(), update)) : ShapeChange.NONE;
@@ -110,10 +110,10 @@ public final class Dispatcher {
     }
 
     /**
-     * Whether a light's layers hold among other shapes, but for rows that can meet those: not where the shapes decide whether it lies on
-     * one that stays as it is, for then they may differ everywhere; nor where a shape that stays is linked to it now, or no more, because
-     * it is in another group. Of a light that is larger than a point it is not asked for each of
-     * its samples: it is computed anew.
+     * Returns whether a light's layers stay valid after a geometry change, except for rows whose shadow rays meet changed shapes.
+     * They do not if the shapes decide whether the light lies on an unchanged one, because then all rows may differ. They do not if
+     * the links of an unchanged shape change because its group does. Area lights would need this test for every sample, so they are
+     * recomputed.
      */
     private static boolean isReusable(CachedLight light, Scene known, Scene scene, ShapeChange shapes) {
         if (light.stamp() == null) {
@@ -124,7 +124,7 @@ public final class Dispatcher {
                 && (!computed.type().hasPosition() || shapes.hasSameTarget(LightSource.of(computed, scene).position()));
     }
 
-    /** @param added whether the light never shone */
+    /** @param added true if the light never shone */
     private static LightUpdate planLight(LayerStamp before, boolean added, WeightedLight light, Scene target, UpdateMethod method) {
         if (before == null) {
             return light.isDark() ? new LightUpdate.Keep() : new LightUpdate.FullRecompute(added);

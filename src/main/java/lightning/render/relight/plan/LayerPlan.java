@@ -12,20 +12,20 @@ import lightning.scene.Scene;
 import lightning.scene.ShapeLinks;
 
 /**
- * The update of one light's layers over the rows of a level.
+ * Update of one light's layers over the rows of a level.
  *
- * @param target   the light as wanted
- * @param base     the light known before that it goes on from, null for none
- * @param update   what to do
- * @param shadows  what became of the shapes that throw shadows in its light
- * @param computed the light that its layers were computed for, shadowed by the shapes that shadow it afterwards; null where there are
- *                 none
- * @param previous    what the scene before has of it, its weight there included; null where it has no such light
+ * @param target   the target light
+ * @param base     the cached light to start from, or null
+ * @param update   the update to apply
+ * @param shadows  change of the shapes that cast shadows from this light
+ * @param computed the light that its layers were computed for, shadowed by the shapes that shadow it afterwards; null if there are
+ *                 no layers
+ * @param previous the light in the previous scene with its weight there; null if it did not exist
  */
 public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate update, ShapeChange shadows, WeightedLight computed,
         WeightedLight previous) {
 
-    /** @param known the scene before */
+    /** @param known the previous scene */
     public static LayerPlan of(WeightedLight target, CachedLight from, LightUpdate update, ShapeChange shadows, Scene known) {
         LayerStamp stamp = from == null ? null : from.stamp();
         return new LayerPlan(target, from, update, shadows, stamp == null ? null
@@ -33,22 +33,22 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
                 from == null ? null : WeightedLight.of(from.light(), known));
     }
 
-    /** The light as wanted. */
+    /** Returns the target light. */
     public Light light() {
         return target.light();
     }
 
     /**
-     * Which shapes throw shadows in the light as its layer shows it afterwards, where the update goes on from one.
+     * Returns the links of shapes that cast shadows from the light in its updated layer.
      *
-     * @param before what the layers there are were computed for
+     * @param before stamp of the current layers
      */
     static ShapeLinks shadowedBy(Light light, LayerStamp before, LightUpdate update) {
         return update instanceof LightUpdate.Keep ? before.light().shadowedBy() : light.shadowedBy();
     }
 
     /**
-     * What the layer shows afterwards, or null if there is none.
+     * Returns the stamp of the updated layer, or null if there is none.
      *
      * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
@@ -62,22 +62,22 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         };
     }
 
-    /** The layer over one tile's rows before the update; null where there is none. */
+    /** Returns the layer over one tile's rows before the update; null if there is none. */
     public LightLayer layerBefore(TileLevel old) {
         return base == null ? null : base.layer(old);
     }
 
-    /** Whether the light's weight changes: color, intensity, on or solo. */
+    /** Returns whether the light's weight changes: color, intensity, on or solo. */
     private boolean changesWeight() {
         return previous == null || previous.red() != target.red() || previous.green() != target.green() || previous.blue() != target.blue();
     }
 
-    /** Whether it changes anything in the picture, as far as one light's plan tells. */
+    /** Returns whether this plan alone changes the picture. */
     boolean changesImage() {
         return changesWeight() || !(update instanceof LightUpdate.Keep) || !shadows.isEmpty();
     }
 
-    /** Whether anti-aliasing may see other edges of the light than before over a tile's rows: it sees neither weight nor falloff. */
+    /** Returns whether the light's edges for anti-aliasing may change in a tile's rows. Weight and falloff do not count as edges. */
     boolean canChangeEdges(TileLevel old, LightLayer after) {
         boolean wasDark = previous == null || previous.isDark();
         return wasDark != target.isDark() || layerBefore(old) != after && !(preservesStates() && shadows.isEmpty());
@@ -91,7 +91,7 @@ public record LayerPlan(WeightedLight target, CachedLight base, LightUpdate upda
         };
     }
 
-    /** Whether the color of any of a tile's rows may differ from before. */
+    /** Returns whether the color of any of a tile's rows may change. */
     boolean canChangeColors(TileLevel old, LightLayer after) {
         LightLayer before = layerBefore(old);
         boolean lights = before != null && before.litCount() > 0 || after != null && after.litCount() > 0;

@@ -7,39 +7,39 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
 
-/** Carries out a light's update on one tile's layer, by one method. One for each thread. */
+/** Applies a light's update to one tile's layer, by one method. Use one instance per thread. */
 public interface LayerUpdater {
-    /** A layer from nothing. */
+    /** Computes a layer from nothing. */
     LightLayer recompute(HitRows rows, WeightedLight light);
 
     /**
-     * The layer after an update that goes on from one: first for materials and shapes, its light being as it was, then for the light.
+     * Returns the updated layer: first for materials and shapes with the old light, then for the light.
      *
      * @param speculars materials whose specular term changed
      */
     LightLayer update(HitRows rows, LightLayer before, LayerPlan plan, MaterialSet speculars);
 
-    /** The layer in this method's form, as {@link #recompute} would make it, from one in any form; no ray is cast. */
+    /** Converts a layer of any accuracy to this method's form, as {@link #recompute} would compute it. Casts no ray. */
     LightLayer convert(HitRows rows, WeightedLight light, LightLayer before);
 
-    /** The layer over rows of which some may be gone, in another order; {@code before} is over the old rows. */
+    /** Returns the layer for reordered rows, some of which may be removed; {@code before} covers the old rows. */
     LightLayer reorder(RowSplice splice, LightLayer before);
 
     /**
-     * The layer over rows that were put together of old ones and others.
+     * Returns the layer for rows spliced from old and added ones.
      *
-     * @param before over the old rows
-     * @param added  over the added rows
+     * @param before layer of the old rows
+     * @param added  layer of the added rows
      * @param light  the light that both were computed for
      */
     LightLayer join(RowSplice splice, LightLayer before, LightLayer added, WeightedLight light);
 
-    /** The terms that a layer stands for: valid until the next call, and without a ray. */
+    /** Returns the terms of a layer, valid until the next call. Casts no ray. */
     LightRows terms(HitRows rows, WeightedLight light, LightLayer layer);
 
-    /** Rows of layers that were looked at or written since the start. */
+    /** Returns the number of layer rows tested or written since the start. */
     long rowsTouched();
 
-    /** The least falloff, before or after, of rows whose falloff was scaled since the start; 1 where none was. */
+    /** Returns the smallest falloff, before or after, of rows whose falloff was scaled since the start; 1 if there were none. */
     double minFalloff();
 }

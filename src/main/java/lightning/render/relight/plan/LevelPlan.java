@@ -13,18 +13,17 @@ import lightning.render.trace.ShapeChange;
 import lightning.scene.Scene;
 
 /**
- * The update of a level's layers.
+ * Update of a level's layers.
  *
- * @param layers  one for each light of the wanted scene, in its order
- * @param droppedLights the names of lights whose layers go (§4.6)
- * @param recomposeAll whether the equation must be closed anew everywhere: a change of ambience,
- *                background or of which lights there are
- * @param materials what is done to the rows of materials that changed
- * @param key     of sums that may be kept because one light alone is edited again and again, or null
+ * @param layers        one plan for each light of the target scene, in its order
+ * @param droppedLights names of lights whose layers are dropped (§4.6)
+ * @param recomposeAll  true if the equation must be evaluated everywhere: the ambience, background or set of lights changed
+ * @param materials     update of the rows of changed materials
+ * @param key           key of partial sums that may be cached because only one light is edited repeatedly, or null
  */
 public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, boolean recomposeAll, MaterialUpdate materials,
         BranchSums.Key key) {
-    /** Stands for the place of a light where several are edited, or what lights fall on. */
+    /** Light index if several lights or their surfaces are edited. */
     public static final int SEVERAL = -2;
 
     public LevelPlan {
@@ -32,15 +31,15 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         droppedLights = List.copyOf(droppedLights);
     }
 
-    /** One that keeps no sums. */
+    /** Creates a plan that caches no partial sums. */
     public LevelPlan(List<LayerPlan> layers, List<String> dropped, boolean compose, MaterialUpdate materials) {
         this(layers, dropped, compose, materials, null);
     }
 
     /**
-     * The update that recomputes some lights' contributions for the scene shown, and keeps all else.
+     * Creates a plan that recomputes some lights' contributions for the shown scene and keeps the rest.
      *
-     * @param refreshed tells the lights to recompute
+     * @param refreshed selects the lights to recompute
      */
     public static LevelPlan refresh(Scene scene, List<CachedLight> lights, MaterialTable materials, Predicate<CachedLight> refreshed) {
         List<LayerPlan> layers = new ArrayList<>();
@@ -55,7 +54,10 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return new LevelPlan(layers, droppedLights, recomposeAll, materials, sums);
     }
 
-    /** The place of the only light whose contribution changes, {@link BranchSums.Key#NO_LIGHT} where no light is edited, or {@link #SEVERAL}. */
+    /**
+     * Returns the index of the only light whose contribution changes, {@link BranchSums.Key#NO_LIGHT} if no light is edited, or
+     * {@link #SEVERAL}.
+     */
     public int singleChange() {
         int only = BranchSums.Key.NO_LIGHT;
         for (int l = 0; l < layers.size(); l++) {
@@ -72,7 +74,10 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return preservesLights() ? only : SEVERAL;
     }
 
-    /** Whether all lights stay at their places, and of every row's material what they need to know: where no light is edited, neither is their sum. */
+    /**
+     * Returns whether all lights keep their order and every row's material terms stay the same, so that the lights' sum is
+     * unchanged if no light is edited.
+     */
     private boolean preservesLights() {
         boolean isPreserved =
                 droppedLights.isEmpty() && materials.specularChanged().isEmpty() && materials.mirroringChanged().isEmpty()
@@ -84,7 +89,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
     }
 
     /**
-     * The lights after the update, and what their layers are then computed for.
+     * Returns the cached lights after the update, with the stamps of their layers.
      *
      * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
@@ -96,7 +101,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return lights;
     }
 
-    /** Whether anti-aliasing may see other edges of lights than before. */
+    /** Returns whether the edges of lights for anti-aliasing may change. */
     public boolean canChangeEdges(TileLevel old, LightLayer[] after) {
         boolean recodes = recomposeAll || !materials.isEmpty();
         for (int l = 0; l < after.length && !recodes; l++) {
@@ -105,7 +110,7 @@ public record LevelPlan(List<LayerPlan> layers, List<String> droppedLights, bool
         return recodes;
     }
 
-    /** Whether any row's color may differ from before, its mirror image left out. */
+    /** Returns whether any row's color may change, apart from its mirror image. */
     public boolean canChangeColors(TileLevel old, LightLayer[] after) {
         boolean recolors = recomposeAll || materials.colorChanged().intersects(old.rows());
         for (int l = 0; l < after.length && !recolors; l++) {

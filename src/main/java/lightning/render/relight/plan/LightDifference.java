@@ -10,14 +10,14 @@ import lightning.scene.LightAttribute;
 import lightning.scene.LightTerm;
 
 /**
- * What differs between the light that a layer was computed for and the light wanted, in the terms
- * that decide the update; attributes that the type does not act on do not count.
+ * Difference between the light that a layer was computed for and the target light, in the terms that decide the update. Attributes
+ * without effect for the light's type do not count.
  *
- * @param moved   the source is another: position, or direction of a directional light, or one for the other
- * @param coneChange    which rows may enter or leave the cone
- * @param falloff whether the falloff of any row may change
- * @param weight  whether color · intensity changes
- * @param shadows whether other shapes throw shadows in its light
+ * @param moved      true if the source changed: position, direction of a directional light, or one for the other
+ * @param coneChange rows that may enter or leave the cone
+ * @param falloff    true if the falloff of any row may change
+ * @param weight     true if color · intensity changes
+ * @param shadows    true if other shapes cast shadows from the light
  */
 public record LightDifference(boolean moved, ConeChange coneChange, boolean falloff, boolean weight, boolean shadows) {
 
@@ -29,7 +29,7 @@ public record LightDifference(boolean moved, ConeChange coneChange, boolean fall
                 changed.contains(LightTerm.WEIGHT), changed.contains(LightTerm.SHADOW_LINKS));
     }
 
-    /** The least update to the light wanted: all terms where the light moved, else what differs. */
+    /** Returns the least update to the target light: all terms if the light moved, otherwise the difference. */
     public LightUpdate update(Light target) {
         if (moved || shadows && target.isArea()) {
             return new LightUpdate.FullRecompute(false);
@@ -40,7 +40,7 @@ public record LightDifference(boolean moved, ConeChange coneChange, boolean fall
         return weight ? new LightUpdate.Reweight() : new LightUpdate.Keep();
     }
 
-    /** The terms of attributes that act with another value than before, or come into action, or go out of it. */
+    /** Returns the terms of attributes whose effective value changes or whose effect starts or ends. */
     private static Set<LightTerm> changedTerms(Light before, Light target) {
         Set<LightTerm> changed = EnumSet.noneOf(LightTerm.class);
         for (LightAttribute<?> attribute : before == target ? List.<LightAttribute<?>>of() : LightAttribute.ALL) {

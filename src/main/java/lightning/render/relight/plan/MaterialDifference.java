@@ -6,7 +6,7 @@ import lightning.scene.Material;
 import lightning.scene.MaterialAttribute;
 import lightning.scene.MaterialTerm;
 
-/** What differs between the materials that a level's rows show and those wanted, in the terms that decide the update. */
+/** Difference between the materials of a level's rows and the target materials, in the terms that decide the update. */
 record MaterialDifference(MaterialTable before, MaterialTable after) {
 
     static MaterialUpdate between(MaterialTable before, MaterialTable target) {
@@ -14,7 +14,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
             return MaterialUpdate.none(target);
         }
         var difference = new MaterialDifference(before, target);
-        // What shapes have that came since is in no row.
+        // Materials of shapes added since are in no row.
         int count = before.count();
         return new MaterialUpdate(target, MaterialSet.of(count, difference::changesColor),
                 MaterialSet.of(count, difference::changesSpecular),
@@ -34,7 +34,7 @@ record MaterialDifference(MaterialTable before, MaterialTable after) {
     }
 
     private boolean changesTexture(int m) {
-        // Shapes with colors of their own may have come to a material, or left it, without being seen here.
+        // Shapes with their own colors may have joined or left a material without a visible change here.
         return differs(MaterialTerm.TEXEL, m) || before.isTextured(m) != after.isTextured(m);
     }
 

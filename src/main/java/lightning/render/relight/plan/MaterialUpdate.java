@@ -6,19 +6,20 @@ import lightning.render.trace.MaterialSet;
 import lightning.render.trace.MaterialTable;
 
 /**
- * What an edit of materials asks of a level's rows, from the cheapest to the dearest. A material may be in several sets.
+ * Update of a level's rows after an edit of materials, from the cheapest set to the most expensive. A material may be in several
+ * sets.
  *
- * @param materials  as they are wanted
- * @param colorChanged  any color or the texture changed: the equation is closed anew where their rows are
- * @param specularChanged  the shininess, roughness or model changed, or highlights came or went: terms of each light are computed anew,
- *                   without a ray
- * @param textureChanged the texture changed: their rows' texels are looked up anew, without a search
- * @param mirroringChanged    reflectivity came or went: their rows begin or cease to cast mirrored rays
+ * @param materials        the target materials
+ * @param colorChanged     materials with another color or texture: the equation is evaluated again for their rows
+ * @param specularChanged  materials with another shininess, roughness or model, or with highlights gained or lost: each light's
+ *                         terms are recomputed without a ray
+ * @param textureChanged   materials with another texture: their rows' texels are looked up again without intersection tests
+ * @param mirroringChanged materials that gained or lost reflectivity: their rows start or stop casting mirrored rays
  */
 public record MaterialUpdate(MaterialTable materials, MaterialSet colorChanged, MaterialSet specularChanged, MaterialSet textureChanged,
         MaterialSet mirroringChanged) {
 
-    /** No material is another. */
+    /** Creates an empty update. */
     public static MaterialUpdate none(MaterialTable materials) {
         return new MaterialUpdate(materials, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE, MaterialSet.NONE);
     }
@@ -27,7 +28,7 @@ public record MaterialUpdate(MaterialTable materials, MaterialSet colorChanged, 
         return colorChanged.isEmpty() && specularChanged.isEmpty() && textureChanged.isEmpty() && mirroringChanged.isEmpty();
     }
 
-    /** The steps in words, one for each material. */
+    /** Returns the steps as text, one for each material. */
     List<String> describe() {
         List<String> steps = new ArrayList<>();
         for (int m = 0; m < materials.count() && !isEmpty(); m++) {

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import lightning.base.text.Messages;
 
-/** Puts a plan into words. */
+/** Text description of a plan for status bar and reports. */
 final class PlanDescription {
-    /** So many lights are told by the first and the last. */
+    /** At least this many lights with the same update are described as a range. */
     private static final int MIN_GROUP_SIZE = 4;
 
     private PlanDescription() {}
@@ -36,7 +36,7 @@ final class PlanDescription {
         return steps;
     }
 
-    /** Many lights in a row of which the same is done, as those of an environment, are one step. */
+    /** Combines many consecutive lights with the same update, such as those of an environment, into one step. */
     private static void addLayerSteps(List<LayerPlan> layers, List<String> steps) {
         int end = 0;
         for (int i = 0; i < layers.size(); i = end) {
@@ -53,7 +53,7 @@ final class PlanDescription {
         }
     }
 
-    /** What is done to a light's layer; empty for nothing. */
+    /** Returns the description of a light's update; empty for none. */
     private static String describe(LightUpdate update) {
         return switch (update) {
             case LightUpdate.Keep _ -> "";

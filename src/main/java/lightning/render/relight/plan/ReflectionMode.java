@@ -1,8 +1,8 @@
 package lightning.render.relight.plan;
 
-/** When an edit reaches the mirror images. */
+/** Update mode of mirror images after an edit. */
 public enum ReflectionMode {
-    /** As in 1998, on demand: mirror images keep showing the scene of their last update (paper §4.8). */
+    /** On demand, as in 1998: mirror images keep showing the scene of their last update (paper §4.8). */
     STALE,
     /** With every edit: the default. */
     CURRENT

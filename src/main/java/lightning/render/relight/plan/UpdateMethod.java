@@ -8,22 +8,22 @@ import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** How an accuracy carries out edits: the contents of layers, the update for an edited light, and the error of updates. */
+/** Update method of an accuracy: the contents of layers, the update for an edited light, and the error of updates. */
 public interface UpdateMethod {
     /**
-     * The least update to a light.
+     * Returns the least update to a light.
      *
-     * @param before what its layers were computed for
-     * @param scene  the scene wanted
+     * @param before stamp of its current layers
+     * @param scene  the target scene
      */
     LightUpdate update(LayerStamp before, WeightedLight target, Scene scene);
 
     /**
-     * The stamp of a layer after an update that kept some of its terms.
+     * Returns the stamp of a layer after an update that kept some of its terms.
      *
-     * @param before       what it was computed for
-     * @param weight       whether the light's weight changed
-     * @param falloff      whether its falloff changed
+     * @param before     stamp of the current layer
+     * @param weight     true if the light's weight changed
+     * @param falloff    true if its falloff changed
      * @param minFalloff {@link LayerUpdater#minFalloff} of all threads
      */
     LayerStamp stamp(LayerStamp before, Light light, boolean weight, boolean falloff, double minFalloff);
@@ -31,26 +31,26 @@ public interface UpdateMethod {
     /**
      * Creates the updater of one thread.
      *
-     * @param lights how many the scene has
+     * @param lights number of the scene's lights
      */
     LayerUpdater updater(LightKernel kernel, int lights);
 
     /**
-     * The most bytes that a light's layers take for each row.
+     * Returns the maximum bytes per row of a light's layers.
      *
-     * @param metallic whether any material is metallic
-     * @param tinted   whether light passes any
+     * @param metallic true if any material is metallic
+     * @param tinted   true if light passes through any material
      */
     long bytesPerRow(Light light, boolean metallic, boolean tinted);
 
-    /** How far any value of the film may be from the exact one, linear. */
+    /** Returns the largest difference of any film value from the exact one, linear. */
     double errorBound(PixelCache cache);
 
     /**
-     * The update that removes errors large enough to show.
+     * Returns the update that removes visible errors.
      *
-     * @param exposure how the film is displayed, in stops
-     * @return {@link UpdatePlan.Nothing} if no error can show
+     * @param exposure exposure of the display in stops
+     * @return {@link UpdatePlan.Nothing} if no error can be visible
      */
     UpdatePlan refresh(PixelCache cache, double exposure, DisplayCurve curve);
 }

@@ -5,50 +5,50 @@ import lightning.base.text.Messages;
 import lightning.render.shading.BranchSums;
 import lightning.render.trace.ShapeChange;
 
-/** What a renderer will do to get from the scene rendered last to the scene wanted. */
+/** Plan of a renderer's update from the scene rendered last to the target scene. */
 public sealed interface UpdatePlan {
 
-    /** Nothing: the picture is as wanted. */
+    /** No update: the picture is current. */
     record Nothing() implements UpdatePlan {}
 
-    /** A full trace that fills the cache: no picture yet, or camera, size or geometry changed. */
+    /** Full trace that fills the cache: no picture yet, or camera, size or geometry changed. */
     record FirstPass(String reason) implements UpdatePlan {}
 
     /**
-     * An update of the cache.
+     * Update of the cache.
      *
-     * @param top       the first level
-     * @param mirrors   the mirror levels, or null where they stay as they are
-     * @param oldDepth how many mirror bounces are known
-     * @param newDepth   how many are wanted
-     * @param resampled whether pixels get other finer samples, or none, whatever the edges
-     * @param shapes    which shapes differ; where any does, there are {@code mirrors}
+     * @param top       plan of the first level
+     * @param mirrors   plan of the mirror levels, or null if they stay unchanged
+     * @param oldDepth  cached recursion depth
+     * @param newDepth  target recursion depth
+     * @param resampled true if pixels get other finer samples, or none, regardless of the edges
+     * @param shapes    change of the shapes; if there is one, {@code mirrors} is not null
      */
     record Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth, boolean resampled, ShapeChange shapes)
             implements UpdatePlan {
 
-        /** An update of the same shapes that leaves it to the edges which finer samples there are. */
+        /** Creates an update with unchanged shapes, in which edges determine the finer samples. */
         public Relight(LevelPlan top, LevelPlan mirrors, int oldDepth, int newDepth) {
             this(top, mirrors, oldDepth, newDepth, false, ShapeChange.NONE);
         }
 
-        /** The same with keys of sums that may be kept, or null, for each of the two. */
+        /** Returns this plan with keys of partial sums to cache, or null, for both levels. */
         public Relight withKeys(BranchSums.Key topKey, BranchSums.Key mirrorsKey) {
             return new Relight(top.withKey(topKey), mirrors == null ? null : mirrors.withKey(mirrorsKey), oldDepth, newDepth, resampled,
                     shapes);
         }
     }
 
-    /** The plan in the words of the paper, one step a string. */
+    /** Returns the plan in the terms of the paper, one step per string. */
     default List<String> steps() {
         return switch (this) {
             case Nothing _ -> List.of(Messages.tr("nothing to do"));
-            case FirstPass first -> List.of(Messages.tr("first pass: {0}", Messages.tr(first.reason())));
+            case FirstPass first -> List.of(Messages.tr("full render: {0}", Messages.tr(first.reason())));
             case Relight relight -> PlanDescription.steps(relight);
         };
     }
 
-    /** The steps on one line. */
+    /** Returns the steps on one line. */
     default String description() {
         return String.join(", ", steps());
     }

@@ -1,9 +1,9 @@
 /**
- * What an edit asks for: the difference of two scenes, in the paper's terms, and the least update that answers it. Plans are
- * values; nothing here writes a tile.
+ * Planning of updates: the difference of two scenes in the paper's terms, and the least update for it. Plans are values; no code
+ * here writes a tile.
  *
- * <p>{@link lightning.render.relight.plan.Dispatcher} makes an {@link lightning.render.relight.plan.UpdatePlan}: for each level a
- * {@link lightning.render.relight.plan.LevelPlan}, for each light a {@link lightning.render.relight.plan.LightUpdate}. How it is carried out
- * is the affair of an {@link lightning.render.relight.plan.UpdateMethod}.
+ * <p>{@link lightning.render.relight.plan.Dispatcher} creates an {@link lightning.render.relight.plan.UpdatePlan}: for each level a
+ * {@link lightning.render.relight.plan.LevelPlan}, for each light a {@link lightning.render.relight.plan.LightUpdate}. An {@link
+ * lightning.render.relight.plan.UpdateMethod} implements the updates.
  */
 package lightning.render.relight.plan;

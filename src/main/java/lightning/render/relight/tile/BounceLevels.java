@@ -14,9 +14,9 @@ import lightning.render.trace.RowSplice;
 import lightning.render.trace.TileVisibility;
 
 /**
- * The levels of a tile below the first: what is seen in mirrors and through clear surfaces. They are a tree, for from a row of a clear
- * material a ray goes on in two ways; they are kept in a list, a level before those that are seen from it, what is mirrored before what is
- * refracted. Traced, updated and composed for one tile after the other: one for each thread.
+ * Bounce levels of a tile, below the first level: everything seen in mirrors and through clear surfaces. They form a tree, because
+ * a row of a clear material sends two rays. The tree is stored as a list in preorder, mirrored levels before refracted ones.
+ * Traces, updates and composes one tile after the other: use one instance per thread.
  */
 final class BounceLevels {
     private static final TileLevel[] NONE = {};
@@ -24,11 +24,11 @@ final class BounceLevels {
     private final RenderJob job;
     private final LevelWorker worker;
     private final List<TileLevel> levels = new ArrayList<>();
-    /** Where rows are not kept, the shapes that rays hit. */
+    /** Hit shapes of the rays, used if rows are not stored. */
     private final ReflectionHitList hitShapes = new ReflectionHitList();
-    /** Tells anti-aliasing what is seen; null where it does not look. */
+    /** Collects edge codes; null without edge detection. */
     private EdgeCodeBuilder edgeCoder;
-    /** The levels before, and the next of them to be looked at. */
+    /** Old levels, and the index of the next one. */
     private TileLevel[] oldLevels;
     private int nextOldLevel;
     private boolean changed;
@@ -39,16 +39,16 @@ final class BounceLevels {
         this.worker = worker;
     }
 
-    /** The rays that went on from rows since the start, in either way. */
+    /** Returns the number of rays bounced from rows since the start. */
     long rayCount() {
         return rayCount;
     }
 
     /**
-     * What a tile keeps of them.
+     * Levels that a tile stores.
      *
-     * @param levels all levels; only the first where the others are kept as hit shapes
-     * @param images what the rays bring that go on from the first level's rows; null where none does
+     * @param levels all levels; only the first if the others are stored as hit shapes
+     * @param images colors of the rays that bounce from the first level's rows; null if there are none
      */
     record TracedLevels(TileLevel[] levels, int[][] hitShapes, BounceImages images) {}
 
@@ -63,11 +63,11 @@ final class BounceLevels {
     }
 
     /**
-     * Traces them.
+     * Traces all levels.
      *
-     * @param top   the first level
-     * @param shapes the shapes that their rays hit, as far as known
-     * @param codeBuilder  is told what is seen; null where anti-aliasing does not look
+     * @param top         the first level
+     * @param shapes      cached hit shapes of the rays
+     * @param codeBuilder collects edge codes; null without edge detection
      */
     TracedLevels traceAll(TileLevel top, int[][] shapes, EdgeCodeBuilder codeBuilder) {
         begin(top, NONE, shapes, codeBuilder);
@@ -81,13 +81,13 @@ final class BounceLevels {
     }
 
     /**
-     * Updates them. Of those that are kept as rows what is known stays, and rays are cast for the rest alone; others are traced from
-     * the shapes that their rays hit.
+     * Updates all levels. Levels stored as rows keep cached rows and cast rays only for the rest; others are traced from their hit
+     * shapes.
      *
-     * @param before the tile
-     * @param top    its first level now
-     * @param order  what became of that level's rows; null if they are what they were
-     * @param codeBuilder   is told what is seen; null where anti-aliasing does not look
+     * @param before      the old tile
+     * @param top         its new first level
+     * @param order       splice of that level's rows; null if they are unchanged
+     * @param codeBuilder collects edge codes; null without edge detection
      */
     TracedLevels updateAll(CachedTile before, TileLevel top, RowSplice order, EdgeCodeBuilder codeBuilder) {
         if (!job.storesMirrorRows()) {
@@ -103,7 +103,7 @@ final class BounceLevels {
                 : new TracedLevels(levels.toArray(TileLevel[]::new), before.hitShapes, changed ? composeImages() : before.images);
     }
 
-    /** Traces all that is seen from a level's rows. */
+    /** Traces everything seen from a level's rows. */
     private void trace(HitRows rows, int depth, int nodeIndex) {
         for (BounceKind bounce : BounceKind.values()) {
             if (depth < job.depth() && bounce.rowCount(rows) > 0 && !job.progress().isCanceled()) {
@@ -114,7 +114,7 @@ final class BounceLevels {
 
     private void trace(HitRows rows, BounceKind bounce, int depth, int nodeIndex) {
         if (hitShapes.hasNext() && !worker.visibility().raysThroughBoxes(rows, bounce, job.shapeChange().visibleChanges()).isEmpty()) {
-            // What is seen from these rows may be other rows, and then nothing is known of what is seen from theirs.
+            // Other rows may be visible from these rows, so the cached levels seen from them are invalid.
             hitShapes.dropRest();
         }
         int[] shapes = hitShapes.next();
@@ -141,10 +141,10 @@ final class BounceLevels {
     }
 
     /**
-     * Updates all that is seen from a level's rows.
+     * Updates everything seen from a level's rows.
      *
-     * @param order  what became of the level's rows; null if they are what they were
-     * @param before the level's rows before
+     * @param order  splice of the level's rows; null if they are unchanged
+     * @param before the level's old rows
      */
     private void update(HitRows rows, RowSplice order, HitRows before, int depth, int nodeIndex) {
         for (BounceKind bounce : BounceKind.values()) {
@@ -170,7 +170,7 @@ final class BounceLevels {
         }
     }
 
-    /** Goes past an old level and all that was seen from it. */
+    /** Skips an old level and everything seen from it. */
     private void skipSubtree(int depth) {
         HitRows rows = oldLevels[nextOldLevel++].rows();
         for (BounceKind bounce : BounceKind.values()) {
@@ -180,7 +180,7 @@ final class BounceLevels {
         }
     }
 
-    /** @param retraced those of the rows whose rays may hit something else than before */
+    /** @param retraced rows whose rays may have another hit than before */
     private void update(HitRows rows, BounceKind bounce, RowSplice order, BitSet retraced, int depth, int nodeIndex) {
         TileLevel before = oldLevels[nextOldLevel++];
         RowSplice rowSplice = !retraced.isEmpty() || reordersRows(order, before.rows())
@@ -211,12 +211,12 @@ final class BounceLevels {
         update(level.rows(), rowSplice, before.rows(), depth + 1, childIndex);
     }
 
-    /** Whether rows that are seen from others change their places, or are seen no more. */
+    /** Returns whether rows seen from other rows move or disappear. */
     private boolean reordersRows(RowSplice above, HitRows rows) {
         return above != null || job.mirrorPlan() != null && job.mirrorPlan().materials().mirroringChanged().intersects(rows);
     }
 
-    /** Composes all of them; what the rays bring that go on from the first level's rows. */
+    /** Composes all levels; returns the colors of the rays that bounce from the first level's rows. */
     private BounceImages composeImages() {
         nextOldLevel = 1;
         BounceImages images = composeImages(levels.getFirst().rows(), 0);
@@ -240,31 +240,31 @@ final class BounceLevels {
     }
 
     /**
-     * Asks again what all rays hit that go on from the rows of a tile as it was; of each level something follows.
+     * Traces all rays that bounce from the rows of an unchanged tile again and lets a handler convert each level.
      *
-     * @param top the first level, of which it follows already
+     * @param top the converted first level
      */
-    TileLevel[] retraceHits(CachedTile tile, TileLevel top, boolean detectEdges, RetraceHandler answer) {
+    TileLevel[] retraceHits(CachedTile tile, TileLevel top, boolean detectEdges, RetraceHandler handler) {
         begin(top, tile.levels, ReflectionHitList.NONE, null);
-        retrace(top.rows(), 0, detectEdges, answer);
+        retrace(top.rows(), 0, detectEdges, handler);
         return levels.toArray(TileLevel[]::new);
     }
 
-    /** What follows from rows that were traced again, for a level whose rows they are, perhaps in another order. */
+    /** Converts a level whose rays were traced again; the rows may be in another order. */
     @FunctionalInterface
     interface RetraceHandler {
         TileLevel apply(TileLevel level, HitRows retracedRows);
     }
 
-    private void retrace(HitRows rows, int depth, boolean detectEdges, RetraceHandler answer) {
+    private void retrace(HitRows rows, int depth, boolean detectEdges, RetraceHandler handler) {
         for (BounceKind bounce : BounceKind.values()) {
             if (depth < job.depthBefore() && bounce.rowCount(rows) > 0 && nextOldLevel < oldLevels.length) {
                 HitRows retracedRows = worker.visibility().traceBounceRays(rows, bounce, null,
                         (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, job.needsOwners()));
                 rayCount += worker.visibility().rayCount();
-                TileLevel level = answer.apply(oldLevels[nextOldLevel++], retracedRows);
+                TileLevel level = handler.apply(oldLevels[nextOldLevel++], retracedRows);
                 levels.add(level);
-                retrace(level.rows(), depth + 1, detectEdges, answer);
+                retrace(level.rows(), depth + 1, detectEdges, handler);
             }
         }
     }

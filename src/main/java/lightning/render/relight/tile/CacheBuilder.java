@@ -21,11 +21,11 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.Light;
 
 /**
- * Builds the pixel cache of a picture on all threads: all of it, the pixels' centers alone, or the finer samples of known centers.
- * One for each job.
+ * Builds the pixel cache of a picture on all threads: the whole cache, only pixel centers, or the finer samples of existing centers.
+ * Use one instance per job.
  */
 public final class CacheBuilder {
-    /** Of a small picture each thread takes tiles so many times at least, so that all are ready at about the same time. */
+    /** Minimum number of batches per thread in a small picture, so that all threads finish at about the same time. */
     private static final int MIN_BATCHES_PER_THREAD = 8;
 
     private final RenderJob job;
@@ -43,14 +43,14 @@ public final class CacheBuilder {
         tileOrder = old == null ? CenterFirstOrder.tileOrder(job.tilesX(), job.tileCount()) : IntStream.range(0, job.tileCount()).toArray();
     }
 
-    /** A new cache and the work that it took. */
+    /** New cache and the work it took. */
     public record BuildResult(PixelCache cache, WorkCounts work) {}
 
     /**
      * Builds the cache as the job plans it.
      *
-     * @param centersOnly whether finer samples are left out
-     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     * @param centersOnly true if finer samples are left out
+     * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public BuildResult build(boolean centersOnly) {
         CachedTile[] centers = buildCenters(centersOnly ? 0 : fineTileCount());
@@ -73,9 +73,9 @@ public final class CacheBuilder {
     }
 
     /**
-     * Adds the finer samples to known centers.
+     * Adds the finer samples to existing centers.
      *
-     * @throws java.util.concurrent.CancellationException if the job's progress asked to stop
+     * @throws java.util.concurrent.CancellationException if the job's progress requested cancellation
      */
     public BuildResult finish(PixelCache centers) {
         return new BuildResult(new PixelCache(centers.geometry(), centers.tiles(), buildSamples(centers.tiles(), 0), centers.scenes(),
@@ -83,9 +83,9 @@ public final class CacheBuilder {
     }
 
     /**
-     * Makes the pixels' centers; none where all pixels have several samples.
+     * Builds the pixel centers; none if all pixels have several samples.
      *
-     * @param laterTiles how many tiles are made afterwards, for who hears of the progress
+     * @param laterTiles number of tiles built afterwards, for progress reports
      */
     private CachedTile[] buildCenters(int laterTiles) {
         CachedTile[] tiles = new CachedTile[job.sampling().antialias() == AntialiasMode.EVERY ? 0 : job.tileCount()];
@@ -118,16 +118,16 @@ public final class CacheBuilder {
         }, progress);
     }
 
-    /** How many tiles of finer samples the picture has: none without anti-aliasing. */
+    /** Returns the number of tiles with finer samples: 0 without anti-aliasing. */
     private int fineTileCount() {
         return job.sampling().isSupersampled() ? job.tileCount() : 0;
     }
 
     /**
-     * Makes the finer samples of each tile.
+     * Builds the finer samples of each tile.
      *
-     * @param centers the pixels' centers as they are now; none where all pixels have several samples
-     * @param before  how many tiles were made before, for who hears of the progress
+     * @param centers the current pixel centers; none if all pixels have several samples
+     * @param before  number of tiles built before, for progress reports
      */
     private FineTile[] buildSamples(CachedTile[] centers, int before) {
         FineTile[] fine = new FineTile[fineTileCount()];
@@ -156,7 +156,7 @@ public final class CacheBuilder {
     }
 
     private Stream<TileWorker> allWorkers() {
-        return tileWorkers.stream().flatMap(crew -> crew.workers().stream());
+        return tileWorkers.stream().flatMap(thread -> thread.workers().stream());
     }
 
     private WorkCounts work() {

@@ -3,15 +3,15 @@ package lightning.render.relight.tile;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/** The order in which tiles are traced where somebody may watch: from the middle of the picture outwards. */
+/** Order in which tiles are traced for display: from the center of the picture outwards. */
 final class CenterFirstOrder {
     private CenterFirstOrder() {}
 
     /**
-     * The numbers of all tiles, those nearest to the middle first.
+     * Returns the numbers of all tiles, those nearest to the center first.
      *
-     * @param tilesPerRow how many tiles a row has
-     * @param count  how many there are, whole rows
+     * @param tilesPerRow number of tiles in a row
+     * @param count       number of tiles, whole rows
      */
     static int[] tileOrder(int tilesPerRow, int count) {
         int tileRows = count / tilesPerRow;
@@ -19,7 +19,7 @@ final class CenterFirstOrder {
                 + squaredDistance(tile / tilesPerRow, tileRows))).mapToInt(Integer::intValue).toArray();
     }
 
-    /** The square of a distance along one side, in half tiles. */
+    /** Returns the square of a distance along one side, in half tiles. */
     private static int squaredDistance(int at, int count) {
         int distance = 2 * at + 1 - count;
         return distance * distance;

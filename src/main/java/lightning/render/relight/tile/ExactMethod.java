@@ -15,7 +15,7 @@ import lightning.render.shading.WeightedLight;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** Updates that give the bits of a full trace: layers hold terms, which are never scaled. */
+/** Update method with the bits of a full trace: layers hold terms, which are never scaled. */
 public record ExactMethod() implements UpdateMethod {
 
     /** Layers of a dark light are updated once it shines. */

@@ -13,15 +13,15 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialSet;
 import lightning.render.trace.RowSplice;
 
-/** Updates that leave a layer as a full trace would make it, in every bit of its terms, and compact. */
+/** Updater that leaves a compact layer with the bits of a full trace in all its terms. */
 record ExactUpdater(LightKernel kernel, boolean premultiplies, ScratchColumns scratch) implements LayerUpdater {
 
-    /** @param premultiplies whether layers made from nothing keep cosine times falloff, where they have no highlight */
+    /** @param premultiplies true if recomputed layers without highlights store cosine times falloff */
     ExactUpdater(LightKernel kernel, boolean premultiplies) {
         this(kernel, premultiplies, new ScratchColumns());
     }
 
-    /** Made in scratch columns, so that new memory is taken for what is kept alone. */
+    /** Uses scratch columns, so that only stored columns need new memory. */
     @Override
     public LightLayer recompute(HitRows rows, WeightedLight light) {
         scratch.reset();
@@ -79,8 +79,8 @@ record ExactUpdater(LightKernel kernel, boolean premultiplies, ScratchColumns sc
     }
 
     /**
-     * A layer without what need not be kept. One that an edit leaves as it was is so already: its columns are not looked over again, which an edit of
-     * one light would else do with those of all others.
+     * Returns a layer without redundant columns. A layer that an edit did not change is compact already, so its columns are not
+     * scanned again.
      */
     private static LightRows compactIfChanged(LightRows before, LightRows after, HitRows rows) {
         return after == before ? after : after.compact(rows.count);

@@ -12,38 +12,36 @@ import lightning.render.trace.SamplePositions;
 import lightning.scene.AntialiasMode;
 
 /**
- * Builds and updates the finer samples of tiles, after the pixels' centers are known (anti-aliasing). One for each
- * thread.
+ * Builds and updates the finer samples of tiles for anti-aliasing, after the pixel centers. Use one instance per thread.
  *
- * <p>Which pixels have them follows from the scene alone. The samples of pixels at an edge of what is hit stay while
- * lights are edited and are updated like any rows; those at an edge of a light alone follow it, and are traced anew
- * in tiles where other pixels need them than before.
+ * <p>The scene alone decides which pixels have them. Samples at shape edges are kept during light edits and updated like other
+ * rows. Samples at light edges follow the light: in tiles where other pixels need them than before, they are traced again.
  */
 final class FineSampleWorker {
     private static final short[] NO_PIXELS = new short[0];
 
     private final RenderJob job;
-    private final EngineWorkers<TileWorker> crew;
+    private final EngineWorkers<TileWorker> tileWorkers;
     private final EdgeDetector edges;
     private final EdgeDetector previousEdges;
 
     /**
-     * @param edges the edges that there are now; unread where all pixels have several samples
-     * @param known the edges of the picture before, or null
+     * @param edges the current edges; unread if all pixels have several samples
+     * @param known the edges of the previous picture, or null
      */
-    FineSampleWorker(RenderJob job, EngineWorkers<TileWorker> crew, EdgeDetector edges, EdgeDetector known) {
+    FineSampleWorker(RenderJob job, EngineWorkers<TileWorker> tileWorkers, EdgeDetector edges, EdgeDetector known) {
         this.job = job;
-        this.crew = crew;
+        this.tileWorkers = tileWorkers;
         this.edges = edges;
         this.previousEdges = known;
     }
 
     /**
-     * The finer samples of a tile; null where the work was canceled.
+     * Builds the finer samples of a tile; null if the work was canceled.
      *
-     * @param center    the centers of the tile's pixels after the update, or null where none are traced
-     * @param oldCenter the same before, or null
-     * @param old       the finer samples before, or null
+     * @param center    the centers of the tile's pixels after the update, or null if none are traced
+     * @param oldCenter the centers before the update, or null
+     * @param old       the finer samples before the update, or null
      */
     FineTile buildTile(int tile, CachedTile center, CachedTile oldCenter, FineTile old) {
         boolean reusesPixels = old != null && (!job.detectsEdges() || edges.hasSameEdges(tile, previousEdges));
@@ -68,10 +66,10 @@ final class FineSampleWorker {
         return job.sampling().antialias() == AntialiasMode.EDGES ? edges.lightEdges(tile) : NO_PIXELS;
     }
 
-    /** @param old the samples of the same pixels before, or null */
+    /** @param old old samples of the same pixels, or null */
     private FineSamples samples(int tile, short[] pixels, FineSamples old, SampledTile film) {
         int batchSize = SampleMean.pixelsPerBatch(job.sampling().samplesPerPixel());
-        TileWorker worker = crew.forTile(tile);
+        TileWorker worker = tileWorkers.forTile(tile);
         CachedTile[] blocks = new CachedTile[(pixels.length + batchSize - 1) / batchSize];
         for (int b = 0; b < blocks.length; b++) {
             int from = b * batchSize;
@@ -80,7 +78,7 @@ final class FineSampleWorker {
                     job.sampling().grid());
             blocks[b] = old == null ? worker.traceSamples(places) : worker.relight(places, old.blocks()[b]);
             if (job.progress().isCanceled()) {
-                // New samples that were given up have no colors, and no film before to take them from.
+                // New samples that were canceled have no colors and no previous film to copy them from.
                 break;
             }
             if (worker.hasNewColors()) {

@@ -27,20 +27,20 @@ import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 
 /**
- * Traces, lights and composes levels that show one scene: those that the eye sees, or those in mirrors. Holds scratch
- * memory: one for each thread.
+ * Traces, lights and composes the levels that show one scene: those seen directly, or those in mirrors. Holds scratch memory: use
+ * one instance per thread.
  */
 final class LevelWorker {
-    /** With a larger share of rays traced anew, putting rows together takes what it spares (figures: docs/performance.md). */
+    /** With a larger share of retraced rays, splicing rows costs as much as it saves (figures: docs/performance.md). */
     private static final double MAX_RETRACED_SHARE = 0.25;
 
     private final RenderJob job;
     private final PreparedScene target;
-    /** Made when rays are traced first. */
+    /** Created for the first trace. */
     private TileVisibility visibility;
     final TileComposer composer;
     private final Tracer tracer;
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private TexelUpdater retexturing;
     private final LightKernel lightKernel;
     private final LayerUpdater updater;
@@ -56,12 +56,12 @@ final class LevelWorker {
         composer = new TileComposer(shown.geometry().materials(), engine.sums(), job.options().view());
     }
 
-    /** Whether so few of some rays are traced anew that what the others hit is worth keeping. */
+    /** Returns whether few enough rays are retraced for keeping the hits of the others to pay off. */
     static boolean isWorthUpdating(BitSet retraced, int rays) {
         return retraced.cardinality() <= MAX_RETRACED_SHARE * rays;
     }
 
-    /** What traces the rays of tiles and levels. */
+    /** Returns the tracer of tiles and levels. */
     TileVisibility visibility() {
         visibility = visibility == null ? new TileVisibility(target.geometry(), target.scene(), tracer) : visibility;
         return visibility;
@@ -87,7 +87,7 @@ final class LevelWorker {
         return bytesMoved;
     }
 
-    /** The layers of all lights that shine, from nothing. */
+    /** Computes the layers of all lights that shine from nothing. */
     TileLevel lightLevel(HitRows traced) {
         HitRows rows = traced.compact();
         LightLayer[] layers = new LightLayer[target.lights().length];
@@ -100,16 +100,16 @@ final class LevelWorker {
     }
 
     /**
-     * The first level with the texels that the plan's materials ask for.
+     * Returns the first level with the texels of the plan's materials.
      *
-     * @param places where its rays go
+     * @param places sample positions of its rays
      */
     TileLevel retexture(TileLevel level, SamplePositions places, LevelPlan update) {
         return retexture(level, update, t -> t.updateEyeRows(level.rows(), places, update.materials().textureChanged()));
     }
 
     /**
-     * Another level with the texels that the plan's materials ask for.
+     * Returns a bounce level with the texels of the plan's materials.
      *
      * @param above the level that it is seen from
      */
@@ -133,7 +133,7 @@ final class LevelWorker {
         return new TileLevel(rows, level.layers());
     }
 
-    /** Carries out a plan on a level's layers; counts what that reads of the rows and writes. */
+    /** Applies a plan to a level's layers; counts the row data read and the layer data written. */
     TileLevel update(TileLevel old, LevelPlan update) {
         LightLayer[] layers = new LightLayer[update.layers().size()];
         for (int l = 0; l < layers.length && !job.progress().isCanceled(); l++) {
@@ -150,14 +150,15 @@ final class LevelWorker {
     }
 
     /**
-     * A light's layer over a level's rows after its update: that before where nothing of it changes; null where it never shone.
+     * Returns a light's layer over a level's rows after its update: the old layer if nothing changes; null if the light never
+     * shone.
      *
      * @param speculars materials whose specular term changed
      */
     private LightLayer update(TileLevel old, LayerPlan plan, MaterialSet speculars) {
         LightLayer before = plan.layerBefore(old);
         if (before == null) {
-            // Never lit, or a mirror level that a deeper recursion added while the light was dark.
+            // Never lit, or a mirror level that a larger depth added while the light was dark.
             return plan.target().isDark() ? null : updater.recompute(old.rows(), plan.target());
         }
         if (plan.update() instanceof LightUpdate.FullRecompute) {
@@ -165,13 +166,13 @@ final class LevelWorker {
         }
         if (plan.target().isDark() && !plan.shadows().isEmpty()
                 && lightKernel.canShadowsChange(old.rows(), plan.computed().source(), before, plan.shadows())) {
-            // Made anew once it shines.
+            // Recomputed once the light shines.
             return null;
         }
         return updater.update(old.rows(), before, plan, speculars);
     }
 
-    /** A level over rows of which some may be gone, in another order; its layers are of the lights that they were of before. */
+    /** Returns a level with reordered rows, some of which may be removed, and layers of the same lights. */
     TileLevel reorder(RowSplice splice, TileLevel old) {
         return splice.isUnchanged() ? new TileLevel(splice.rows(), old.layers())
                 : replaceRows(old, splice.rows(), Arrays.stream(old.layers())
@@ -179,11 +180,11 @@ final class LevelWorker {
     }
 
     /**
-     * A level over rows that were put together of known ones and others.
+     * Returns a level spliced from cached rows and new ones.
      *
-     * @param old   layers of the lights shown over the known rows
-     * @param added rows newly lit by {@link #lightLevel}, with their layers. A layer that either level lacks is dropped: its light does
-     *              not shine, and once it does the layer is made anew.
+     * @param old   layers of the shown lights over the cached rows
+     * @param added rows newly lit by {@link #lightLevel}, with their layers. A layer that either level lacks is dropped: its light
+     *              does not shine, and the layer is recomputed once it does.
      */
     TileLevel join(RowSplice splice, TileLevel old, TileLevel added) {
         LightLayer[] layers = new LightLayer[old.layers().length];
@@ -201,7 +202,7 @@ final class LevelWorker {
         return level;
     }
 
-    /** Tells anti-aliasing what a level shows; the levels above were told before. */
+    /** Adds the edge codes of a level; the levels above must have been added before. */
     void addEdgeCodes(EdgeCodeBuilder codeBuilder, int depth, int nodeIndex, TileLevel level) {
         WeightedLight[] shining = target.lights();
         codeBuilder.addShapes(depth, nodeIndex, level.rows(), target.geometry().materials());
@@ -214,9 +215,9 @@ final class LevelWorker {
     }
 
     /**
-     * Composes a level; gives it back with the sums that are kept for the next time, if any are.
+     * Composes a level; returns it with the partial sums cached for the next update, if any.
      *
-     * @param to gets the colors
+     * @param to receives the colors
      */
     TileLevel compose(TileLevel level, LevelPlan update, BounceImages images, float[][] to) {
         rowsComposed += level.rows().count;
@@ -228,7 +229,10 @@ final class LevelWorker {
         return sums == level.branches() ? level : level.withBranchSums(sums);
     }
 
-    /** What composing a level reads: textures, mirror images, and of the lights all that light a row, or their sums. */
+    /**
+     * Returns the bytes that composing a level reads: textures, mirror images, and the layers of lights that light a row, or their
+     * partial sums.
+     */
     private long bytesRead(TileLevel level, BranchSums.Key key, BranchSums sums) {
         HitRows rows = level.rows();
         long bytes =

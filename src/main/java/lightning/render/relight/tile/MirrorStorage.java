@@ -1,16 +1,16 @@
 package lightning.render.relight.tile;
 
-/** What is kept of the mirror levels. */
+/** Storage of the mirror levels. */
 public enum MirrorStorage {
-    /** Rows and layers like those of the first level: an edit of a light is as cheap there. */
+    /** Rows and layers like those of the first level: light edits are equally fast there. */
     FULL_ROWS,
-    /** The paper's list of hit shapes: small; points and lights are computed anew, without a search. */
+    /** The paper's list of hit shapes: small; points and lights are recomputed without intersection tests. */
     HIT_SHAPES;
 
-    /** The one that takes least memory. */
+    /** Storage with the least memory. */
     public static final MirrorStorage SMALLEST = HIT_SHAPES;
 
-    /** Whether rows and layers are kept. */
+    /** Returns whether rows and layers are stored. */
     public boolean storesRows() {
         return this == FULL_ROWS;
     }

@@ -5,15 +5,15 @@ import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
 /**
- * A scene that levels show, made ready for work on them.
+ * Scene of a level, prepared for rendering.
  *
- * @param geometry with the scene's materials
+ * @param geometry geometry with the scene's materials
  * @param lights   the scene's lights, in its order
  */
 public record PreparedScene(Geometry geometry, Scene scene, WeightedLight[] lights) {
-    // An array in a record: written once by its maker, never after.
+    // An array in a record: written once by its creator, never after.
 
-    /** @param geometry of the same shapes, with whatever materials */
+    /** @param geometry geometry of the same shapes, with any materials */
     public static PreparedScene of(Geometry geometry, Scene scene) {
         return new PreparedScene(geometry.withMaterialsOf(scene), scene, WeightedLight.ofScene(scene));
     }

@@ -14,28 +14,28 @@ import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
 /**
- * What all threads of one update share, made ready once.
+ * Shared, immutable data of one update for all threads.
  *
- * @param target    what the first level shall show
- * @param mirrorTarget what the mirror levels shall show: the same where they are updated too, and in a first pass
- * @param plan     the update; null in a first pass
- * @param detectsEdges   whether anti-aliasing looks for edges
+ * @param target       target scene of the first level
+ * @param mirrorTarget target scene of the mirror levels: the same if they are updated too, and in a first pass
+ * @param plan         the update; null in a first pass
+ * @param detectsEdges true if anti-aliasing detects edges
  */
 public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, RenderOptions options, UpdatePlan.Relight plan,
         boolean detectsEdges,
         Progress progress) {
 
-    /** A picture from nothing. */
+    /** Creates the job of a first pass. */
     public static RenderJob firstPass(Geometry geometry, Scene target, RenderOptions options, Progress progress) {
         PreparedScene shown = PreparedScene.of(geometry, target);
         return new RenderJob(shown, shown, options, null, needsEdges(target), progress);
     }
 
     /**
-     * An update.
+     * Creates the job of an update.
      *
-     * @param geometry of the shapes wanted
-     * @param target   what the first level and the mirrors shall show
+     * @param geometry geometry of the target shapes
+     * @param target   target scenes of the first level and the mirrors
      */
     public static RenderJob relight(UpdatePlan.Relight plan, Geometry geometry, RenderedScenes target, RenderOptions options,
             Progress progress) {
@@ -44,7 +44,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
                 needsEdges(target.scene()), progress);
     }
 
-    /** Samples from nothing, of centers that may have mirrors of an older scene. */
+    /** Creates the job that traces samples for existing centers, whose mirrors may show an older scene. */
     public static RenderJob samples(PixelCache centers, RenderOptions options, Progress progress) {
         PreparedScene shown = PreparedScene.of(centers.geometry(), centers.scene());
         PreparedScene mirrored = centers.mirroredScene().equals(centers.scene()) ? shown
@@ -52,7 +52,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         return new RenderJob(shown, mirrored, options, null, true, progress);
     }
 
-    /** Whether the scene has finer samples where there are edges. */
+    /** Returns whether the scene has finer samples only at edges. */
     public static boolean needsEdges(Scene scene) {
         return scene.picture().sampling().antialias() == AntialiasMode.EDGES;
     }
@@ -61,27 +61,27 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         return target.scene();
     }
 
-    /** The update of the first level; null in a first pass. */
+    /** Returns the update of the first level; null in a first pass. */
     LevelPlan topPlan() {
         return plan == null ? null : plan.top();
     }
 
-    /** The update of the mirror levels; null where they stay, and in a first pass. */
+    /** Returns the update of the mirror levels; null if they stay unchanged, and in a first pass. */
     LevelPlan mirrorPlan() {
         return plan == null ? null : plan.mirrors();
     }
 
-    /** What became of the shapes. */
+    /** Returns the change of the shapes. */
     ShapeChange shapeChange() {
         return plan == null ? ShapeChange.NONE : plan.shapes();
     }
 
-    /** Whether mirror levels are kept as full rows. */
+    /** Returns whether mirror levels are stored as full rows. */
     boolean storesMirrorRows() {
         return options.storage().storesRows();
     }
 
-    /** Whether rows must know whose they are. */
+    /** Returns whether rows must store their owner shapes. */
     boolean needsOwners() {
         return WeightedLight.hasLinked(target.lights()) || WeightedLight.hasLinked(mirrorTarget.lights());
     }
@@ -90,7 +90,7 @@ public record RenderJob(PreparedScene target, PreparedScene mirrorTarget, Render
         return scene().picture().depth();
     }
 
-    /** The depth of the picture before; that of the scene in a first pass. */
+    /** Returns the recursion depth of the previous picture; in a first pass that of the scene. */
     int depthBefore() {
         return plan == null ? depth() : plan.oldDepth();
     }

@@ -12,32 +12,32 @@ import lightning.render.relight.plan.UpdateMethod;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * How a renderer works.
+ * Options of a renderer.
  *
- * @param threads how many threads, ≥ 1
- * @param view    which effects are shown; all of them in a picture
- * @param memory  bytes that a picture may take; a first pass that takes more is refused
- * @param engines which engine makes which tile
+ * @param threads number of threads, ≥ 1
+ * @param view    effects that are shown; all of them in a picture
+ * @param memory  memory limit of a picture in bytes; a first pass that needs more is rejected
+ * @param engines engine for each tile
  */
 @RecordBuilder
 public record RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads, ViewEffects view,
         long memory,
         EngineChoice engines) implements RenderOptionsBuilder.With {
-    /** Exact, mirrors and all; full rows, all processors. */
+    /** Exact with current reflections, full rows, all processors. */
     public static final RenderOptions DEFAULT =
             new RenderOptions(Accuracy.EXACT, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, WorkerPool.processorCount());
 
-    /** What memory there is in this Java, and its engines. */
+    /** Creates options with the memory of this Java process and its engines. */
     public RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads, ViewEffects view) {
         this(accuracy, reflections, storage, threads, view, HeapBudget.availableBytes(), Engines.CURRENT);
     }
 
-    /** All effects. */
+    /** Creates options with all effects. */
     public RenderOptions(Accuracy accuracy, ReflectionMode reflections, MirrorStorage storage, int threads) {
         this(accuracy, reflections, storage, threads, ViewEffects.ALL);
     }
 
-    /** What carries out edits at this accuracy. */
+    /** Returns the update method of this accuracy. */
     public UpdateMethod method() {
         return switch (accuracy) {
             case EXACT -> new ExactMethod();

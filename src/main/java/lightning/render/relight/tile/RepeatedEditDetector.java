@@ -5,25 +5,25 @@ import lightning.render.relight.plan.UpdatePlan;
 import lightning.render.shading.BranchSums;
 
 /**
- * Notices that one light alone is edited again and again, as while it is dragged, or ambience and colors of materials: from the second time
- * on, the sums over the other lights are kept.
+ * Detects repeated edits of one light, as during a drag, or of ambience and material colors. From the second edit on, the partial
+ * sums of the other lights are cached.
  */
 public final class RepeatedEditDetector {
     /**
-     * With fewer lights, adding them anew reads less memory than their sums take, and new falloffs take more time where cosines are not
-     * kept alone than what is then read less: measured in docs/performance.md.
+     * Minimum number of lights. With fewer, adding them again reads less memory than their sums need. Premultiplied layers also
+     * make new falloffs slower by more than the cached sums save (measured in docs/performance.md).
      */
     public static final int MIN_LIGHTS = 8;
 
     private BranchSums.Key key;
 
-    /** Which light is edited again and again, in what the eye sees and in mirrors. */
+    /** Detectors for the first level and for the mirror levels. */
     public record LevelDetectors(RepeatedEditDetector top, RepeatedEditDetector mirrors) {
         public LevelDetectors() {
             this(new RepeatedEditDetector(), new RepeatedEditDetector());
         }
 
-        /** The plan with the keys of sums to use and to keep. */
+        /** Returns the plan with the keys of partial sums to use and to cache. */
         public UpdatePlan.Relight withKeys(UpdatePlan.Relight plan) {
             return plan.withKeys(nextKey(top, plan.top(), plan), plan.mirrors() == null ? null : nextKey(mirrors, plan.mirrors(), plan));
         }
@@ -32,7 +32,7 @@ public final class RepeatedEditDetector {
             return repeated.nextKey(plan.shapes().isEmpty() ? level.singleChange() : LevelPlan.SEVERAL, level.layers().size());
         }
 
-        /** Forgets which lights were edited last. */
+        /** Clears the last edited lights. */
         public void reset() {
             top.reset();
             mirrors.reset();
@@ -40,11 +40,11 @@ public final class RepeatedEditDetector {
     }
 
     /**
-     * Hears of an update.
+     * Records an update and returns the key for it.
      *
      * @param light  the only light that it changes, {@link BranchSums.Key#NO_LIGHT}, or {@link LevelPlan#SEVERAL}
-     * @param lights how many lights there are
-     * @return the key of sums to use and to keep, or null
+     * @param lights number of lights
+     * @return the key of sums to use and to cache, or null
      */
     BranchSums.Key nextKey(int light, int lights) {
         if (light != LevelPlan.SEVERAL && lights >= MIN_LIGHTS && key != null && key.light() == light) {
@@ -54,7 +54,7 @@ public final class RepeatedEditDetector {
         return null;
     }
 
-    /** Forgets which light was edited last. */
+    /** Clears the last edited light. */
     void reset() {
         key = null;
     }

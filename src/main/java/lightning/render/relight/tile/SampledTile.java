@@ -6,14 +6,14 @@ import lightning.render.image.Film;
 import lightning.render.shading.SampleMean;
 
 /**
- * A tile's pixels while its finer samples are made: those of new samples are written, those of samples that stay are taken over, and
- * where nothing is written the film before stays as it is.
+ * Pixels of a tile while its finer samples are built. New samples are written, unchanged samples are copied, and pixels that are
+ * not written keep the previous film.
  */
 final class SampledTile {
     private final float[][] previous;
     private final int perPixel;
     private final boolean startsFromCenters;
-    /** Null while it is the one before. */
+    /** Null while it equals the previous one. */
     private float[][] film;
 
     private SampledTile(float[][] known, float[][] film, int perPixel) {
@@ -23,16 +23,16 @@ final class SampledTile {
         startsFromCenters = film != null;
     }
 
-    /** Goes on from the film before, of which all holds that is not written. */
+    /** Starts with the previous film, whose unwritten pixels stay valid. */
     static SampledTile ofPrevious(FineTile old, int perPixel) {
         return new SampledTile(old.film(), null, perPixel);
     }
 
     /**
-     * Begins with the centers.
+     * Starts with the centers.
      *
-     * @param center null where all pixels have several samples
-     * @param old    what samples that stay made before, or null
+     * @param center null if all pixels have several samples
+     * @param old    previous tile, from which unchanged samples are copied, or null
      */
     static SampledTile ofCenters(CachedTile center, FineTile old, int perPixel) {
         float[][] film = center == null ? new float[3][Film.TILE_PIXELS] : copy(center.film);
@@ -43,7 +43,7 @@ final class SampledTile {
         return new float[][] {film[0].clone(), film[1].clone(), film[2].clone()};
     }
 
-    /** The samples of some pixels are in the colors of before. */
+    /** Copies the previous colors of some pixels. */
     void copyPrevious(short[] pixels, int from, int to) {
         if (startsFromCenters) {
             for (int c = 0; c < 3; c++) {
@@ -54,7 +54,7 @@ final class SampledTile {
         }
     }
 
-    /** The samples of some pixels have these colors. */
+    /** Writes the colors of some pixels' samples. */
     void write(short[] pixels, int from, int to, float[][] samples) {
         if (film == null) {
             film = copy(previous);
@@ -62,7 +62,7 @@ final class SampledTile {
         SampleMean.write(pixels, from, to, perPixel, samples, film);
     }
 
-    /** Red, green and blue; the arrays of before where nothing was written. */
+    /** Returns red, green and blue; the previous arrays if nothing was written. */
     float[][] film() {
         return film == null ? previous : film;
     }

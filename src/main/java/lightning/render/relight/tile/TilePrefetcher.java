@@ -6,22 +6,22 @@ import lightning.render.shading.LightLayer;
 import lightning.render.shading.LightRows;
 
 /**
- * Fetches into the processor's cache what leads from tiles to their columns. These are some ten small objects, one behind the
- * other, and who goes from tile to tile waits for each; here the waits for several tiles run side by side. It changes nothing but
- * the time (figures: docs/performance.md). One for each thread.
+ * Prefetches the small objects between tiles and their columns into the processor's cache. A tile has about ten of them in a chain,
+ * and each access waits for the previous one. Prefetching several tiles overlaps these waits. It changes only the time (figures:
+ * docs/performance.md). Use one instance per thread.
  */
 final class TilePrefetcher {
-    /** Tiles at once at most: enough for the processor to have its hands full, few enough to stay in its cache. */
+    /** Maximum number of tiles per call: enough to overlap the waits, few enough to stay in the cache. */
     static final int MAX_TILES = 8;
 
     private final TileLevel[][] levels = new TileLevel[MAX_TILES][];
     private final TileLevel[] topLevels = new TileLevel[MAX_TILES];
     private final LightLayer[][] layers = new LightLayer[MAX_TILES][];
 
-    /** What was read, so that it must be. */
+    /** Accumulates the data read, so that the JIT cannot remove the reads. */
     long checksum;
 
-    /** Tiles {@code from … to − 1}, one to {@link #MAX_TILES} of one picture. */
+    /** Prefetches tiles {@code from … to − 1}, one to {@link #MAX_TILES} of one picture. */
     void prefetch(CachedTile[] tiles, int from, int to) {
         int count = to - from;
         long sum = 0;
@@ -52,7 +52,7 @@ final class TilePrefetcher {
         checksum = sum;
     }
 
-    /** A column's length stands before its values. */
+    /** Reads the array lengths, which precede the values in memory. */
     private static int lengths(LightRows layer) {
         return layer.litCount == 0 ? 0 : layer.cosine.length + length(layer.specular) + length(layer.falloff);
     }

@@ -15,14 +15,14 @@ import lightning.scene.World;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Composes tiles from layers that are known, whatever was composed of them before: no ray is cast and no light's term
- * computed. Holds scratch memory: one for each thread.
+ * Composes tiles from cached layers, independently of earlier compositions. Casts no ray and computes no term. Holds scratch
+ * memory: use one instance per thread.
  */
 public final class TileRecomposer {
     private final TileComposer eye;
     private final TileComposer mirror;
     private final int depth;
-    /** The level to be composed next. */
+    /** Index of the next level to compose. */
     private int nextLevel;
 
     public TileRecomposer(PixelCache cache, Engine engine, ViewEffects view) {
@@ -32,9 +32,10 @@ public final class TileRecomposer {
     }
 
     /**
-     * What the rays bring that go on from the first level's rows: scratch memory, valid until the next call; null where none does.
+     * Composes the colors of the rays that bounce from the first level's rows. Returns scratch memory, valid until the next call;
+     * null if there are none.
      *
-     * @param levels all of them, lit by {@code lights} from the second on
+     * @param levels all levels; {@code lights} light those from the second on
      */
     public BounceImages composeImages(TileLevel[] levels, WeightedLight[] lights, World world) {
         nextLevel = 1;
@@ -57,7 +58,7 @@ public final class TileRecomposer {
         return images;
     }
 
-    /** The tile of the film: red, green, blue, {@code float[1024]} each. */
+    /** Composes the tile of the film: red, green, blue, {@code float[1024]} each. */
     public float[][] composeFilm(TileLevel top, WeightedLight[] lights, Scene scene, SamplePositions places, BounceImages images) {
         float[][] pixels = new float[3][Film.TILE_PIXELS];
         eye.fillBackground(top.rows(), scene, places, pixels);

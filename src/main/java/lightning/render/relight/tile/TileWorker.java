@@ -17,25 +17,25 @@ import lightning.render.trace.TileVisibility;
 import lightning.render.trace.Tracer;
 import lightning.scene.AntialiasMode;
 
-/** Builds and updates cached tiles by one engine. Holds scratch memory: one for each thread. */
+/** Builds and updates cached tiles with one engine. Holds scratch memory: use one instance per thread. */
 final class TileWorker {
     private final RenderJob job;
     private final Engine engine;
     private final Tracer tracer;
     private final LevelWorker eyeWorker;
-    /** Whether rows know whose they are. */
+    /** True if rows store their owner shapes. */
     private final boolean needsOwners;
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private LevelWorker mirrorWorker;
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private BounceLevels bounceLevels;
-    /** Made when anti-aliasing asks for it first. */
+    /** Created on first use by anti-aliasing. */
     private EdgeCodeBuilder edgeCoder;
-    /** Where samples are composed whose colors are not kept; made when it is needed first. */
+    /** Colors of samples whose colors are not stored; allocated on first use. */
     private float[][] sampleColors;
-    /** The colors composed last. */
+    /** Colors composed last. */
     private float[][] colors;
-    /** Whether the last tile or block was composed. */
+    /** True if the last tile or block was composed. */
     private boolean hasNewColors;
     private long eyeRays;
     private long filmBytes;
@@ -60,7 +60,7 @@ final class TileWorker {
         return bounceLevels;
     }
 
-    /** What was done since the start. */
+    /** Returns the work since the start. */
     WorkCounts work() {
         WorkCounts work = new WorkCounts(eyeWorker.rowsTouched(), eyeWorker.rowsComposed(), eyeWorker.bytesMoved() + filmBytes,
                 new RayCounts(eyeRays, bounceLevels == null ? 0 : bounceLevels.rayCount(), eyeWorker.shadowRays()));
@@ -73,7 +73,7 @@ final class TileWorker {
         return eyeWorker.minFalloff();
     }
 
-    /** Traces the centers of a tile's pixels and keeps what it learned; null where the work was canceled. */
+    /** Traces the centers of a tile's pixels into a new cached tile; null if the work was canceled. */
     CachedTile firstPass(int tile) {
         int x0 = tile % job.tilesX() * Film.TILE_SIZE;
         int y0 = tile / job.tilesX() * Film.TILE_SIZE;
@@ -83,18 +83,18 @@ final class TileWorker {
                 eyeWorker.visibility().traceEyeRays(x0, y0, Film.TILE_SIZE, allocator(job.detectsEdges())), job.detectsEdges(), false);
     }
 
-    /** Traces finer samples; null where the work was canceled. */
+    /** Traces finer samples; null if the work was canceled. */
     CachedTile traceSamples(SamplePositions places) {
         eyeRays += places.count();
         return buildTraced(places, eyeWorker.visibility().traceSamples(places, allocator(false)), false, true);
     }
 
-    /** Whether the samples made last have other colors than before. */
+    /** Returns whether the last samples have other colors than before. */
     boolean hasNewColors() {
         return hasNewColors;
     }
 
-    /** The colors of the samples made last, where those are others than before: red, green and blue, valid until the next call. */
+    /** Returns the colors of the last samples if they changed: red, green and blue, valid until the next call. */
     float[][] colors() {
         return colors;
     }
@@ -113,7 +113,7 @@ final class TileWorker {
         return (count, textured, clear) -> new HitRows(count, textured, clear, detectEdges, needsOwners);
     }
 
-    /** Updates the centers of a tile's pixels as planned; null where the work was canceled. */
+    /** Updates the centers of a tile's pixels as planned; null if the work was canceled. */
     CachedTile relight(int tile, CachedTile old) {
         SamplePositions places = SamplePositions.centers(tile % job.tilesX() * Film.TILE_SIZE, tile / job.tilesX() * Film.TILE_SIZE);
         BitSet retraced = changedRays(places);
@@ -126,15 +126,15 @@ final class TileWorker {
                 false);
     }
 
-    /** Those of the places whose rays may hit something else than before. */
+    /** Returns the sample positions whose rays may have another hit than before. */
     private BitSet changedRays(SamplePositions places) {
         return job.shapeChange().isEmpty() ? new BitSet()
                 : eyeWorker.visibility().eyeRaysThroughBoxes(places, job.shapeChange().visibleChanges());
     }
 
     /**
-     * A tile that anti-aliasing begins to look at: what its rays hit is asked again, for the codes that were not kept; the
-     * rows and their light are those that are known.
+     * Adds edge codes to a tile when edge detection is enabled. Traces its rays again for the codes, which were not stored; keeps
+     * its rows and layers.
      */
     private CachedTile withCodes(SamplePositions places, CachedTile old) {
         TileLevel top = old.levels[0].withCode(eyeHits(places, true).code);
@@ -142,7 +142,7 @@ final class TileWorker {
         return new CachedTile(levels, old.hitShapes, old.images, old.film, null);
     }
 
-    /** What the eye rays of some places hit. */
+    /** Returns the hits of camera rays through some sample positions. */
     private HitRows eyeHits(SamplePositions places, boolean detectEdges) {
         if (places.pixels() != null) {
             eyeRays += places.count();
@@ -153,7 +153,7 @@ final class TileWorker {
         return eyeWorker.visibility().traceEyeRays(places.x0(), places.y0(), Film.TILE_SIZE, allocator(detectEdges));
     }
 
-    /** A tile whose rows know whose they are where a light asks for that, and do not where none does. */
+    /** Adds, remaps or removes the owner shapes of a tile's rows, depending on whether a light needs them. */
     private CachedTile updateOwners(SamplePositions places, CachedTile old) {
         boolean known = old.levels[0].rows().owner != null;
         return !needsOwners && !known || needsOwners && known && job.shapeChange().hasSameIndices() ? old
@@ -161,7 +161,7 @@ final class TileWorker {
                         old.images, old.film, old.codes);
     }
 
-    /** What rays hit is asked again: the rows and their light are those that are known. */
+    /** Traces rays again to find owner shapes; keeps rows and layers. */
     private TileLevel[] withOwners(SamplePositions places, CachedTile old) {
         TileLevel top = old.levels[0].withOwner(eyeHits(places, false).ownersFor(old.levels[0].rows()));
         return bounceLevels().retraceHits(old, top, false, (level, retracedRows) -> level.withOwner(retracedRows.ownersFor(level.rows())));
@@ -181,16 +181,16 @@ final class TileWorker {
         return new CachedTile(levels, old.hitShapes, old.images, old.film, null);
     }
 
-    /** Updates finer samples as planned; null where the work was canceled. */
+    /** Updates finer samples as planned; null if the work was canceled. */
     CachedTile relight(SamplePositions places, CachedTile old) {
         BitSet retraced = changedRays(places);
         return LevelWorker.isWorthUpdating(retraced, places.count()) ? relight(places, old, retraced, false, true) : traceSamples(places);
     }
 
     /**
-     * @param retraced  places whose rays are traced anew
-     * @param codes whether anti-aliasing looks at these rows
-     * @param fine  whether they are finer samples
+     * @param retraced sample positions whose rays are traced again
+     * @param codes    true if edges are detected in these rows
+     * @param fine     true if they are finer samples
      */
     private CachedTile relight(SamplePositions places, CachedTile previous, BitSet retraced, boolean codes, boolean fine) {
         CachedTile old = updateOwners(places, previous);
@@ -236,10 +236,10 @@ final class TileWorker {
     }
 
     /**
-     * Composes the first level, unless its colors are those of before, and puts the tile together.
+     * Composes the first level, unless its colors are unchanged, and builds the tile.
      *
-     * @param film the colors of before
-     * @param fine whether the rows are finer samples, whose colors only accuracy ratio keeps, to bound its errors
+     * @param film previous colors
+     * @param fine true if the rows are finer samples, whose colors only accuracy ratio stores, to bound its errors
      */
     private CachedTile buildTile(SamplePositions places, TileLevel top, BounceLevels.TracedLevels below, boolean isUnchanged,
             float[][] film, EdgeCodes codes,
@@ -263,8 +263,8 @@ final class TileWorker {
     }
 
     /**
-     * @param order what became of the first level's rows; null if they are what they were
-     * @param detectEdges whether anti-aliasing wants to see the levels below
+     * @param order       splice of the first level's rows; null if they are unchanged
+     * @param detectEdges true if edges are detected in the levels below
      */
     private BounceLevels.TracedLevels updateLower(CachedTile old, TileLevel top, RowSplice order, boolean detectEdges) {
         if (top.rows().reflectiveCount == 0) {

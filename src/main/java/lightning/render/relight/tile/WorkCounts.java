@@ -2,7 +2,7 @@ package lightning.render.relight.tile;
 
 import lightning.render.shading.RayCounts;
 
-/** How much was done, over all threads; see {@link lightning.render.relight.UpdateResult}. */
+/** Amount of work over all threads; see {@link lightning.render.relight.UpdateResult}. */
 public record WorkCounts(long rowsTouched, long rowsComposed, long bytesMoved, RayCounts rays) {
     public static final WorkCounts NONE = new WorkCounts(0, 0, 0, RayCounts.NONE);
 

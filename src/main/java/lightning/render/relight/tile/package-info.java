@@ -1,5 +1,5 @@
 /**
- * How a plan is carried out: tile by tile, on all threads, each with a {@link lightning.render.relight.tile.TileWorker} of its own.
- * New tiles are made of old ones; no tile is ever written twice.
+ * Execution of plans: tile by tile on all threads, each with its own {@link lightning.render.relight.tile.TileWorker}. New tiles
+ * are built from old ones; no tile is modified.
  */
 package lightning.render.relight.tile;

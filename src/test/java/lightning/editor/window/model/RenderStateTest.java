@@ -80,7 +80,7 @@ class RenderStateTest {
 
     @Test
     void firstPassAndNoUpdate_showNoPendingSaving() {
-        for (UpdatePlan plan : List.of(new UpdatePlan.FirstPass("another size"), new UpdatePlan.Nothing())) {
+        for (UpdatePlan plan : List.of(new UpdatePlan.FirstPass("resolution changed"), new UpdatePlan.Nothing())) {
             assertThat(text(RenderState.NONE.withFrame(frame(plan)))).contains("60 ms · exact");
         }
     }

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The bound's parts worked out on paper, in units u = 2⁻²⁴ and η = 2⁻¹⁵⁰, and when they are needed. */
+/** Tests the parts of the error bound against hand-computed values, in units u = 2⁻²⁴ and η = 2⁻¹⁵⁰, and when they apply. */
 class RatioBoundTest {
     private static final double U = 0x1p-24;
     private static final double ETA = 0x1p-150;
@@ -47,8 +47,8 @@ class RatioBoundTest {
     }
 
     /**
-     * Weight 1 to 8, 4 and 2: 4η·(1 + 8 + 4)/2 as a share of the least channel's weight, and before it 2η·(1 + 1) of the
-     * weight 1 by which the contributions were made.
+     * Weights 1 to 8, 4 and 2: 4η·(1 + 8 + 4)/2 as a share of the smallest channel's weight, plus the initial 2η·(1 + 1) of the
+     * weight 1 of the first contributions.
      */
     @Test
     void scaledWeight_addsTwoRoundingsAndWeightLoss() {
@@ -59,7 +59,7 @@ class RatioBoundTest {
                 .isEqualTo(4 * ETA + 4 * ETA * 13 / 2 + 4 * ETA * 20 / 2);
     }
 
-    /** Made by weights 8 and 2⁻¹⁰⁰, so the loss of 2η·(8 + 1) is 2¹⁰⁰ times that as a share of the dim channel; scaled by 1/2. */
+    /** First weights 8 and 2⁻¹⁰⁰: the loss of 2η·(8 + 1) is 2¹⁰⁰ times that as a share of the dim channel; scaled by 1/2. */
     @Test
     void smallWeight_hasInitialLoss() {
         Light bright = light(4, 0x1p-101, 0);
@@ -68,7 +68,7 @@ class RatioBoundTest {
         assertThat(after.weightLoss()).isEqualTo(loss + 4 * ETA * 16 * 0x1p101);
     }
 
-    /** Rows that enter the cone now lost more than all that was scaled before; with no ray, no falloff and no weight changed. */
+    /** Rows that now enter the cone lost more than all earlier scalings; no ray is cast, and falloff and weight are unchanged. */
     @Test
     void layerWithNewRows_hasInitialLoss() {
         ScaledStamp before = new ScaledStamp(ONE, 4, 0x1p-120, 0);
@@ -77,7 +77,7 @@ class RatioBoundTest {
         assertThat(after.contributionLoss()).isEqualTo(0x1p-120);
     }
 
-    /** With the falloff down to 2⁻¹⁰ what was lost of the weight becomes a share of weight and falloff. */
+    /** With a falloff down to 2⁻¹⁰, the loss of the weight becomes a share of weight and falloff. */
     @Test
     void scaledFalloff_addsTwoRoundingsAndContributionLoss() {
         ScaledStamp before = new ScaledStamp(ONE, 2, 0x1p-145, 0x1p-146);
@@ -86,7 +86,7 @@ class RatioBoundTest {
         assertThat(RatioBound.stampAfterScaling(LayerStamp.ofComputed(ONE), ONE, true, true, 1).roundings()).isEqualTo(4);
     }
 
-    /** A channel below the least normal float is not divided by: it is never scaled again. */
+    /** A channel below the smallest normal float is never a divisor, so it is not scaled again. */
     @Test
     void subnormalChannel_isIgnored() {
         LayerStamp fresh = LayerStamp.ofComputed(ONE);
@@ -98,20 +98,20 @@ class RatioBoundTest {
                 .isEqualTo(4 * ETA + 4 * ETA * 7 / Float.MIN_NORMAL);
     }
 
-    /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 to close, 2 a mirror. */
+    /** 6 roundings of the two contributions, 4 of two scalings, and twice: the levels of the sum, 5 for the equation, 2 per mirror. */
     @ParameterizedTest
     @CsvSource({"1,0,0", "2,0,1", "3,0,2", "4,0,2", "5,0,3", "8,1,3", "9,10,4"})
-    void relativePart_countsRoundingsToFilm(int lights, int mirrors, int levelsOfTheSum) {
+    void relativePart_countsRoundingsToFilm(int lights, int mirrors, int sumDepth) {
         LayerStamp[] stamps = new LayerStamp[lights];
         stamps[0] = new ScaledStamp(ONE, 4, 0, 0);
         if (lights > 2) {
             stamps[2] = new ScaledStamp(ONE, 2, 0, 0);
         }
-        double n = 6 + 4 + 2 * (levelsOfTheSum + 5 + 2 * mirrors);
+        double n = 6 + 4 + 2 * (sumDepth + 5 + 2 * mirrors);
         assertThat(RatioBound.relative(stamps, mirrors, 1)).isCloseTo(n * U / (1 - 2 * n * U), withinPercentage(1e-9));
     }
 
-    /** The mean of 16 samples is four additions deep, and one division. */
+    /** The mean of 16 samples has four levels of additions and one division. */
     @Test
     void sampleMean_addsRoundingsOfBothImages() {
         LayerStamp[] stamps = {new ScaledStamp(ONE, 2, 0, 0)};
@@ -127,7 +127,7 @@ class RatioBoundTest {
         assertThat(RatioBound.relative(new LayerStamp[0], 3, 1)).isZero();
     }
 
-    /** Twice what the lights of weights 1 and 4 lost, and twice two least normal floats for each, on 3 levels. */
+    /** Twice the loss of the lights of weights 1 and 4, plus twice two smallest normal floats for each, on 3 levels. */
     @Test
     void absolutePart_isTwiceLossOfScaledLights() {
         Light four = light(2, 1, 0);
@@ -137,7 +137,7 @@ class RatioBoundTest {
         assertThat(RatioBound.absolute(stamps, 3, 2)).isEqualTo(3 * loss);
     }
 
-    /** 1.055/2.4 is the steepest that sRGB answers to a share of a value, 12.92 to a difference. */
+    /** The largest slope of sRGB is 1.055/2.4 for a relative change and 12.92 for a difference. */
     @Test
     void bound_isVisibleFromHalfEightBitStep() {
         double relative = 0.5 / 255 / (1.055 / 2.4);
@@ -157,7 +157,7 @@ class RatioBoundTest {
         return new Renderer(new RenderOptions(Accuracy.RATIO, ReflectionMode.CURRENT, MirrorStorage.FULL_ROWS, 1));
     }
 
-    /** The share of the brightest value, and the absolute part of the first level and of two mirrored ones. */
+    /** The relative part of the brightest value, plus the absolute part of the first level and of two mirrored ones. */
     @Test
     void reportedBound_isForBrightestValue() {
         Scene scene = StudioScene.of(LightType.SPOT);
@@ -177,7 +177,7 @@ class RatioBoundTest {
         }
     }
 
-    /** Renders all of the lights, each in the key's place over a black world, and compares the last picture. */
+    /** Renders each of the lights in the key light's place over a black world and compares the last picture. */
     private static void assertWithinBound(List<Light> lights, double minError) {
         Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));
         try (Renderer renderer = renderer()) {
@@ -191,7 +191,7 @@ class RatioBoundTest {
         }
     }
 
-    /** The ratio of the weights is nothing: so is what was 10⁻³⁹, and the bound says so. */
+    /** The ratio of the weights is 0: the value 10⁻³⁹ is lost, and the bound includes it. */
     @Test
     void subnormalWeight_canBeLost() {
         Light key = StudioScene.key(LightType.SPOT).withDropoff(0).withAttenuation(Attenuation.NONE);
@@ -199,8 +199,8 @@ class RatioBoundTest {
     }
 
     /**
-     * Contributions of the least float there is, scaled by 0.6, round to itself again and again: after many steps down
-     * the one step up made 10⁻¹⁵ of 10⁻⁴⁰, and no bound told.
+     * Contributions of the smallest float, scaled by 0.6, round to the same value repeatedly. After many steps down, the one step
+     * up turned 10⁻⁴⁰ into 10⁻¹⁵, and the bound did not include it.
      */
     @Test
     void subnormalWeight_isNotScaledByFalloff() {
@@ -217,7 +217,7 @@ class RatioBoundTest {
         }
     }
 
-    /** A bound of that exposure shows at once: the contributions are made anew, and nothing is left of it. */
+    /** A bound at that exposure is visible immediately: contributions are recomputed, and the bound returns to 0. */
     @Test
     void visibleError_triggersRefresh() {
         Scene scene = StudioScene.of(LightType.SPOT).withWorld(new World(0, Rgb.BLACK));

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The two ratios of the paper's updates, over rows straight under the light, and where there is none. */
+/** Tests the two ratios of the paper's updates, over rows straight under the light, and the cases without a ratio. */
 class RatioTermsTest {
     private static final byte LIT = LightRows.LIT | LightRows.UNBLOCKED;
     private static final byte SHADOWED = LightRows.SHADOWED | LightRows.BLOCKED;
@@ -54,13 +54,13 @@ class RatioTermsTest {
         assertThat(IntensityRatio.between(weighted(0, 2, 3), weighted(0, 2, 3))).isEqualTo(IntensityRatio.NONE);
     }
 
-    /** Its contributions have lost digits, and would lose more with each change of falloff. */
+    /** Its contributions have lost digits and would lose more with each change of falloff. */
     @Test
     void subnormalChannel_hasNoRatio() {
         assertThat(IntensityRatio.between(weighted(1, 1e-40, 3), weighted(1, 1e-40, 3)).isUsable()).isFalse();
     }
 
-    /** From 0 there is no ratio, from less than a normal float only one that has lost digits, and to 0 it is 0. */
+    /** From 0 there is no ratio, from a subnormal float only one that has lost digits, and to 0 it is 0. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e-45, 1e-40, 0x1.fffffcp-127})
     void nearZeroChannel_hasNoRatio(double before) {
@@ -78,7 +78,7 @@ class RatioTermsTest {
         assertThat(IntensityRatio.between(luminaire(dim), luminaire(dim.withIntensity(1e4))).isUsable()).isFalse();
     }
 
-    /** Rows at the distances given, under a light in the origin that shines down. */
+    /** Creates rows at the given distances under a light in the origin that shines down. */
     private static HitRows rows(double... distances) {
         HitRows rows = new HitRows(distances.length, false);
         rows.count = distances.length;
@@ -117,7 +117,7 @@ class RatioTermsTest {
         assertThat(ratio.minFalloff()).isEqualTo(1);
     }
 
-    /** The row lies 60° off the axis. */
+    /** The row is 60° off the axis. */
     @Test
     void attenuationRatio_includesSpotCoefficient() {
         Light slanted = light(LightType.SPOT).withDirection(new Vec3(Math.sqrt(3), -1, 0));
@@ -127,7 +127,7 @@ class RatioTermsTest {
         assertThat(ratio.minFalloff()).isCloseTo(0.125, within(1e-7));
     }
 
-    /** 1/(2⁶⁶·2⁶⁰) is the least normal float; one digit more attenuation, and the old value is too small to divide by. */
+    /** 1/(2⁶⁶·2⁶⁰) is the smallest normal float; with slightly more attenuation, the old value is too small to divide by. */
     @Test
     void subnormalFalloffOfLitRow_hasNoRatio() {
         Light edge = light(LightType.POINT).withAttenuation(new Attenuation(0, 0, 0x1p66));

@@ -23,7 +23,7 @@ import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 import org.junit.jupiter.api.Test;
 
-/** Which layer goes on from which, and the least update of each, for lists of lights and at accuracy ratio. */
+/** Tests the origin of each layer and its least update, for lists of lights and at accuracy ratio. */
 class DispatcherTest {
     private static final LightUpdate KEEP = new LightUpdate.Keep();
     private static final LightUpdate REWEIGHT = new LightUpdate.Reweight();
@@ -62,7 +62,7 @@ class DispatcherTest {
         }
     }
 
-    /** The old layer and the update of each wanted light, after a picture with the lights A and B. */
+    /** Asserts the old layer and the update of each target light after a picture with the lights A and B. */
     private static void assertOrigins(List<Light> target, List<Integer> from, List<LightUpdate> updates) {
         try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, STUDIO)) {
             List<LayerPlan> layers = ((UpdatePlan.Relight) renderer.plan(STUDIO.withLights(target)).update()).top().layers();
@@ -88,7 +88,7 @@ class DispatcherTest {
         assertOrigins(List.of(A, B.withName("x"), B.withName("y")), List.of(0, 1, -1), List.of(KEEP, KEEP, ADDED));
     }
 
-    /** Renamed and dimmed at once: its place tells, if the list is as long as before and the place is free. */
+    /** A light renamed and dimmed in one edit is matched by index, if the list has the same length and the index is free. */
     @Test
     void renamedAndEditedLight_usesLayerAtSameIndex() {
         Light edited = B.withName("x").withIntensity(0.5);
@@ -104,17 +104,17 @@ class DispatcherTest {
         try (Renderer renderer = renderedWith(Accuracy.EXACT, ReflectionMode.STALE, STUDIO)) {
             Camera c = STUDIO.camera();
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(31, 24))).update())
-                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+                    .isEqualTo(new UpdatePlan.FirstPass("resolution changed"));
             assertThat(renderer.plan(STUDIO.withPicture(STUDIO.picture().withSize(30, 25))).update())
-                    .isEqualTo(new UpdatePlan.FirstPass("another size"));
+                    .isEqualTo(new UpdatePlan.FirstPass("resolution changed"));
             assertThat(renderer.plan(STUDIO.withCamera(new Camera(c.from(), c.to(), c.up(), 41))).update())
-                    .isEqualTo(new UpdatePlan.FirstPass("another camera"));
+                    .isEqualTo(new UpdatePlan.FirstPass("camera changed"));
             Scene others = STUDIO.withNodes(STUDIO.nodes().stream().<SceneNode>map(n -> ((Shape) n).withName(n.name() + "2")).toList());
-            assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("other shapes"));
+            assertThat(renderer.plan(others).update()).isEqualTo(new UpdatePlan.FirstPass("objects changed"));
             Scene finer = STUDIO.withPicture(STUDIO.picture().withSampling(new SamplingSettings(AntialiasMode.EVERY, 2)));
-            assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("other samples"));
+            assertThat(renderer.plan(finer).update()).isEqualTo(new UpdatePlan.FirstPass("anti-aliasing changed"));
             renderer.clear();
-            assertThat(renderer.plan(STUDIO).update()).isEqualTo(new UpdatePlan.FirstPass("no picture yet"));
+            assertThat(renderer.plan(STUDIO).update()).isEqualTo(new UpdatePlan.FirstPass("no image yet"));
         }
     }
 
@@ -129,7 +129,7 @@ class DispatcherTest {
         }
     }
 
-    /** The paper's choices: a turned light and one whose weight was 0 are computed in full, and so is one that was almost 0. */
+    /** The paper's rules: a turned light and one whose weight was 0 are recomputed in full, as is one that was almost 0. */
     @Test
     void ratioAccuracy_scalesIfPossibleElseRecomputes() {
         assertThat(ratioUpdate(A, l -> l)).isEqualTo(KEEP);
@@ -149,7 +149,7 @@ class DispatcherTest {
         return plan.layers().stream().map(LayerPlan::update).toList();
     }
 
-    /** Only what was scaled and shines: A was not edited, C was and is off now, D never shone. */
+    /** Refreshes only scaled lights that shine: A was not edited, C was edited and is off now, D never shone. */
     @Test
     void refresh_recomputesScaledContributions() {
         Light c = light("c", 2);

@@ -30,7 +30,10 @@ import lightning.scene.Scene;
 import lightning.scene.SceneNode;
 import org.junit.jupiter.api.Test;
 
-/** Where many lights shine, layers without highlights keep cosine times falloff; edits that need either alone find the bits of a full trace. */
+/**
+ * Tests layers of many lights without highlights, which store cosine times falloff: edits that need one of the two still give the
+ * bits of a full trace.
+ */
 class PremultipliedLayersTest {
     private static final RenderOptions CURRENT = RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT).withThreads(1);
     private static final Scene NIGHT = SmallNightScene.SCENE;
@@ -111,7 +114,7 @@ class PremultipliedLayersTest {
         assertEqualsFullTrace(mirrored, withFalloff(mirrored));
     }
 
-    /** The scene with another material wherever none has highlights. */
+    /** Returns the scene with another material on all shapes without highlights. */
     private static Scene withFloorMaterial(UnaryOperator<Material> edit) {
         return NIGHT.withMaterials(NIGHT.materials().stream().map(m -> m.specular().isBlack() ? edit.apply(m) : m).toList());
     }

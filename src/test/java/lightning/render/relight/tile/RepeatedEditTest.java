@@ -24,7 +24,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** While one light is dragged the sums over the others are kept, and no bit differs for it. */
+/** Tests that partial sums of the other lights are cached while one light is dragged, without changing a bit. */
 @Slow
 class RepeatedEditTest {
     private static final Scene NIGHT = SmallNightScene.SCENE;
@@ -117,7 +117,7 @@ class RepeatedEditTest {
         }
     }
 
-    /** Adding seven lights anew reads less memory than their sums would take. */
+    /** Adding seven lights again reads less memory than their sums would take. */
     @Test
     void sums_areCachedFromEightLights() {
         for (int lights : new int[] {RepeatedEditDetector.MIN_LIGHTS - 1, RepeatedEditDetector.MIN_LIGHTS}) {

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import lightning.format.jen.JenReader;
 import lightning.scene.Scene;
 
-/** A scene of thirty lights over so few pixels that it is traced again and again. */
+/** Scene of thirty lights over few pixels, for repeated traces. */
 final class SmallNightScene {
     static final Scene SCENE = read();
 
