@@ -99,7 +99,7 @@ public final class Editor implements AutoCloseable {
                 thread.runInOrder(() -> {
                     found.delete();
                     return found;
-                }, _ -> {}, failure -> notices.showFailure(Messages.tr("The edits could not be discarded"), failure));
+                }, _ -> {}, failure -> notices.showFailure(Messages.tr("Could not discard the edits"), failure));
             }
         }
     }

@@ -59,7 +59,7 @@ final class EditorMenu extends MenuBar {
         Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
         rig.setGraphic(new FontIcon("mdi2f-file-outline"));
         light.getItems().add(rig);
-        Menu shape = menu(Messages.tr("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
+        Menu shape = menu(Messages.tr("Object"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
                 Command.SHOW_SHAPE);
         Menu shot =
                 menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, SEPARATOR, Command.NEW_SHOT, Command.DELETE_SHOT, SEPARATOR,
@@ -136,7 +136,7 @@ final class EditorMenu extends MenuBar {
         model.commands().setToggle(Command.LIGHT_THEME, light);
         Menu view = menu(Messages.tr("View"), Command.ONLY_SELECTED, Command.SCOPES);
         view.getItems().add(
-                new Menu(Messages.tr("Show the Picture"), null,
+                new Menu(Messages.tr("View Options"), null,
                         ViewMenuItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
         add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
@@ -164,7 +164,7 @@ final class EditorMenu extends MenuBar {
             menu.getItems()
                     .add(items.choice(Command.LANGUAGE, "language-" + value.name(), value.toString(), chosen.map(c -> c == value), () -> {
                         chosen.set(value);
-                        model.editor().message().show(Messages.tr("The editor speaks it from its next start on"));
+                        model.editor().message().show(Messages.tr("The interface language changes after a restart"));
                     }));
         }
         return menu;

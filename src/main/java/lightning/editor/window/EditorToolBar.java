@@ -55,7 +55,7 @@ final class EditorToolBar extends ToolBar {
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, CommandButton.titledButton(commands, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(separator(), precision(precision), size(), labeled(Messages.tr("Depth"), depth()), separator());
+        getItems().addAll(separator(), precision(precision), size(), labeled(Messages.tr("Bounces"), depth()), separator());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
@@ -105,9 +105,8 @@ final class EditorToolBar extends ToolBar {
     private MenuButton size() {
         var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
-        sizes.setAccessibleText(Messages.tr("Size and anti-aliasing of the traced picture"));
-        sizes.setTooltip(new Tooltip(Messages.tr("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
-                + "other anti-aliasing is an edit, and Go computes what is missing.")));
+        sizes.setAccessibleText(Messages.tr("Resolution and anti-aliasing"));
+        sizes.setTooltip(new Tooltip(Messages.tr("Resolution and anti-aliasing\nA new resolution renders the image in full.")));
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
         sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items));
         sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items));
@@ -118,9 +117,9 @@ final class EditorToolBar extends ToolBar {
     private Spinner<Integer> depth() {
         var depth = new Spinner<Integer>(0, SceneLimits.MAX_DEPTH, 0);
         depth.setId("depth");
-        depth.setAccessibleText(Messages.tr("Recursion depth of mirrors"));
+        depth.setAccessibleText(Messages.tr("Reflection bounces"));
         depth.setTooltip(
-                new Tooltip(Messages.tr("Recursion depth\nHow many mirror bounces are followed, 0 to {0}.", SceneLimits.MAX_DEPTH)));
+                new Tooltip(Messages.tr("Reflection bounces (0 to {0})", SceneLimits.MAX_DEPTH)));
         editor.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
         depth.valueProperty().subscribe(v -> {
             if (v != editor.scene().picture().depth()) {

@@ -89,7 +89,7 @@ public final class EditorWindow implements AutoCloseable {
         if (!fullScreen.isBound()) {
             // Escape cancels and ends what is asked.
             stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
-            stage.setFullScreenExitHint(Messages.tr("F11 leaves the full screen"));
+            stage.setFullScreenExitHint(Messages.tr("Press F11 to exit full screen"));
             fullScreen.bind(stage.fullScreenProperty());
         }
         stage.setFullScreen(!stage.isFullScreen());

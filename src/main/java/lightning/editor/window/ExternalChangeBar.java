@@ -109,10 +109,10 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
             return Messages.tr("{0} was changed by another program.", name);
         }
         if (status.isDeleted()) {
-            return Messages.tr("{0} is no longer where it was; Save Scene writes it again.", name);
+            return Messages.tr("{0} was moved or deleted. Save Scene creates it again.", name);
         }
         return status.isOpenElsewhere()
-                ? Messages.tr("{0} is open in another editor of yours too. Each asks before it overwrites the other's work.", name)
+                ? Messages.tr("{0} is also open in another window. Lightning asks before it overwrites changes.", name)
                 : "";
     }
 

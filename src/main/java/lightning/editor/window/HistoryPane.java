@@ -83,7 +83,7 @@ final class HistoryPane extends VBox {
         lightName.setText(lightToggle.isSelected() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
                 .mapToObj(i -> new Row(i,
-                        i == 0 ? lightToggle.isSelected() ? Messages.tr("As it first was") : Messages.tr("As it was opened")
+                        i == 0 ? lightToggle.isSelected() ? Messages.tr("Initial state") : Messages.tr("Opened")
                                 : steps.get(i - 1),
                         i > position))
                 .toList();
@@ -99,7 +99,7 @@ final class HistoryPane extends VBox {
             return;
         }
         if (editor.isAnimating()) {
-            editor.message().show(Messages.tr("An animation is open; close it first"));
+            editor.message().show(Messages.tr("Close the open animation first"));
         } else if (row.position() == list.getItems().stream().filter(r -> !r.isUndone()).count() - 1) {
             return;
         } else if (lightToggle.isSelected()) {

@@ -140,7 +140,7 @@ class ExternalChangesTest extends EditorFixture {
     void deletedFile_isReportedAndCanBeSavedAgain() throws IOException {
         Files.delete(file);
         awaitNotice();
-        assertThat(text("disk-news")).contains("is no longer where it was");
+        assertThat(text("disk-news")).contains("was moved or deleted");
         click("save-scene");
         waitFor("it is saved", () -> !isNoticeShown());
         assertThat(file).exists();
@@ -152,7 +152,7 @@ class ExternalChangesTest extends EditorFixture {
         try (var other = new OpenSceneRegistry(EditorPaths.dataFolder().resolve("open"))) {
             other.register(file);
             awaitNotice();
-            assertThat(text("disk-news")).contains("is open in another editor");
+            assertThat(text("disk-news")).contains("is also open in another window");
         }
         waitFor("it is gone", () -> !isNoticeShown());
     }

@@ -76,7 +76,7 @@ class GoTest extends EditorFixture {
         dim();
         assertThat(isEnabled(Command.GO)).isTrue();
         waitFor("the canvas is marked", () -> isShown("pending"));
-        assertThat(text("pending")).isEqualTo("Edits not yet rendered");
+        assertThat(text("pending")).isEqualTo("Out of date. Render (F5)");
     }
 
     @Test
@@ -299,7 +299,7 @@ class GoTest extends EditorFixture {
         dim();
         click("go");
         waitFor("it is told", () -> isShown("mirrors"));
-        assertThat(text("mirrors")).isEqualTo("The mirrors are older than the lights: Update Reflections");
+        assertThat(text("mirrors")).isEqualTo("Reflections out of date. Click to update");
         click("mirrors");
         waitFor("they are updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
@@ -333,7 +333,7 @@ class GoTest extends EditorFixture {
         robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().editor().edit(scene -> LightEdits.delete(scene, l))));
         click("go");
         waitFor("it is told", () -> isShown("mirrors"));
-        assertThat(text("mirrors")).isEqualTo("No light shines here; the mirrors still show those of before: Update Reflections");
+        assertThat(text("mirrors")).isEqualTo("No lights on; reflections out of date. Click to update");
         robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.EXACT));
         waitFor("no ghost is left", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());

@@ -76,7 +76,7 @@ class LightningAppTest {
     @Test
     void picture_beforePanes_isLabeledCoarse(FxRobot robot) throws Exception {
         TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
-        assertThat(notes).containsExactly("Coarse picture, a finer one follows");
+        assertThat(notes).containsExactly("Refining…");
         assertThat(texts(robot.lookup("#traced-picture").query())).isEmpty();
     }
 

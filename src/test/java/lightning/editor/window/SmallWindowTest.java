@@ -124,7 +124,7 @@ class SmallWindowTest extends EditorFixture {
             resize(width, 540);
             FastRobot.settle();
             Node bar = robot.lookup("#toolbar").query();
-            boolean named = robot.from(bar).lookup("Depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
+            boolean named = robot.from(bar).lookup("Bounces").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
             boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
             assertThat(named).as("the name beside the control, at " + width).isEqualTo(there);
         }

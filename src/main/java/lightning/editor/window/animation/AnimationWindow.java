@@ -38,7 +38,8 @@ public final class AnimationWindow extends Stage {
                             window.show();
                             window.animation.setRecorded(path);
                         }, () -> model.editor().message()
-                                .show(Messages.tr("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+                                .show(Messages
+                                        .tr("Expected linear keyframes of position and direction at the same, evenly spaced frames"))));
     }
 
     AnimationWindow(EditorModel model, Window owner, PathPrompt pathPrompt) {
@@ -48,7 +49,7 @@ public final class AnimationWindow extends Stage {
             animation.convertToKeys();
             close();
         });
-        setTitle(Messages.tr("Animation of {0}", animation.light()));
+        setTitle(Messages.tr("Animate Light “{0}”", animation.light()));
         String name = model.editor().document().name().replaceFirst("\\.[^.]*$", "") + "-" + animation.light();
         AnimationPane pane = new AnimationPane(animation, name, pathPrompt, this::close,
                 CommandButton.titledButton(model.commands(), Command.WAY_TO_KEYS));

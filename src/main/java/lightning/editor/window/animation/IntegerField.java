@@ -21,7 +21,7 @@ final class IntegerField {
                 return Optional.of(e.getMessage());
             }
             if (rounded != Math.rint(rounded)) {
-                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", title, SceneLimits.format(rounded)));
+                return Optional.of(Messages.tr("{0}: expected a whole number, found {1}", title, SceneLimits.format(rounded)));
             }
             set((int) rounded);
             return Optional.empty();

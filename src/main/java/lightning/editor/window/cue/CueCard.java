@@ -57,7 +57,7 @@ final class CueCard extends VBox {
         }
         name.setId("cue-name-" + cue.name());
         name.setText(cue.name());
-        name.setAccessibleText(Messages.tr("name of the cue {0}", cue.name()));
+        name.setAccessibleText(Messages.tr("name of look {0}", cue.name()));
         name.setOnAction(_ -> callbacks.rename(cue, name.getText().strip()));
         name.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(cue.name())) {
@@ -70,21 +70,21 @@ final class CueCard extends VBox {
                 name.setText(cue.name());
             }
         });
-        var restore = new Button(Messages.tr("Restore"));
+        var restore = new Button(Messages.tr("Apply"));
         restore.setId("cue-restore-" + cue.name());
-        restore.setTooltip(new Tooltip(Messages.tr("Light the scene so; can be undone")));
+        restore.setTooltip(new Tooltip(Messages.tr("Apply this look to the scene")));
         restore.setOnAction(_ -> callbacks.restore(cue));
         a.setId("cue-a-" + cue.name());
-        a.setTooltip(new Tooltip(Messages.tr("Compare and blend from this cue")));
+        a.setTooltip(new Tooltip(Messages.tr("Use this look as A")));
         a.setAccessibleText(Messages.tr("{0} as A", cue.name()));
         a.setOnAction(_ -> callbacks.chooseA(cue));
         b.setId("cue-b-" + cue.name());
-        b.setTooltip(new Tooltip(Messages.tr("Compare with and blend to this cue")));
+        b.setTooltip(new Tooltip(Messages.tr("Use this look as B")));
         b.setAccessibleText(Messages.tr("{0} as B", cue.name()));
         b.setOnAction(_ -> callbacks.chooseB(cue));
         var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
         remove.setId("cue-remove-" + cue.name());
-        remove.setAccessibleText(Messages.tr("remove the cue {0}", cue.name()));
+        remove.setAccessibleText(Messages.tr("remove look {0}", cue.name()));
         remove.setTooltip(new Tooltip(Messages.tr("Remove")));
         remove.setOnAction(_ -> callbacks.remove(cue));
         for (var control : new ButtonBase[] {restore, a, b}) {

@@ -51,7 +51,7 @@ public final class CuePane extends VBox {
     private final DisabledReason saveReason;
     private final FlowPane gallery = new FlowPane();
     private final Label message = new Label();
-    private final Button restoreButton = new Button(Messages.tr("Bring Back"));
+    private final Button restoreButton = new Button(Messages.tr("Undo Remove"));
     private final CueCompare compare = new CueCompare();
     private final Slider blend = new Slider(0, PERCENT, 0);
     private final DisabledReason blendReason;
@@ -74,9 +74,9 @@ public final class CuePane extends VBox {
         setId("cues");
         getStyleClass().add("cues");
         name.setId("cue-new-name");
-        name.setPromptText(Messages.tr("Name of a new cue"));
-        name.setAccessibleText(Messages.tr("name of a new cue"));
-        var saveButton = new Button(Messages.tr("Keep Cue"));
+        name.setPromptText(Messages.tr("Look name"));
+        name.setAccessibleText(Messages.tr("look name"));
+        var saveButton = new Button(Messages.tr("Save Look"));
         saveButton.setId("cue-keep");
         saveButton.getStyleClass().add("accent");
         saveButton.setOnAction(_ -> saveCue());
@@ -84,7 +84,7 @@ public final class CuePane extends VBox {
         name.setOnAction(_ -> saveButton.fire());
         var saveBox = new StackPane(saveButton);
         saveReason = new DisabledReason(saveBox, saveButton,
-                Messages.tr("Keep how the scene is lit now, with its picture, in a folder beside the scene"));
+                Messages.tr("Save the lighting and a thumbnail in the scene's folder"));
         message.setId("cue-message");
         message.getStyleClass().add("pane-note");
         message.setMaxWidth(Double.MAX_VALUE);
@@ -96,8 +96,8 @@ public final class CuePane extends VBox {
         var tools = new HBox(name, saveBox, message, restoreButton);
         tools.getStyleClass().add("mixer-tools");
         blend.setId("cue-blend");
-        blend.setAccessibleText(Messages.tr("blend from A to B, per cent"));
-        blend.setTooltip(new Tooltip(Messages.tr("Light the scene between A and B; each drag is one step to undo")));
+        blend.setAccessibleText(Messages.tr("blend from A to B in percent"));
+        blend.setTooltip(new Tooltip(Messages.tr("Blend the lighting from A to B")));
         blend.setOnMousePressed(_ -> gesture = new Object());
         blend.setOnMouseReleased(_ -> gesture = null);
         blend.valueProperty().subscribe(v -> blendTo(v.doubleValue() / PERCENT));
@@ -129,8 +129,8 @@ public final class CuePane extends VBox {
     }
 
     private static Optional<String> saveDisabledReason(EditorState state) {
-        return state.animating() ? Optional.of(Messages.tr("an animation is open; close it first"))
-                : state.frame().isEmpty() ? Optional.of(Messages.tr("there is no picture yet")) : state.pendingMessage();
+        return state.animating() ? Optional.of(Messages.tr("close the open animation first"))
+                : state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
     }
 
     private CueFolder folder() {
@@ -170,7 +170,7 @@ public final class CuePane extends VBox {
         gallery.getChildren().setAll(cards.values());
         if (cues.isEmpty()) {
             var empty = new Label(
-                    Messages.tr("No cues yet. A cue keeps how the scene is lit now, with its picture, in {0}.",
+                    Messages.tr("No looks yet. Saved looks appear here and are stored in {0}.",
                             folder().path().getFileName()));
             empty.getStyleClass().add("pane-note");
             gallery.getChildren().add(empty);
@@ -190,7 +190,7 @@ public final class CuePane extends VBox {
         cards.forEach((cueName, card) -> card.show(cueName.equals(a), cueName.equals(b)));
         compare.show(findCue(a), findCue(b));
         boolean hasBoth = lighting(a).isPresent() && lighting(b).isPresent();
-        blendReason.set(hasBoth ? Optional.empty() : Optional.of(Messages.tr("choose two cues, A and B")));
+        blendReason.set(hasBoth ? Optional.empty() : Optional.of(Messages.tr("choose two looks, A and B")));
         isUpdating = true;
         blend.setValue(0);
         percent.setText("0 %");
@@ -205,7 +205,7 @@ public final class CuePane extends VBox {
             return;
         }
         if (findCue(cueName).isPresent()) {
-            showMessage(Messages.tr("There is a cue {0} already; remove it first, or choose another name", Quote.of(cueName)));
+            showMessage(Messages.tr("The name {0} is already in use", Quote.of(cueName)));
             return;
         }
         CueFolder folder = folder();
@@ -217,7 +217,7 @@ public final class CuePane extends VBox {
             folder.save(cueName, lighting, film, view);
             return cueName;
         }, savedName -> {
-            showMessage(Messages.tr("Kept {0}", Quote.of(savedName)));
+            showMessage(Messages.tr("Saved {0}", Quote.of(savedName)));
             name.clear();
             loadCues();
         });

@@ -32,7 +32,8 @@ final class ColorPopup {
         this.channel = channel;
         maxValue = channel instanceof MixerChannel.OfLightGroup ? 1 : SceneLimits.MAX_LIGHT_COLOR;
         sliders = channel instanceof MixerChannel.OfLightGroup
-                ? ColorSliders.forSurface(channel.title(), Messages.tr("The gel, a factor of its lights' colors"), 1, new Target())
+                ? ColorSliders.forSurface(channel.title(), Messages.tr("Gel: multiplies the color of every light in the group"), 1,
+                        new Target())
                 : new ColorSliders(new Target());
     }
 

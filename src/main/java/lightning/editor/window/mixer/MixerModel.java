@@ -129,7 +129,7 @@ final class MixerModel {
         }
         if (oldIntensity == 0) {
             return report(
-                    Optional.of(Messages.tr("{0} is dark, and no factor makes it brighter: choose Absolute, or begin at another strip",
+                    Optional.of(Messages.tr("{0} is at 0, so it cannot be scaled. Choose Absolute, or drag another strip",
                             channel.title())));
         }
         return edit(scene -> MixerEdits.scaleIntensity(scene, from, channels, intensity / oldIntensity), gesture);

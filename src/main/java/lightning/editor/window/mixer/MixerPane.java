@@ -96,16 +96,16 @@ public final class MixerPane extends VBox {
     private Node toolBar() {
         search.setId("mixer-search");
         search.setPromptText(Messages.tr("Search"));
-        search.setAccessibleText(Messages.tr("search strips by name or type"));
+        search.setAccessibleText(Messages.tr("search lights by name or type"));
         search.textProperty().subscribe(_ -> updateStrips());
         filter.setId("mixer-filter");
-        filter.setAccessibleText(Messages.tr("which strips are shown"));
+        filter.setAccessibleText(Messages.tr("filter strips"));
         filter.getItems().setAll(StripFilter.values());
         filter.setValue(StripFilter.ALL);
         filter.valueProperty().subscribe(_ -> updateStrips());
         var mode = new ToggleGroup();
-        var relative = toggle("relative", Messages.tr("Relative"), Messages.tr("Several strips change by the same factor"), mode);
-        var absolute = toggle("absolute", Messages.tr("Absolute"), Messages.tr("Several strips get the same value"), mode);
+        var relative = toggle("relative", Messages.tr("Relative"), Messages.tr("Scale all selected strips by the same factor"), mode);
+        var absolute = toggle("absolute", Messages.tr("Absolute"), Messages.tr("Set all selected strips to the same value"), mode);
         relative.setSelected(true);
         mode.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {

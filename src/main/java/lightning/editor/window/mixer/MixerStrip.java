@@ -76,7 +76,7 @@ final class MixerStrip extends VBox {
                         (v, gesture) -> setIntensity(MixerEdits.intensityOfStops(v), gesture)));
         stops.setId("stops-" + id);
         var stopsRow = row(Messages.tr("stops"), stops);
-        stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Stops: 0 is intensity 1, one more is twice the light"));
+        stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Intensity in stops (0 = intensity 1, +1 = twice as bright)"));
         intensity = new NumberField(Messages.tr("{0} intensity", id),
                 NumberSetting.of("intensity", new StepRange(0.1, 0, channel.maxIntensity()), this::setIntensity));
         intensity.setId("intensity-" + id);
@@ -85,12 +85,12 @@ final class MixerStrip extends VBox {
         intensity.setTooltip(new Tooltip(Messages.tr("Intensity")));
         solo.setId("solo-" + id);
         solo.setAccessibleText(Messages.tr("{0} solo", id));
-        solo.setTooltip(new Tooltip(Messages.tr("Solo: only lights that are solo shine")));
+        solo.setTooltip(new Tooltip(Messages.tr("Solo")));
         solo.getStyleClass().add("solo");
         solo.setOnAction(_ -> toggleSolo());
         mute.setId("mute-" + id);
         mute.setAccessibleText(Messages.tr("{0} mute", id));
-        mute.setTooltip(new Tooltip(Messages.tr("Mute: switch it off")));
+        mute.setTooltip(new Tooltip(Messages.tr("Mute")));
         mute.getStyleClass().add("mute");
         mute.setOnAction(_ -> toggleMute());
         color.setId("color-" + id);

@@ -9,9 +9,9 @@ import lightning.scene.Scene;
 
 /** Which strips of the board are seen. */
 enum StripFilter {
-    ALL(Messages.key("All")), SHINING(Messages.key("Shining")), DARK(Messages.key("Dark")), SOLO(Messages.key("Solo")),
+    ALL(Messages.key("All")), SHINING(Messages.key("Active")), DARK(Messages.key("Inactive")), SOLO(Messages.key("Solo")),
     MUTED(Messages.key("Muted")),
-    LIGHT_GROUPS(Messages.key("Banks"));
+    LIGHT_GROUPS(Messages.key("Light groups"));
 
     private final String title;
 
@@ -39,7 +39,7 @@ enum StripFilter {
     static boolean matches(String query, MixerChannel channel, Scene scene) {
         String title = channel.title() + switch (channel) {
             case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");
-            case MixerChannel.OfLightGroup _ -> Messages.tr(" bank");
+            case MixerChannel.OfLightGroup _ -> Messages.tr(" light group");
             case MixerChannel.OfEnvironment _ -> "";
         };
         String text = title.toLowerCase(Locale.ROOT);

@@ -73,7 +73,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         setId("preview-canvas");
         setFocusTraversable(true);
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
-        setAccessibleText(Messages.tr("Preview of the scene with its lights"));
+        setAccessibleText(Messages.tr("Preview of the scene and its lights"));
         getChildren().addAll(image, gizmos);
         editor.documentProperty().subscribe(_ -> needsFirstView = true);
         editor.sceneProperty().subscribe(_ -> requestLayout());

@@ -47,12 +47,12 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private final Pane slots = new Pane();
     private final Label cost = new Label();
     private final Label progress = new Label();
-    private final Button localButton = new Button(Messages.tr("Keep Here Again"));
+    private final Button localButton = new Button(Messages.tr("Render Locally"));
     /** Below the names, beside the pictures. */
     private final VBox statusBox = new VBox();
     private final HBox question;
-    private final Button startButton = new Button(Messages.tr("Keep the Frames"));
-    private final Button remoteButton = new Button(Messages.tr("On Other Machines…"));
+    private final Button startButton = new Button(Messages.tr("Cache Frames"));
+    private final Button remoteButton = new Button(Messages.tr("Render on Other Machines…"));
     private final List<Slot> visibleSlots = new ArrayList<>();
     private final Subscription subscription;
     private final RemoteFramePreview remotePreview;
@@ -231,9 +231,9 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
 
     private void showCost(Shot shot) {
         long bytes = LocalFrames.maxBytes(editor.document().content().base(), shot);
-        cost.setText(Messages.tr("The strip keeps {0} small frames and relights them after each edit: at most {1} MB of memory.",
+        cost.setText(Messages.tr("Caches {0} thumbnails and relights them after each edit (up to {1} MB).",
                 (long) shot.last() - shot.first() + 1, Math.max(1, Math.round(bytes / MEGABYTE)))
-                + (fitsInMemory(shot) ? "" : " " + Messages.tr("That is more than there is for it.")));
+                + (fitsInMemory(shot) ? "" : " " + Messages.tr("Not enough memory.")));
         startButton.setDisable(!fitsInMemory(shot));
     }
 

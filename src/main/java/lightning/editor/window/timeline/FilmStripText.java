@@ -22,21 +22,21 @@ final class FilmStripText {
         }
         List<String> parts = new ArrayList<>();
         machines.ifPresent(count -> parts.add(count == 0 ? noMachineText(strip)
-                : Messages.count(count, "{0} machine", "{0} machines", count)));
+                : Messages.count(count, "{0} node", "{0} nodes", count)));
         parts.add(Messages.tr("{0} of {1} frames", current, frameCount));
         if (failed > 0) {
             parts.add(Messages.tr("{0} failed", failed));
         }
         if (strip.status().hasLostMachine() && machines.orElse(0) > 0) {
-            parts.add(Messages.tr("a machine is gone, others trace its frames"));
+            parts.add(Messages.tr("lost a node; its frames are being rendered on other nodes"));
         }
         return String.join(", ", parts);
     }
 
     private static String noMachineText(FilmStrip strip) {
         String hosts = strip.frames() instanceof RemoteFrames far ? far.hosts() : "";
-        return strip.status().hasLostMachine() ? Messages.tr("all machines are gone; one that comes goes on")
-                : Messages.tr("no machine answers at {0}: none is there yet, or it has another certificate", hosts);
+        return strip.status().hasLostMachine() ? Messages.tr("all nodes lost; rendering resumes when a node connects")
+                : Messages.tr("no node responds at {0}: it may not be running, or its certificate differs", hosts);
     }
 
     /** One frame, for who does not see it. */
@@ -44,9 +44,9 @@ final class FilmStripText {
         String name = Messages.tr("frame {0}", frame);
         return switch (strip.state(frame)) {
             case CURRENT -> name;
-            case STALE -> Messages.tr("{0}, before the newest edit", name);
-            case MISSING -> Messages.tr("{0}, not there yet", name);
-            case FAILED -> Messages.tr("{0} cannot be made: {1}", name, strip.status().problem(frame).orElse(""));
+            case STALE -> Messages.tr("{0}, out of date", name);
+            case MISSING -> Messages.tr("{0}, not rendered yet", name);
+            case FAILED -> Messages.tr("{0} failed: {1}", name, strip.status().problem(frame).orElse(""));
         };
     }
 }

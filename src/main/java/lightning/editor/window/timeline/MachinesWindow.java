@@ -14,7 +14,7 @@ final class MachinesWindow extends PanelWindow {
 
     /** @param onJoined gets the frames on them, once this machine takes part */
     MachinesWindow(MachinesPane pane, Window owner, CommandRegistry commands, Consumer<RemoteFrames> onJoined) {
-        super(owner, Messages.tr("On Other Machines"), pane, WIDTH, HEIGHT);
+        super(owner, Messages.tr("Render on Other Machines"), pane, WIDTH, HEIGHT);
         CommandKeys.install(getScene(), commands);
         pane.setOnJoined(frames -> {
             onJoined.accept(frames);

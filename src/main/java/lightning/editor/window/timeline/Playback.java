@@ -74,7 +74,7 @@ public final class Playback {
             shownFrames++;
         }
         if (now - countStartNs > NS_PER_SECOND) {
-            frameRate.set(Messages.tr("{0} of {1} frames a second",
+            frameRate.set(Messages.tr("{0} of {1} fps",
                     DecimalNumber.format(Math.rint(shownFrames * NS_PER_SECOND / (now - countStartNs))),
                     DecimalNumber.format(moment.shot().rate())));
             countStartNs = now;

@@ -11,9 +11,9 @@ enum ShotFormat {
     PNG(Messages.key("Numbered PNG, 8 bits"), ImageFormat.PNG.extension(), 8),
     PNG_16_BIT(Messages.key("Numbered PNG, 16 bits"), ImageFormat.PNG.extension(), 16),
     EXR(Messages.key("Numbered OpenEXR, 32 bits"), ImageFormat.EXR.extension(), 32),
-    MP4(Messages.key("Film, MP4"), MovieFormat.MP4.ending(), 8),
-    MOV(Messages.key("Film, MOV"), MovieFormat.MOV.ending(), 8),
-    WEBM(Messages.key("Film, WebM"), MovieFormat.WEBM.ending(), 8);
+    MP4(Messages.key("Video, MP4"), MovieFormat.MP4.ending(), 8),
+    MOV(Messages.key("Video, MOV"), MovieFormat.MOV.ending(), 8),
+    WEBM(Messages.key("Video, WebM"), MovieFormat.WEBM.ending(), 8);
 
     private final String title;
     private final String extension;

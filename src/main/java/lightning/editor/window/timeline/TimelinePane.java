@@ -116,7 +116,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
                 new Separator(Orientation.VERTICAL));
         add(bar, Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS);
         bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labeled(Messages.tr("from"), first), labeled(Messages.tr("to"), last),
-                labeled(Messages.tr("a second"), rate),
+                labeled(Messages.tr("fps"), rate),
                 new Separator(Orientation.VERTICAL), CommandButton.iconButton(commands, Command.FILM_STRIP), note);
         return bar;
     }
@@ -140,7 +140,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         return field(title, new StepRange(1, min, max), (v, gesture) -> {
             double value = gesture == null ? v : Math.rint(v);
             if (value != Math.rint(value)) {
-                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", Messages.tr(title), SceneLimits.format(value)));
+                return Optional.of(Messages.tr("{0}: expected a whole number, found {1}", Messages.tr(title), SceneLimits.format(value)));
             }
             try {
                 SceneLimits.checkRange(Messages.tr(title), value, min, max);
@@ -215,7 +215,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     }
 
     private Region emptyNote() {
-        var text = new Label(Messages.tr("The scene has no shot: nothing of it moves"));
+        var text = new Label(Messages.tr("No shot: the scene is not animated"));
         text.getStyleClass().add("pane-note");
         var box = new HBox(text, CommandButton.titledButton(commands, Command.NEW_SHOT));
         box.getStyleClass().add("no-shot");

@@ -41,7 +41,7 @@ final class TrackCell extends ListCell<TimelineRow> {
                 case TimelineRow.ObjectRow t -> TrackNames.name(t.target());
                 case TimelineRow.TrackRow t -> TrackNames.attribute(t.track());
             });
-            name.setAccessibleText(Messages.tr("keys of {0}", name.getText()));
+            name.setAccessibleText(Messages.tr("keyframes of {0}", name.getText()));
             if (row instanceof TimelineRow.ObjectRow) {
                 getStyleClass().add("thing");
             }

@@ -55,7 +55,7 @@ final class ExposureControl extends HBox {
         var stops =
                 new NumberField(Messages.tr("Exposure in stops"), NumberSetting.of("exposure", STEPS, NumberUnit.STOPS, (v, _) -> set(v)));
         stops.setId("exposure-stops");
-        Tooltip.install(this, new Tooltip(Messages.tr("Exposure of the view in stops; double-click for 0.\nNo part of the scene.")));
+        Tooltip.install(this, new Tooltip(Messages.tr("Exposure of the view in stops (double-click to reset).\nNot saved in the scene.")));
         setAlignment(Pos.CENTER);
         setSpacing(4);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));

@@ -28,7 +28,7 @@ final class LightPlacer {
     /** The ring's radius, pixels. */
     static final double RING_RADIUS = 40;
 
-    private static final String NO_SURFACE = Messages.key("There is nothing there; click a shape");
+    private static final String NO_SURFACE = Messages.key("No object here");
 
     private final SceneEditor editor;
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
@@ -79,15 +79,16 @@ final class LightPlacer {
     static LightPlacer register(SceneEditor editor, CommandRegistry commands) {
         var placer = new LightPlacer(editor);
         commands.setAction(Command.AIM,
-                () -> placer.selectTool(Messages.tr("Click where the light should shine to, or drag its pool"), new Goal.Pool()));
+                () -> placer.selectTool(Messages.tr("Click where the light should aim, or drag the spot"), new Goal.Pool()));
         commands.setAction(Command.PLACE_HIGHLIGHT,
-                () -> placer.selectTool(Messages.tr("Click where the highlight should be, or drag it there"), new Goal.Highlight()));
+                () -> placer.selectTool(Messages.tr("Click or drag where the highlight should be"), new Goal.Highlight()));
         commands.setAction(Command.PLACE_DIFFUSE,
-                () -> placer.selectTool(Messages.tr("Click what the light should shine straight onto, or drag"), new Goal.Diffuse()));
+                () -> placer.selectTool(Messages.tr("Click or drag on the surface that should face the light"), new Goal.Diffuse()));
         commands.setAction(Command.PLACE_RIM,
-                () -> placer.selectTool(Messages.tr("Click where the rim of light should begin, or drag"), new Goal.Rim()));
+                () -> placer.selectTool(Messages.tr("Click or drag where the rim should start"), new Goal.Rim()));
         commands.setAction(Command.PLACE_SHADOW,
-                () -> placer.selectTool(new Tool.ShadowTool(), Messages.tr("Drag a shadow or what throws it, or click what throws it")));
+                () -> placer.selectTool(new Tool.ShadowTool(),
+                        Messages.tr("Drag a shadow or the object that casts it, or click that object")));
         return placer;
     }
 
@@ -224,7 +225,7 @@ final class LightPlacer {
     /** @param isClick whether the mouse has not moved since the press */
     void release(boolean isClick) {
         if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit from, ScenePicker _) && isClick) {
-            selectTool(Messages.tr("Click where the shadow should fall, or drag it there"), new Goal.Shadow(from.point()));
+            selectTool(Messages.tr("Click or drag where the shadow should fall"), new Goal.Shadow(from.point()));
         } else {
             clearTool();
         }

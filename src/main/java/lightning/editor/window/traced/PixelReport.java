@@ -65,7 +65,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
     String headline(String values) {
         String position = x + ", " + y + "  " + (shape.isEmpty() ? Messages.tr("background") : shape);
         return position + (normal == null ? "" : "  " + text(Messages.key("normal %.2f %.2f %.2f"), normal)
-                + (geometricNormal == null ? "" : text(Messages.key(", the surface's own %.2f %.2f %.2f"), geometricNormal)))
+                + (geometricNormal == null ? "" : text(Messages.key(", geometric normal %.2f %.2f %.2f"), geometricNormal)))
                 + "\n" + (values.isEmpty() ? " " : values);
     }
 
@@ -88,18 +88,18 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
         for (LightReport light : lights) {
             lines.add(light.light().name() + "  " + switch (light.state()) {
                 case DARK -> Messages.tr("dark");
-                case AWAY -> Messages.tr("facing away");
+                case AWAY -> Messages.tr("backfacing");
                 case OUTSIDE -> Messages.tr("outside the cone");
                 case UNLINKED -> Messages.tr("not linked");
                 case SHADOWED ->
-                        light.samplesBelowSurface() == light.samples() ? Messages.tr("below the surface") : Messages.tr("shadowed");
+                        light.samplesBelowSurface() == light.samples() ? Messages.tr("below the horizon") : Messages.tr("shadowed");
                 case LIT -> percent(brightness(light), total) + samplesText(light);
             });
         }
         if (!environmentLights.isEmpty()) {
             long litCount =
                     environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
-            lines.add(Messages.tr("environment  {0}, {1} of {2} lamps", percent(environmentTotal, total), litCount,
+            lines.add(Messages.tr("environment  {0}, {1} of {2} samples", percent(environmentTotal, total), litCount,
                     environmentLights.size()));
         }
         return lines;

@@ -40,7 +40,7 @@ final class ProgressOverlay extends HBox {
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
-        bar.setAccessibleText(Messages.tr("Progress of the picture"));
+        bar.setAccessibleText(Messages.tr("Render progress"));
         var cancel = CommandButton.iconButton(commands, Command.CANCEL);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(title, bar, cancel);

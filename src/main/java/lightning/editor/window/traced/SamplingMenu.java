@@ -30,7 +30,7 @@ public final class SamplingMenu {
         menu.getItems().add(new SeparatorMenuItem());
         for (int grid : GRIDS) {
             menu.getItems()
-                    .add(items.choice(Command.SAMPLES, "antialias-" + grid, Messages.tr("{0} × {1} Samples in Such a Pixel", grid, grid),
+                    .add(items.choice(Command.SAMPLES, "antialias-" + grid, Messages.tr("{0} × {1} Samples per Pixel", grid, grid),
                             editor.sceneProperty().map(s -> sampling(s).grid() == grid),
                             () -> editSampling(editor, now -> new SamplingSettings(now.antialias(), grid))));
         }

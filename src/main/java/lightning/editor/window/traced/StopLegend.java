@@ -11,7 +11,7 @@ final class StopLegend extends Legend {
     private static final int DARK_LIMIT = 3 * 0x60;
 
     StopLegend(ObservableValue<ViewTransform> view) {
-        super("stop-legend", Messages.tr("Stops from middle gray, by color"),
+        super("stop-legend", Messages.tr("Stops from middle gray (false color)"),
                 view.map(now -> now.curve() == DisplayCurve.FALSE));
         for (FalseColor.Band band : FalseColor.bands()) {
             int rgb = band.rgb();

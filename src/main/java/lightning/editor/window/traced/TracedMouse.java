@@ -176,8 +176,8 @@ final class TracedMouse implements AutoCloseable {
     private void updatePrompt() {
         PicturePointer.RegionRequest request = picturePart.regionRequestProperty().get();
         String placerPrompt = placer.promptProperty().get();
-        prompt.set(onPick != null ? pickHint : !placerPrompt.isEmpty() ? Messages.tr("{0}, Shift snaps", placerPrompt)
-                : regionMode.get() ? Messages.tr("Drag a frame around what to trace")
+        prompt.set(onPick != null ? pickHint : !placerPrompt.isEmpty() ? Messages.tr("{0} (Shift snaps)", placerPrompt)
+                : regionMode.get() ? Messages.tr("Drag a rectangle around the region to render")
                 : request != null ? request.hint() : "");
         picture.setCursor(isPanning ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
@@ -322,7 +322,7 @@ final class TracedMouse implements AutoCloseable {
             if (onPick == null) {
                 report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {
-                editor.message().show(Messages.tr("There is nothing there; click a shape"));
+                editor.message().show(Messages.tr("No object here"));
             } else {
                 Consumer<PixelReport> listener = onPick;
                 endPick();

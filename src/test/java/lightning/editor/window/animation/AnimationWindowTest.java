@@ -170,7 +170,7 @@ class AnimationWindowTest {
         load(robot, 0, 8);
         type(robot, "pictures", "3");
         robot.clickOn("#export");
-        TestEditors.await(() -> status(robot).startsWith("Exported 3 pictures"));
+        TestEditors.await(() -> status(robot).startsWith("Exported 3 images"));
         try (var files = Files.list(folder)) {
             assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".png")))
                     .containsExactlyInAnyOrder("desk-key-0001.png", "desk-key-0002.png", "desk-key-0003.png");
@@ -210,7 +210,7 @@ class AnimationWindowTest {
         Files.writeString(folder.resolve("way.path"), "lightning-path 1\nevery " + (to - from) + "\nat " + from
                 + " 5 2 direction -3 -4 -2\nat " + to + " 5 2 direction -3 -4 -2\n");
         robot.clickOn("#load-animation");
-        TestEditors.await(() -> status(robot).equals("2 keys over " + (to - from + 1) + " frames"));
+        TestEditors.await(() -> status(robot).equals("2 keyframes over " + (to - from + 1) + " frames"));
     }
 
     private static double x(Scene scene) {

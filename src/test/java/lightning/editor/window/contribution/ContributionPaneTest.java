@@ -42,13 +42,13 @@ class ContributionPaneTest extends EditorFixture {
         Film old = model().picture().frame().film();
         assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
         assertThat(rows()).extracting(LightContribution::light).containsExactly("lamp", "sun", "stage", "below");
-        assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("equal in every bit");
+        assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("bit-identical");
         click("switch-off-idle");
-        waitFor("it is proved", () -> text("contribution-proof").contains("equal to the old one in every bit"));
+        waitFor("it is proved", () -> text("contribution-proof").contains("bit-identical to the old one"));
         assertThat(light("below").on()).isFalse();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertFilmIs(old);
-        waitFor("it is told anew", () -> text("contribution-summary").startsWith("Every light"));
+        waitFor("it is told anew", () -> text("contribution-summary").startsWith("All lights"));
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);
     }
@@ -57,7 +57,7 @@ class ContributionPaneTest extends EditorFixture {
     void invisibleLight_switchedOff_reportsLargestDifference() {
         openWith(light("lamp").withName("dim").withIntensity(1e-6));
         click("switch-off-idle");
-        waitFor("it is proved", () -> text("contribution-proof").contains("every pixel is displayed as before"));
+        waitFor("it is proved", () -> text("contribution-proof").contains("no displayed pixel changed"));
         assertThat(light("dim").on()).isFalse();
     }
 
@@ -77,7 +77,7 @@ class ContributionPaneTest extends EditorFixture {
         robot.moveTo(at.getMinX() + 30, at.getCenterY());
         waitFor("the pixel is told", () -> robot.lookup(".table-cell").queryAll().stream()
                 .filter(c -> c instanceof javafx.scene.control.TableCell<?, ?> t && t.getTableColumn() != null
-                        && "Pointer".equals(t.getTableColumn().getText()))
+                        && "Cursor".equals(t.getTableColumn().getText()))
                 .anyMatch(c -> ((javafx.scene.control.TableCell<?, ?>) c).getText() != null
                         && ((javafx.scene.control.TableCell<?, ?>) c).getText().endsWith("%")));
         click("contribution-whole");

@@ -119,7 +119,7 @@ class CuePaneTest extends EditorFixture {
             assertThat(difference[i] == 0xFF000000).as("pixel %d", i).isEqualTo(a[i] == b[i]);
         }
         click("cue-b-day");
-        assertThat(text("cue-note")).isEqualTo("The pictures are equal");
+        assertThat(text("cue-note")).isEqualTo("The images are identical");
     }
 
     @Test

@@ -239,7 +239,7 @@ class MixerPaneTest extends EditorFixture {
         ctrlClick("sun");
         type("intensity-lamp", "1");
         assertThat(light("lamp").intensity()).isZero();
-        assertThat(text("mixer-message")).contains("choose Absolute");
+        assertThat(text("mixer-message")).contains("Choose Absolute");
     }
 
     @Test

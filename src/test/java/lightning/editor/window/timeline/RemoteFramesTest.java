@@ -143,14 +143,14 @@ class RemoteFramesTest extends EditorFixture {
         node(port, port);
         node(other, port);
         join("127.0.0.1:" + port + ", 127.0.0.1:" + other, certificate);
-        waitForStatus("2 machines, 4 of 4 frames");
+        waitForStatus("2 nodes, 4 of 4 frames");
         assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
         assertAllExact();
         robot.interact(() -> {
             model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
             assertThat(strip().isUpToDate(4)).isFalse();
         });
-        waitForStatus("2 machines, 4 of 4 frames");
+        waitForStatus("2 nodes, 4 of 4 frames");
         assertAllExact();
     }
 
@@ -161,12 +161,12 @@ class RemoteFramesTest extends EditorFixture {
         node(port, port);
         RenderNode going = node(other, port);
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("2 machines, 4 of 4 frames");
+        waitForStatus("2 nodes, 4 of 4 frames");
         going.close();
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         assertAllExact();
         nodes.removeFirst().close();
-        waitForStatus("all machines are gone; one that comes goes on, 0 of 4 frames");
+        waitForStatus("all nodes lost; rendering resumes when a node connects, 0 of 4 frames");
     }
 
     @Test
@@ -174,7 +174,7 @@ class RemoteFramesTest extends EditorFixture {
         int port = FreePort.next();
         node(port, port);
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         click("strip-here");
         waitForStatus("");
         assertThat(strip().frames().machineCount()).isEmpty();
@@ -185,9 +185,9 @@ class RemoteFramesTest extends EditorFixture {
     void noMachine_isReported_andLateMachineGetsFrames() throws Exception {
         int port = FreePort.next();
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("no machine answers at 127.0.0.1:" + port + ": none is there yet, or it has another certificate, 0 of 4 frames");
+        waitForStatus("no node responds at 127.0.0.1:" + port + ": it may not be running, or its certificate differs, 0 of 4 frames");
         node(port, port);
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         assertAllExact();
     }
 
@@ -196,7 +196,7 @@ class RemoteFramesTest extends EditorFixture {
         int port = FreePort.next();
         node(port, port);
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         var film = new CompletableFuture<Film>();
         Scene fourth = model().editor().document().content().sceneAt(4);
         robot.interact(() -> {

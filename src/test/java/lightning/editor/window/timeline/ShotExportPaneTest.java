@@ -122,7 +122,7 @@ class ShotExportPaneTest extends EditorFixture {
         waitFor("some are there", () -> Files.exists(pathAnswer.resolve("desk-0003.png")));
         click("shot-cancel");
         waitFor("it ended", () -> text("shot-status").startsWith("Canceled; "));
-        assertThat(text("shot-status")).endsWith(" of 5000 pictures are written");
+        assertThat(text("shot-status")).endsWith(" of 5000 images saved");
         Await.untilThreadEnded("lightning-shot-export");
     }
 

@@ -98,6 +98,6 @@ class BadgesTest {
                 () -> !model.picture().frame().isFinished() && model.editor().editorStateProperty().get().sceneInProgress().isEmpty());
         robot.interact(() -> scheduler.advance(Duration.millis(100)));
         assertThat(isShown(robot, "pending")).isTrue();
-        assertThat(robot.lookup("#pending").<Label>query().getText()).isEqualTo("Without finer samples");
+        assertThat(robot.lookup("#pending").<Label>query().getText()).isEqualTo("Not anti-aliased");
     }
 }

@@ -70,7 +70,7 @@ class CoarseNoteTest {
         open(robot, "size 6000 4000", () -> {});
         TestEditors.await(() -> !pane.isEmpty());
         assertThat(model.picture().frame()).isNull();
-        assertThat(noteText(robot)).isEqualTo("Coarse picture, a finer one follows");
+        assertThat(noteText(robot)).isEqualTo("Refining…");
     }
 
     /** Many edges, whose samples take seconds: the window is told of the centers while they are made. */
@@ -89,6 +89,6 @@ class CoarseNoteTest {
                         () -> words.complete((model.picture().frame().isFinished() ? "finished: " : "centers: ") + noteText(robot)));
             }
         }));
-        assertThat(words.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo("centers: Finer samples follow");
+        assertThat(words.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo("centers: Anti-aliasing…");
     }
 }

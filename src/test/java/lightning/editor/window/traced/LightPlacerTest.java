@@ -240,7 +240,7 @@ class LightPlacerTest extends EditorFixture {
         selectTool("lamp", Command.PLACE_HIGHLIGHT);
         robot.clickOn(pixel(2, 1));
         assertThat(model().editor().scene()).isEqualTo(before);
-        assertThat(model().editor().message().textProperty().get()).isEqualTo("There is nothing there; click a shape");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("No object here");
         assertThat(isShown("prompt")).isTrue();
     }
 }

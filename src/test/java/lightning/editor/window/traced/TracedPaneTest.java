@@ -106,7 +106,7 @@ class TracedPaneTest extends EditorFixture {
             model().editor().selection().selectLight("lamp");
             model().commands().run(Command.PLACE_HIGHLIGHT);
         });
-        assertThat(text("prompt")).startsWith("Click where the highlight should be");
+        assertThat(text("prompt")).startsWith("Click or drag where the highlight");
         robot.clickOn(pixel(28, 22));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(28, 22).lights().getFirst();
@@ -121,7 +121,7 @@ class TracedPaneTest extends EditorFixture {
             model().commands().run(Command.PLACE_SHADOW);
         });
         robot.clickOn(pixel(32, 22));
-        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
+        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click or drag where the shadow"));
         robot.clickOn(pixel(46, 36));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(46, 36).lights().getFirst();
@@ -164,7 +164,7 @@ class TracedPaneTest extends EditorFixture {
         robot.push(KeyCode.ESCAPE);
         assertThat(isShown("prompt")).isFalse();
         click("region");
-        assertThat(text("prompt")).startsWith("Drag a frame");
+        assertThat(text("prompt")).startsWith("Drag a rectangle");
         robot.push(KeyCode.ESCAPE);
         assertThat(robot.lookup("#region").<ToggleButton>query().isSelected()).isFalse();
     }
@@ -335,9 +335,9 @@ class TracedPaneTest extends EditorFixture {
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
         assertThat(isEnabled(Command.GO)).isTrue();
-        waitFor("it is told", () -> text("pending").equals("A region shows edits that the rest does not"));
+        waitFor("it is told", () -> text("pending").equals("The region is newer than the rest of the image"));
         click("undo");
-        assertThat(text("pending")).isEqualTo("A region shows other edits than the rest");
+        assertThat(text("pending")).isEqualTo("The region is out of date");
         click("redo");
         click("go");
         waitForPicture();
