@@ -3,7 +3,7 @@ package lightning.editor.window;
 import lightning.base.text.Messages;
 import lightning.editor.window.command.EditorDialogs;
 
-/** What the program is, for the Help menu. */
+/** About dialog of the Help menu. */
 final class AboutDialog {
     private AboutDialog() {}
 

@@ -26,15 +26,15 @@ import lightning.editor.window.traced.ViewMenuItems;
 import lightning.editor.window.widget.ColorTheme;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Every command in a menu, with its key. */
+/** Menu bar with all commands and their shortcuts. */
 final class EditorMenu extends MenuBar {
-    /** Where a line is drawn between items. */
+    /** Marks a separator line between items. */
     private static final Command SEPARATOR = null;
 
     private final EditorModel model;
     private final CommandMenuItems items;
 
-    /** Every command that is not about a menu itself does something by now. */
+    /** Creates the menus. All commands that do not open a submenu must already be registered. */
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
         items = CommandMenuItems.forMenuBar(model.commands());
@@ -79,15 +79,15 @@ final class EditorMenu extends MenuBar {
     }
 
     /**
-     * What makes each menu's lines with their looks before it is opened, a step after the other. A first opening is twice as quick then,
-     * though it puts the looks on again.
+     * Returns steps that build and style each menu before it is opened. This halves the time of the first opening, although the toolkit
+     * applies the styles again.
      */
     Stream<Runnable> preloadSteps() {
         return getMenus().stream().flatMap(menu -> Stream.of(() -> popup(menu).ifPresent(EditorMenu::createSkin),
                 () -> popup(menu).ifPresent(EditorMenu::layOut)));
     }
 
-    /** The window of a menu, which there is once the bar has its looks. */
+    /** Returns the menu's popup window, which exists once the menu bar is styled. */
     private static Optional<ContextMenu> popup(Menu menu) {
         return Optional.ofNullable(menu.getItems().getFirst().getParentPopup());
     }

@@ -31,13 +31,13 @@ import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
-/** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
+/** Tool bar of the editor (paper §3.3 to §3.7), with buttons grouped by purpose. */
 final class EditorToolBar extends ToolBar {
-    /** What a choice takes beside its text, pixels. */
+    /** Width that a choice box takes in addition to its text, pixels. */
     private static final double ARROW_WIDTH = 40;
-    /** As the style sheet has it, pixels. */
+    /** Font size of the style sheet, pixels. */
     private static final double FONT_SIZE = 12;
-    /** Between a control and its name, pixels. */
+    /** Gap between a control and its label, pixels. */
     private static final double NAME_GAP = 6;
 
     private final SceneEditor editor;
@@ -69,7 +69,7 @@ final class EditorToolBar extends ToolBar {
         return new Separator(Orientation.VERTICAL);
     }
 
-    /** A control and its name, which go into the overflow together. */
+    /** Groups a control with its label, so that both move into the overflow menu together. */
     private static HBox labeled(String text, Control control) {
         var label = new Label(text);
         label.getStyleClass().add("pane-note");
@@ -93,7 +93,7 @@ final class EditorToolBar extends ToolBar {
         return choice;
     }
 
-    /** The longest title of a choice, pixels; the box itself would take as much as its menu. */
+    /** Returns the width of the longest title of a choice, pixels. The box itself would take the width of its menu. */
     private static double maxTitleWidth(ChoiceBox<?> choice) {
         return choice.getItems().stream().mapToDouble(item -> {
             var text = new Text(item.toString());

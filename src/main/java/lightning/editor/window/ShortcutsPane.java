@@ -15,9 +15,14 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.widget.TimeSlicedTask;
 
-/** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */
+/** Table of mouse actions and keyboard shortcuts. The shortcuts of commands can be changed in it. */
 final class ShortcutsPane extends GridPane {
-    /** @param mouse empty where the mouse has nothing of its own; likewise {@code keys} */
+    /**
+     * Row of the table.
+     *
+     * @param mouse mouse action; empty if there is none
+     * @param keys keyboard shortcut; empty if there is none
+     */
     private record Row(String action, String mouse, String keys) {}
 
     private static final List<Row> LIGHTS = List.of(
@@ -65,12 +70,12 @@ final class ShortcutsPane extends GridPane {
             new Row(Messages.key("Small steps (× 0.1)"), Messages.key("with Shift"), Messages.key("Shift + up, down")),
             new Row(Messages.key("Restore the previous value"), "", Messages.key("Escape")));
 
-    /** What is told of a key that is pressed, pixels wide. */
+    /** Width of the message about a pressed key, pixels. */
     private static final double MESSAGE_WIDTH = 300;
 
     ShortcutsPane(CommandRegistry commands) {
         setId("keys");
-        // It has the keyboard first: else the window would open scrolled to the first key that can be changed.
+        // Takes the initial focus; otherwise the window would open scrolled to the first shortcut that can be changed.
         setFocusTraversable(true);
         setAccessibleText(Messages.tr("Mouse and keyboard shortcuts"));
         getStyleClass().add("keys");
@@ -85,7 +90,7 @@ final class ShortcutsPane extends GridPane {
         section(Messages.tr("Numbers"), NUMBERS);
         addRow(getRowCount(), label(Messages.tr("Commands"), "keys-title"), label(Messages.tr("Click a shortcut to change it"), "caption"),
                 resetAll(commands.keyBindings()));
-        // They are below what is seen first, and so many that all together would hold up the window.
+        // These rows are below the visible part. Adding all of them together would block the window.
         TimeSlicedTask.whileVisible(this,
                 Stream.of(Command.values()).filter(commands::hasAction).<Runnable>map(c -> () -> add(c, commands.keyBindings())).toList()
                         .iterator());

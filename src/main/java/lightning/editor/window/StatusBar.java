@@ -15,7 +15,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 
-/** What the picture is and how long it took, in a few words that open all that is known of it; and what the artist should read next. */
+/** Summary of the last update, which opens the render log on click, and the current status message. */
 final class StatusBar extends HBox {
     private final SceneEditor editor;
     private final TracedPicture picture;

@@ -14,7 +14,7 @@ import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.UpdateLog;
 import lightning.editor.window.model.UpdateLog.Entry;
 
-/** What the last updates did: plan, rows, rays, time, and what the picture is; the latest at the top. */
+/** Render log: plan, shading points, rays, time and accuracy of the last updates, newest first. */
 final class UpdatesPane extends VBox {
     private static final DateTimeFormatter TIME_FORMAT = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
 
@@ -31,7 +31,7 @@ final class UpdatesPane extends VBox {
         table.getStyleClass().add("dense");
         table.setPlaceholder(new Label(Messages.tr("No image yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
-        // In a narrow window what was done gives way: the line below tells all of it.
+        // In a narrow window the description is truncated; the line below the table shows all of it.
         addTextColumn(Messages.tr("Time"), 80, e -> TIME_FORMAT.format(e.shownAt()));
         addTextColumn(Messages.tr("Change"), 270, e -> e.update().plan().description());
         table.getColumns().getLast().setMinWidth(MIN_TEXT_WIDTH);

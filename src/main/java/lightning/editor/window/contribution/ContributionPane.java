@@ -42,11 +42,11 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
- * Which lights matter: the share of each in the picture, in a part of it and in the pixel under the mouse, and what would be another
- * without it. What nobody sees is switched off by one click, and the new picture is held against the old one.
+ * Contribution of each light to the picture, to a region and to the pixel under the mouse, and the impact of removing it. One click
+ * switches off all lights that change no displayed pixel, then compares the new picture with the old one.
  */
 public final class ContributionPane extends VBox {
-    /** While edits come faster than that, nothing is asked. */
+    /** Delay after an edit before the contributions are computed; a faster edit restarts it. */
     private static final Duration SETTLE_DELAY = Duration.millis(300);
 
     private final EditorModel model;
@@ -57,7 +57,7 @@ public final class ContributionPane extends VBox {
     private final TableView<LightContribution> table = new TableView<>();
     private final Label summary = new Label("…");
     private final Label comparisonLabel = new Label();
-    /** In the place of the lights; empty while nothing is known of them. */
+    /** Placeholder of the table; empty until the first result. */
     private final Label placeholder = new Label();
     private final Label regionText = new Label(Messages.tr("Region: whole frame"));
     private final DisabledReason switchOffReason;
@@ -67,7 +67,7 @@ public final class ContributionPane extends VBox {
     private LightContributions shown;
     private Scene shownScene;
     private Frame lastFrame;
-    /** What was switched off, and the picture before; null where nothing is to be proved. */
+    /** Pending comparison after lights were switched off; null if there is none. */
     private Comparison pendingComparison;
 
     private record Comparison(Scene scene, Film oldFilm, int lightCount) {}
@@ -165,7 +165,7 @@ public final class ContributionPane extends VBox {
         return column;
     }
 
-    /** What the picture would be without a light. */
+    /** Describes how the picture would change without a light. */
     static String changeText(LightContribution contribution) {
         LightContribution.FilmChange change = contribution.changeWhenOff();
         return !contribution.shines() ? Messages.tr("off or black") : change.isNone() ? Messages.tr("bit-identical")
@@ -174,14 +174,14 @@ public final class ContributionPane extends VBox {
                 : String.format(Messages.locale(), Messages.tr("%,d pixels change"), change.changedPixels());
     }
 
-    /** Follows the picture. */
+    /** Starts to observe the picture. */
     private Subscription subscribe() {
         return Subscription.combine(picture.renderStateProperty().subscribe(state -> updateFrame(state.frame())),
                 picture.viewProperty().subscribe(_ -> restart()), model.picturePointer().pixelProperty().subscribe(this::showPixel),
                 this::close);
     }
 
-    /** Gives up what is asked, and ends its threads until the window opens again. */
+    /** Cancels the queries and ends their threads until the window opens again. */
     private void close() {
         settleTimer.stop();
         lightQuery.close();
@@ -294,7 +294,7 @@ public final class ContributionPane extends VBox {
         }
     }
 
-    /** Holds the picture after lights were switched off against the one before. */
+    /** Compares the picture with the one before the lights were switched off. */
     private void compare(Frame frame) {
         Comparison comparison = pendingComparison;
         if (comparison == null) {

@@ -18,7 +18,7 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.SceneLimits;
 
-/** The color of a strip, below its chip until the mouse goes elsewhere. All strips that are selected with it get the same. */
+/** Color picker below a strip's color chip; closes when the user clicks elsewhere. Sets the color of all selected strips. */
 final class ColorPopup {
     private static final double WIDTH = 300;
 

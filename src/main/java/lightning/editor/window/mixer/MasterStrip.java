@@ -10,10 +10,7 @@ import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
 
-/**
- * Makes all that shines brighter or darker. The scene keeps it in the lights' own intensities, so that the fader stands at 0 again
- * when it is let go.
- */
+/** Master fader for all lights and the environment. Changes the lights' own intensities, so the fader returns to 0 when it is released. */
 final class MasterStrip extends VBox {
     private static final double RANGE = 5;
 

@@ -26,9 +26,9 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
-/** One strip of the board: a light, a bank or the environment, with its picture, its part, its fader and its switches. */
+/** Strip of the mixer for a light, a light group or the environment: thumbnail, share, fader and switches. */
 final class MixerStrip extends VBox {
-    /** Stops up and down that a fader goes; numbers go farther. */
+    /** Range of the fader in both directions, stops. The number field accepts larger values. */
     private static final double FADER_RANGE = 10;
     private static final double MIN_STOPS = -1000;
     private static final PseudoClass SELECTED = PseudoClass.getPseudoClass("chosen");
@@ -59,7 +59,7 @@ final class MixerStrip extends VBox {
         getStyleClass().add("strip");
         thumbnail = new Thumbnail(id);
         name.setText(id);
-        // Names of one kind differ at their ends.
+        // Similar names often differ only at their ends.
         name.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
         name.setWrapText(true);
         name.setTooltip(new Tooltip(id));
@@ -120,7 +120,7 @@ final class MixerStrip extends VBox {
         return row;
     }
 
-    /** The fader, by the mouse and the keys. */
+    /** Applies the fader's values. */
     private final class FaderCallbacks implements Fader.Callbacks {
         @Override
         public void startDrag() {
@@ -162,12 +162,12 @@ final class MixerStrip extends VBox {
         return channel;
     }
 
-    /** What takes the mouse for selecting and dragging. */
+    /** Returns the header, which handles selection and dragging. */
     HBox head() {
         return head;
     }
 
-    /** Shows what the channel is in a scene. */
+    /** Shows the channel's state in a scene. */
     void show(Scene scene) {
         Ikon icon = switch (channel) {
             case MixerChannel.OfLight(String light) -> LightTypes.icon(scene.light(light).orElseThrow().type());
@@ -205,7 +205,7 @@ final class MixerStrip extends VBox {
         pseudoClassStateChanged(SELECTED, on);
     }
 
-    /** Whether a strip that is dragged would come before this one. */
+    /** Marks the strip as the one before which a dragged strip would be dropped. */
     void setDropTarget(boolean on) {
         pseudoClassStateChanged(DROP_TARGET, on);
     }

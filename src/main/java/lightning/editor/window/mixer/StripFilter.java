@@ -7,7 +7,7 @@ import lightning.editor.window.widget.LightTypes;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** Which strips of the board are seen. */
+/** Filter of the mixer's strips. */
 enum StripFilter {
     ALL(Messages.key("All")), SHINING(Messages.key("Active")), DARK(Messages.key("Inactive")), SOLO(Messages.key("Solo")),
     MUTED(Messages.key("Muted")),
@@ -35,7 +35,7 @@ enum StripFilter {
         };
     }
 
-    /** Whether a strip's name, its bank's or its type has the words. */
+    /** Returns true if a strip's name, light group and type contain all words of the query, ignoring case. */
     static boolean matches(String query, MixerChannel channel, Scene scene) {
         String title = channel.title() + switch (channel) {
             case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");
