@@ -20,7 +20,7 @@ import lightning.render.image.ViewTransform;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
-/** A cue in the gallery: its picture, its name, and what can be done with it. */
+/** Card of a look in the gallery: thumbnail, name and actions. */
 final class CueCard extends VBox {
     private static final int WIDTH = 176;
     private static final int HEIGHT = 99;
@@ -29,7 +29,7 @@ final class CueCard extends VBox {
     private final ToggleButton a = new ToggleButton("A");
     private final ToggleButton b = new ToggleButton("B");
 
-    /** What a card asks for. */
+    /** Actions of a card. */
     interface Callbacks {
         void restore(Cue cue);
 
@@ -42,7 +42,11 @@ final class CueCard extends VBox {
         void chooseB(Cue cue);
     }
 
-    /** @param thumbnail the cue's picture as {@link #thumbnail} makes it; null for none */
+    /**
+     * Creates a card.
+     *
+     * @param thumbnail thumbnail from {@link #thumbnail}; null if there is none
+     */
     CueCard(Cue cue, CueThumbnail thumbnail, Callbacks callbacks) {
         setId("cue-" + cue.name());
         getStyleClass().add("cue-card");
@@ -103,12 +107,12 @@ final class CueCard extends VBox {
         }
     }
 
-    /** A cue's picture as large as a card has it. */
+    /** Thumbnail of a look at the size of a card: {@code int[width * height]}, opaque. */
     record CueThumbnail(int width, int height, int[] pixels) {
-        // An array in a record: written once by its maker, never after.
+        // Immutable by convention: the array is written only before construction.
     }
 
-    /** Each pixel is the one of the picture in its middle. */
+    /** Downscales a film by nearest-neighbor sampling at pixel centers. */
     static CueThumbnail thumbnail(Film film) {
         double shrink = Math.max(1, Math.max((double) film.width() / WIDTH, (double) film.height() / HEIGHT));
         int width = (int) Math.max(1, film.width() / shrink);

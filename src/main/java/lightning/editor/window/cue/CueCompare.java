@@ -18,9 +18,9 @@ import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** The pictures of two cues: A over the left part of B, one or the other, or where they differ. */
+/** Comparison of two looks' pictures: A over the left part of B, one at a time, or their difference. */
 final class CueCompare extends BorderPane {
-    /** How they are seen. */
+    /** Mode of the comparison. */
     enum CompareMode {
         WIPE(Messages.key("Wipe"), Messages.key("A on the left, B on the right; drag to wipe")),
         FLIP(Messages.key("Flip"), Messages.key("Shows one image at a time; click to switch")),
@@ -86,7 +86,7 @@ final class CueCompare extends BorderPane {
         }
     }
 
-    /** Compares the pictures of two cues; that of one alone is shown. */
+    /** Compares the pictures of two looks; shows the picture if only one is given. */
     void show(Optional<Cue> first, Optional<Cue> second) {
         a = first;
         b = second;

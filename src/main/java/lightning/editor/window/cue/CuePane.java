@@ -40,7 +40,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Stage;
 
-/** The cues of the open scene: keeps how it is lit with its picture, restores, compares and blends. */
+/** Gallery of the open scene's saved looks (cues): saves, applies, compares and blends them. */
 public final class CuePane extends VBox {
     private static final double PERCENT = 100;
 
@@ -64,7 +64,7 @@ public final class CuePane extends VBox {
     private Object gesture;
     private boolean isUpdating;
 
-    /** A cue and its picture at the size of its card, or null. */
+    /** Saved look with its thumbnail, which is null if there is no picture. */
     private record CueEntry(Cue cue, CueCard.CueThumbnail thumbnail) {}
 
     public CuePane(SceneEditor editor, TracedPicture picture, FileThread files) {
@@ -121,7 +121,7 @@ public final class CuePane extends VBox {
         VisibilityListener.attach(this, this::subscribe);
     }
 
-    /** Lists the cues and follows the editor. */
+    /** Lists the looks and starts to observe the editor. */
     private Subscription subscribe() {
         return Subscription.combine(editor.documentProperty().subscribe(_ -> loadCues()),
                 editor.editorStateProperty().subscribe(state -> saveReason.set(saveDisabledReason(state))),
@@ -236,7 +236,7 @@ public final class CuePane extends VBox {
         });
     }
 
-    /** Edits the document and shows it in the traced picture. */
+    /** Applies a lighting to the document and renders it immediately. */
     private void applyLighting(Lighting lighting, Object gesture) {
         editor.edit(lighting::applyTo, gesture).ifPresentOrElse(this::showMessage, () -> {
             showMessage("");
@@ -258,7 +258,7 @@ public final class CuePane extends VBox {
         }));
     }
 
-    /** What the cards ask for. */
+    /** Handles the actions of the cards. */
     private final class CardCallbacks implements CueCard.Callbacks {
         @Override
         public void restore(Cue cue) {

@@ -7,11 +7,11 @@ import lightning.base.text.Messages;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
 
-/** What is told of a film strip's frames. */
+/** Status texts of a film strip. */
 final class FilmStripText {
     private FilmStripText() {}
 
-    /** How far all are, and who keeps them; empty where they are here and all is done. */
+    /** Describes the progress and the machines; empty if all frames are current and local. */
     static String status(FilmStrip strip, Shot shot) {
         int frameCount = shot.last() - shot.first() + 1;
         int current = strip.count(FrameState.CURRENT);
@@ -39,7 +39,7 @@ final class FilmStripText {
                 : Messages.tr("no node responds at {0}: it may not be running, or its certificate differs", hosts);
     }
 
-    /** One frame, for who does not see it. */
+    /** Returns the accessible text of one frame. */
     static String frameText(FilmStrip strip, int frame) {
         String name = Messages.tr("frame {0}", frame);
         return switch (strip.state(frame)) {

@@ -19,7 +19,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.Shot;
 import lightning.shot.cluster.HostPort;
 
-/** Where the other machines are, and the file that lets this one take part. */
+/** Addresses of the render nodes, and the certificate file for joining them. */
 final class MachinesPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
@@ -29,7 +29,7 @@ final class MachinesPane extends VBox {
     private final Button joinButton = new Button(Messages.tr("Render on These Machines"));
     private final Label status = new Label();
     private Consumer<RemoteFrames> onJoined = _ -> {};
-    /** Of what was begun last: whoever is of another time comes too late. */
+    /** Number of the latest attempt; results of earlier ones are discarded. */
     private int attempt;
 
     MachinesPane(SceneEditor editor, FileThread files, RenderMachines choice, PathPrompt pathPrompt) {
@@ -78,7 +78,11 @@ final class MachinesPane extends VBox {
         return label;
     }
 
-    /** @param listener gets the frames on these machines, on the window's thread; they are its own from then on */
+    /**
+     * Sets the listener for a successful connection.
+     *
+     * @param listener receives the remote frames on the window's thread and must close them
+     */
     void setOnJoined(Consumer<RemoteFrames> listener) {
         onJoined = listener;
     }
@@ -125,7 +129,7 @@ final class MachinesPane extends VBox {
         });
     }
 
-    /** Nobody waits any more for what was begun. */
+    /** Discards the result of a running attempt. */
     void cancel() {
         attempt++;
     }

@@ -31,7 +31,7 @@ import lightning.scene.SceneLimits;
 import lightning.scene.shot.Shot;
 import lightning.shot.movie.Ffmpeg;
 
-/** Which frames of the shot become what files, and how far that is. */
+/** Settings and progress of exporting a shot. */
 final class ShotExportPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
@@ -153,7 +153,7 @@ final class ShotExportPane extends VBox {
                         if (file.getFileName().toString().endsWith(chosen.extension())) {
                             startExport(file, name);
                         } else {
-                            // The system asked about the name as it was typed only.
+                            // The file dialog asked about overwriting only for the name without this extension.
                             Path named = file.resolveSibling(file.getFileName() + chosen.extension());
                             files.runConcurrently(() -> Files.exists(named), exists -> {
                                 if (exists) {
@@ -206,7 +206,7 @@ final class ShotExportPane extends VBox {
         update();
     }
 
-    /** Stops an export that runs; finished pictures stay. */
+    /** Cancels a running export; finished images are kept. */
     void cancelExport() {
         if (task != null) {
             task.cancel(false);

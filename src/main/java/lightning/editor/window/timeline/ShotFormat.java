@@ -6,7 +6,7 @@ import lightning.base.text.Messages;
 import lightning.format.image.ImageFormat;
 import lightning.shot.movie.MovieFormat;
 
-/** What a shot can be exported as. */
+/** Export format of a shot. */
 enum ShotFormat {
     PNG(Messages.key("Numbered PNG, 8 bits"), ImageFormat.PNG.extension(), 8),
     PNG_16_BIT(Messages.key("Numbered PNG, 16 bits"), ImageFormat.PNG.extension(), 16),
@@ -25,17 +25,17 @@ enum ShotFormat {
         this.bits = bits;
     }
 
-    /** Of the files, with its point. */
+    /** Returns the file extension, with its dot. */
     String extension() {
         return extension;
     }
 
-    /** Of a number. */
+    /** Returns the bit depth of a color channel. */
     int bits() {
         return bits;
     }
 
-    /** Empty for numbered pictures. */
+    /** Returns the video format; empty for numbered images. */
     Optional<MovieFormat> movie() {
         return MovieFormat.of(Path.of(extension));
     }
