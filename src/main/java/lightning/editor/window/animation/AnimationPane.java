@@ -31,7 +31,7 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
-/** What the animation window holds: record, stop, play and scrub, files, and the export of pictures. */
+/** Content of the animation window: recording and playback, motion path files, and export of images. */
 final class AnimationPane extends VBox {
     private static final String EXTENSION = "path";
 
@@ -51,9 +51,11 @@ final class AnimationPane extends VBox {
     private boolean isUpdating;
 
     /**
-     * @param sceneName how the files that are saved are called, unless the artist says otherwise
-     * @param close     closes the window
-     * @param keysButton    makes keys of the way
+     * Creates the pane.
+     *
+     * @param sceneName default name of saved files
+     * @param close closes the window
+     * @param keysButton button that converts the path to keyframes
      */
     AnimationPane(LightAnimation animation, String sceneName, PathPrompt pathPrompt, Runnable close, Node keysButton) {
         this.animation = animation;
@@ -217,7 +219,7 @@ final class AnimationPane extends VBox {
         });
     }
 
-    /** The last pictures of an export that was canceled are told of after its end. */
+    /** An export may report its last images after it was canceled. */
     private void showProgress(ExportTask task, int written) {
         if (export == task) {
             status.setText(Messages.tr("Exporting: {0} of {1}", written, task.pictures()));
@@ -239,7 +241,7 @@ final class AnimationPane extends VBox {
         reasonUpdates.forEach(Runnable::run);
     }
 
-    /** Stops an export that runs; finished pictures stay. */
+    /** Cancels a running export; finished images are kept. */
     void stopExport() {
         if (export != null) {
             export.cancel(false);

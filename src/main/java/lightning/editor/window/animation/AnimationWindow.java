@@ -16,19 +16,19 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.WindowPlacement;
 
-/** Records and plays the way of the light that is selected when it opens (paper §3.7). */
+/** Window that records and plays the motion path of the light that is selected when it opens (paper §3.7). */
 public final class AnimationWindow extends Stage {
-    /** From the corner of the editor's window, pixels. */
+    /** Distance from the edge of the editor's window, pixels. */
     private static final double MARGIN = 16;
 
     private final LightAnimation animation;
 
-    /** Begins the animation; closing the window ends it. A light must be selected. */
+    /** Starts the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
         this(model, owner, PathPrompt.ofSystem(owner, model.fileImporter().folder()));
     }
 
-    /** Does the command that makes an animation of keys. */
+    /** Registers the command that converts keyframes to a motion path. */
     public static void registerCommands(EditorModel model, Supplier<Window> owner) {
         model.commands().setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
         model.commands().setAction(Command.KEYS_TO_WAY,
@@ -64,7 +64,7 @@ public final class AnimationWindow extends Stage {
         setScene(content);
         setResizable(false);
         setOnShown(_ -> {
-            // Over the properties, so that both pictures can be seen.
+            // Covers the properties, so that both pictures stay visible.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
             WindowPlacement.fit(this);

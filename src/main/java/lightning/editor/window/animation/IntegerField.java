@@ -7,7 +7,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.SceneLimits;
 
-/** A whole number from 1 that belongs to a window and no document. */
+/** Field for a positive integer that is part of a window and not of a document. */
 final class IntegerField {
     private final ArrowWidget widget;
     private int value;

@@ -17,7 +17,7 @@ import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
 
-/** The interactive preview: every light in real time, and the place where lights are taken by hand. */
+/** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
     private final PreviewSettings settings;
     private final CommandRegistry commands;

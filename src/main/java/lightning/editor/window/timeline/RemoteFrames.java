@@ -50,7 +50,7 @@ record RemoteFrames(String hosts, Path folder, DistributedShot distributedShot, 
 
     @Override
     public void setPictureBusy(boolean v) {
-        // Other machines render; they do not slow down the main picture.
+        // Remote frames use no processor of this machine, so they never pause.
     }
 
     @Override

@@ -5,7 +5,7 @@ import lightning.base.text.Messages;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 
-/** Which mark says what, while pixels that are cut off are marked. */
+/** Legend of the clipping marks, visible while clipped pixels are marked. */
 final class ClippingLegend extends Legend {
     ClippingLegend(ObservableValue<ViewTransform> view) {
         super("clipping-legend", Messages.tr("Clipped pixels"),

@@ -21,11 +21,11 @@ import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
 
 /**
- * Places the selected light by what it does in the traced picture: a press does it there, a drag goes on with it from surface to surface.
- * Then a ring about the place stays, whose drag takes the light nearer or farther; it goes with the next edit that is not its own.
+ * Places the selected light by its effect in the traced picture: a press or a drag sets the effect's position on a surface. Afterwards a
+ * ring around the position changes the light's distance when dragged. The next other edit removes the ring.
  */
 final class LightPlacer {
-    /** The ring's radius, pixels. */
+    /** Radius of the ring, pixels. */
     static final double RING_RADIUS = 40;
 
     private static final String NO_SURFACE = Messages.key("No object here");
@@ -34,35 +34,43 @@ final class LightPlacer {
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private Tool tool;
     private Drag drag;
-    /** Of the drag: what makes it one step, and the light before it. */
+    /** Identifies the current drag as one undo step. */
     private Object gesture;
     private Light startLight;
     private Ring ring;
 
-    /** What the next press is for. */
+    /** Tool for the next press. */
     private sealed interface Tool {
-        /** It does that, wherever it is. */
+        /** Places the light for a goal. */
         record PlacementTool(Goal act) implements Tool {}
 
-        /** It takes what throws a shadow, or a shadow. */
+        /** Selects a shadow or its caster. */
         record ShadowTool() implements Tool {}
     }
 
-    /** What is under the mouse while the button is down. */
+    /** Drag in progress. */
     private sealed interface Drag {
-        /** @param picker finds surfaces of the picture that is shown */
+        /**
+         * Drag of the effect's position.
+         *
+         * @param picker finds surfaces of the displayed picture
+         */
         record PlacementDrag(LightPlacement placing, ScenePicker picker) implements Drag {}
 
-        /** @param startHit where the shadow, or what throws it, was taken */
+        /**
+         * Drag of a shadow or its caster.
+         *
+         * @param startHit surface point of the press
+         */
         record ShadowDrag(Light startLight, ScenePicker.SurfaceHit startHit, ScenePicker picker) implements Drag {}
 
         record DistanceDrag(Ring ring, Viewport.Pixel start) implements Drag {}
     }
 
     /**
-     * A placed light.
+     * Placed light with its ring.
      *
-     * @param light as it is now
+     * @param light light as placed, including its current distance
      */
     private record Ring(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light) {}
 
@@ -75,7 +83,7 @@ final class LightPlacer {
         });
     }
 
-    /** Does the commands that place a light. */
+    /** Creates the placer and registers the commands that place a light. */
     static LightPlacer register(SceneEditor editor, CommandRegistry commands) {
         var placer = new LightPlacer(editor);
         commands.setAction(Command.AIM,
@@ -103,11 +111,11 @@ final class LightPlacer {
     }
 
     /**
-     * Where the mouse is.
+     * Position of the mouse.
      *
-     * @param pixel  of the picture; empty beside it
-     * @param canvas the size of the whole picture as it is shown
-     * @param position     on that
+     * @param pixel pixel of the picture; empty outside it
+     * @param canvas size of the whole picture as displayed
+     * @param position position on the canvas
      */
     record Pointer(Optional<PictureView.Pixel> pixel, Viewport canvas, Viewport.Pixel position) {
         Optional<ScenePicker.SurfaceHit> pick(ScenePicker picker) {
@@ -115,43 +123,47 @@ final class LightPlacer {
         }
     }
 
-    /** What the artist shall do; empty where no tool is taken. */
+    /** Returns the instructions for the current tool; empty without a tool. */
     ReadOnlyStringProperty promptProperty() {
         return prompt.getReadOnlyProperty();
     }
 
-    /** Puts the tool away. */
+    /** Cancels the current tool. */
     void clearTool() {
         tool = null;
         prompt.set("");
     }
 
-    /** Takes the ring away; returns whether there was one. */
+    /** Removes the ring. Returns false if there was none. */
     boolean clearRing() {
         boolean hadRing = ring != null;
         ring = null;
         return hadRing;
     }
 
-    /** Whether a press took something. */
+    /** Returns true while a drag is in progress. */
     boolean isDragging() {
         return drag != null;
     }
 
-    /** Where the ring is drawn on a canvas that shows the whole picture, and how far the light is from there; empty where there is none. */
+    /** Returns the position of the ring on a canvas that shows the whole picture; empty without a ring. */
     Optional<RingMark> ringMark(Viewport canvas) {
         return Optional.ofNullable(ring).filter(r -> r.light().type().hasPosition())
                 .map(r -> new RingMark(ringCenter(r, canvas), r.light().position().minus(r.hit().point()).length()));
     }
 
-    /** @param distance from the place to the light, as it is now */
+    /**
+     * Position of the ring.
+     *
+     * @param distance current distance of the light from the point
+     */
     record RingMark(Viewport.Pixel center, double distance) {}
 
     private Viewport.Pixel ringCenter(Ring r, Viewport canvas) {
         return canvas.project(PreviewCamera.of(editor.scene()), r.hit().point());
     }
 
-    /** Takes what is there with the tool, or the ring; returns whether there is something to drag. */
+    /** Starts a drag with the tool or of the ring. Returns false if there is nothing to drag. */
     boolean press(Pointer pointer, double tolerance) {
         Frame frame = editor.editorStateProperty().get().frame().orElse(null);
         gesture = new Object();
@@ -178,13 +190,17 @@ final class LightPlacer {
         return drag != null;
     }
 
-    /** @param isSnapping whether distances are rounded, and aims */
+    /**
+     * Continues the drag.
+     *
+     * @param isSnapping true to snap distances and aim points to round values
+     */
     void drag(Pointer pointer, boolean isSnapping) {
         switch (drag) {
             case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
                     pointer.pick(picker).ifPresent(found -> place(placing, found, isSnapping));
             case Drag.ShadowDrag(Light begin, ScenePicker.SurfaceHit from, ScenePicker picker) -> {
-                // Of a shadow, what throws it is what stands between; of anything else it is that itself.
+                // If the point is in shadow, the occluder is the caster; otherwise the point itself is on the caster.
                 Goal act = new Goal.Shadow(picker.findOccluder(from, begin).orElse(from).point());
                 drag = new Drag.PlacementDrag(LightPlacement.start(begin, act, from.point()), picker);
                 drag(pointer, isSnapping);
@@ -222,7 +238,11 @@ final class LightPlacer {
         }
     }
 
-    /** @param isClick whether the mouse has not moved since the press */
+    /**
+     * Ends the drag.
+     *
+     * @param isClick true if the mouse did not move since the press
+     */
     void release(boolean isClick) {
         if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit from, ScenePicker _) && isClick) {
             selectTool(Messages.tr("Click or drag where the shadow should fall"), new Goal.Shadow(from.point()));
@@ -232,7 +252,7 @@ final class LightPlacer {
         drag = null;
     }
 
-    /** Takes back what the drag did, and puts the tool away. */
+    /** Reverts the drag and cancels the tool. */
     void cancelDrag() {
         editor.edit(scene -> LightEdits.edit(scene, startLight.name(), _ -> startLight), gesture);
         drag = null;

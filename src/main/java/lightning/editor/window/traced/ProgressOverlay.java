@@ -17,7 +17,7 @@ import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.DelayedMessage;
 
-/** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
+/** Progress of rendering or verification, with a Cancel button. Stays hidden for short tasks. */
 final class ProgressOverlay extends HBox {
     private static final Duration SHOW_DELAY = Duration.millis(250);
     private final CommandRegistry commands;

@@ -6,7 +6,7 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.FalseColor;
 import lightning.render.image.ViewTransform;
 
-/** Which color stands for which stop, while the picture is shown in such colors. */
+/** Legend of the false colors by stop, visible while the picture uses them. */
 final class StopLegend extends Legend {
     private static final int DARK_LIMIT = 3 * 0x60;
 

@@ -40,11 +40,11 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 
-/** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
+/** Pane of the ray-traced picture, with its badges, its progress and the report on the pixel under the mouse. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGE_INSETS = new Insets(PictureView.MARGIN);
     private static final double ZOOM_STEP = 1.5;
-    /** As many lines as are told of a pixel, so that the picture keeps its room. */
+    /** Empty report with its two lines, so that the picture keeps its size. */
     private static final String NO_PIXEL = " \n ";
 
     private final SceneEditor editor;
@@ -67,17 +67,23 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                     Messages.tr("Compare (A/B): snapshot on the left, image on the right; drag to wipe"));
     private final TracedMouse mouse;
     private TracedRaster.Pixels shownPixels;
-    /** Whether there was a picture with all its samples, or none will be: before, the window's thread has much to do. */
+    /** True once a picture was finished, canceled or failed. Before that, the window's thread is busy. */
     private boolean hasFinalPicture;
 
-    /** @param scheduler when badges are looked at again */
+    /**
+     * For tests.
+     *
+     * @param scheduler schedules the delayed updates of the badges
+     */
     TracedPane(EditorModel model, DelayedMessage.Scheduler scheduler) {
         this(model, createView(), scheduler);
     }
 
     /**
-     * @param picture shows the picture from now on; a {@link #createView}, which may show something already, elsewhere in the window, and say
-     *                so: the pane says it then
+     * Creates the pane.
+     *
+     * @param picture view from {@link #createView}, which the pane takes over. It may already show a picture and a note elsewhere in the
+     *     window
      */
     public TracedPane(EditorModel model, PictureView picture) {
         this(model, picture, DelayedMessage.Scheduler.FX_THREAD);
@@ -160,14 +166,14 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         picture.showNote("");
     }
 
-    /** What shows the picture. */
+    /** Creates the view of the picture. */
     public static PictureView createView() {
         var view = new PictureView();
         view.setId("traced-picture");
         return view;
     }
 
-    /** What is said of a coarse picture, which is there before the first whole one. */
+    /** Returns the note on a coarse preview, which is shown before the first full picture. */
     public static String coarseNote() {
         return Messages.tr("Refining…");
     }
@@ -222,11 +228,15 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** @param report what the pixel under the mouse shows; null where there is none */
+    /**
+     * Shows the report on a pixel.
+     *
+     * @param report report on the pixel under the mouse; null if there is none
+     */
     private void showPixel(PixelReport report) {
         lightsCard.setText(report == null ? "" : String.join("\n", report.lightLines()));
         if (report == null) {
-            // Once it is known what the mouse is over instead.
+            // Deferred until the mouse's new target is known.
             Platform.runLater(this::clearPixel);
             return;
         }
@@ -236,7 +246,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pixelLine.setTooltip(pixelTip);
     }
 
-    /** What was told of the last pixel stays while the mouse is on its way to it: its tooltip has what the line has no room for. */
+    /** Keeps the last report while the mouse is over the report itself: its tooltip shows the text that does not fit. */
     private void clearPixel() {
         if (!isHover() && lightsCard.getText().isEmpty()) {
             pixelLine.setText(NO_PIXEL);
@@ -244,12 +254,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** Whether there is no picture in it yet. */
+    /** Returns true if no picture is shown yet. */
     public boolean isEmpty() {
         return picture.emptyProperty().get();
     }
 
-    /** How the picture is behind the edits; empty where it is not. */
+    /** Describes how the picture differs from the edited scene; empty if it is up to date. */
     private String pendingText() {
         EditorState state = editor.editorStateProperty().get();
         if (traced.raster().isPatched() && mouse.patchedScene() != null && state.renderedScene().isPresent()
@@ -260,7 +270,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         if (state.frame().isEmpty()) {
             return traced.raster().pixels() == null ? "" : coarseNote();
         }
-        // What is played is always on its way.
+        // During playback there is always a newer frame in progress.
         boolean isUpdating = state.animating() && state.sceneInProgress().isPresent();
         if (isUpdating || state.pendingMessage().isEmpty()) {
             return "";
@@ -270,7 +280,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
                 : Messages.tr("Not anti-aliased");
     }
 
-    /** What is said in the place of a picture that is not there yet. */
+    /** Returns the text shown while there is no picture. */
     private String waitingText() {
         RenderState state = traced.renderStateProperty().get();
         if (state.problem() != null) {
@@ -308,7 +318,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** The difference picture's films, where the last verification is of the picture shown; else null. */
+    /** Returns the last verification if it refers to the displayed picture; otherwise null. */
     private Verification currentVerification() {
         var state = traced.renderStateProperty().get();
         boolean matches = state.verification() != null && state.frame() != null
