@@ -23,8 +23,8 @@ final class WindowToolkit {
             Platform.startup(() -> {});
             return Optional.empty();
         } catch (RuntimeException | LinkageError e) {
-            return Optional.of("no window can be opened here (" + e.getMessage()
-                    + "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)");
+            return Optional.of("cannot open a window (" + e.getMessage()
+                    + "; requires a display and, on Debian, the packages libgtk-3-0 and libxtst6)");
         }
     }
 }

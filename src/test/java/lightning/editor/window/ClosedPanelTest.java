@@ -48,7 +48,7 @@ class ClosedPanelTest extends EditorFixture {
     void pixelShares_areComputedOnThreadThatEndsWithPanel() {
         open(Command.CONTRIBUTIONS);
         robot.moveTo("#traced-picture");
-        waitFor("the pixel is asked", () -> runs("lightning-pixel-share"));
+        waitFor("the query runs", () -> runs("lightning-pixel-share"));
         closePanels();
         waitFor("its thread has ended", () -> !runs("lightning-pixel-share"));
     }

@@ -32,7 +32,7 @@ class EditorTextsTest {
     /** Names of products, formats and channels, colors, patterns of numbers and times, words of the window toolkit: the same everywhere. */
     private static final Set<String> UNTRANSLATED = Set.of("Lightning", "Kelvin", "RGB", "HSV", "PSNR", "SSIM", "HH:mm:ss",
             // Told on the console, where no window can be.
-            "no window can be opened here (", "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)",
+            "cannot open a window (", "; requires a display and, on Debian, the packages libgtk-3-0 and libxtst6)",
             // Kinds of files.
             "Scenes", "Tables",
             // A key, a name in the preferences, names of gauges that fields ask for.

@@ -54,7 +54,7 @@ class ExternalChangesTest extends EditorFixture {
     }
 
     private void awaitNotice() {
-        waitFor("it is told", this::isNoticeShown);
+        waitFor("the message is shown", this::isNoticeShown);
         // The line takes its place before anything in it is clicked on.
         FastRobot.settle();
     }

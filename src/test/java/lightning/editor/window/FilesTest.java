@@ -225,7 +225,7 @@ class FilesTest extends EditorFixture {
             model().commands().run(Command.CANCEL);
         });
         waitFor("nothing is in work", () -> model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
-        waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Canceled. Render the image with F5."));
+        waitFor("the message is shown", () -> isShown("waiting") && text("waiting").equals("Canceled. Render the image with F5."));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 

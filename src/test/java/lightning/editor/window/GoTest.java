@@ -213,7 +213,7 @@ class GoTest extends EditorFixture {
     private void typeSize(String typed) {
         MenuItem other = sizeItem("size-other");
         Platform.runLater(other::fire);
-        waitFor("it asks", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
+        waitFor("the dialog opens", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
         robot.interact(() -> robot.lookup(".text-input-dialog .text-field").<TextField>query().setText(typed));
         robot.clickOn("OK");
     }
@@ -298,7 +298,7 @@ class GoTest extends EditorFixture {
         usePaperAccuracy();
         dim();
         click("go");
-        waitFor("it is told", () -> isShown("mirrors"));
+        waitFor("the message is shown", () -> isShown("mirrors"));
         assertThat(text("mirrors")).isEqualTo("Reflections out of date. Click to update");
         click("mirrors");
         waitFor("they are updated", () -> !isShown("mirrors"));
@@ -320,7 +320,7 @@ class GoTest extends EditorFixture {
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         robot.interact(() -> model().pictureDisplay().effectsProperty().set(ViewEffects.ALL.with(RenderEffect.REFLECTION, false)));
         waitFor("the look is shown", () -> !model().picture().frame().displayMode().isFullPicture());
-        waitFor("it is told", () -> isShown("mirrors"));
+        waitFor("the message is shown", () -> isShown("mirrors"));
         click("mirrors");
         waitFor("it is updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
@@ -332,7 +332,7 @@ class GoTest extends EditorFixture {
         usePaperAccuracy();
         robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().editor().edit(scene -> LightEdits.delete(scene, l))));
         click("go");
-        waitFor("it is told", () -> isShown("mirrors"));
+        waitFor("the message is shown", () -> isShown("mirrors"));
         assertThat(text("mirrors")).isEqualTo("No lights on; reflections out of date. Click to update");
         robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.EXACT));
         waitFor("no ghost is left", () -> !isShown("mirrors"));

@@ -95,7 +95,7 @@ class PanelAccessibilityTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> LightEdits.edit(scene, "lamp", l -> l.withIntensity(0.5))));
         // It waits for an answer, and whoever calls it with it.
         Platform.runLater(() -> model().commands().run(Command.QUIT));
-        waitFor("it asks", () -> panels().size() == 1 && panels().getFirst().isFocused());
+        waitFor("the dialog opens", () -> panels().size() == 1 && panels().getFirst().isFocused());
         Window question = panels().getFirst();
         List<Node> wanted = controls(question);
         assertThat(wanted).hasSize(3).allMatch(PanelAccessibilityTest::isNamed);

@@ -75,7 +75,7 @@ class SmallWindowTest extends EditorFixture {
         resize(960, 540);
         Label line = robot.lookup("#pixel").query();
         robot.moveTo("#traced-picture");
-        waitFor("it tells", () -> line.getText().contains("normal"));
+        waitFor("the text is shown", () -> line.getText().contains("normal"));
         FastRobot.settle();
         assertThat(robot.from(line).lookup(".text").<Text>query().getText()).isEqualTo(line.getText());
     }
@@ -84,13 +84,13 @@ class SmallWindowTest extends EditorFixture {
     void pixelLine_whileHovered_stays() {
         Label line = robot.lookup("#pixel").query();
         robot.moveTo("#traced-picture");
-        waitFor("it tells", () -> line.getText().contains("normal"));
+        waitFor("the text is shown", () -> line.getText().contains("normal"));
         robot.moveTo("#pixel");
         FastRobot.settle();
         assertThat(line.getText()).contains("normal");
         assertThat(line.getTooltip().getText()).isEqualTo(line.getText());
         robot.moveTo("#lights");
-        waitFor("it tells no more", () -> line.getText().isBlank());
+        waitFor("the text is cleared", () -> line.getText().isBlank());
         assertThat(line.getTooltip()).isNull();
     }
 

@@ -37,7 +37,7 @@ abstract class TextClippingFixture extends EditorFixture {
         });
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == 1366);
         robot.moveTo("#traced-picture");
-        waitFor("the pixel is told of", () -> text("pixel").contains("ball") || text("pixel").contains("floor"));
+        waitFor("the pixel report is shown", () -> text("pixel").contains("ball") || text("pixel").contains("floor"));
         checkWindow("no light", () -> model().editor().selection().selectLight(null));
         for (String light : List.of("lamp", "sun", "stage")) {
             checkWindow(light, () -> model().editor().selection().selectLight(light));

@@ -27,7 +27,7 @@ class ContributionPaneTest extends EditorFixture {
         robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.F9);
-        waitFor("all lights are asked", () -> text("contribution-summary").contains("displayed pixel")
+        waitFor("the contributions are shown", () -> text("contribution-summary").contains("displayed pixel")
                 || text("contribution-summary").startsWith("Every"));
         return model().editor().scene();
     }
@@ -48,7 +48,7 @@ class ContributionPaneTest extends EditorFixture {
         assertThat(light("below").on()).isFalse();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertFilmIs(old);
-        waitFor("it is told anew", () -> text("contribution-summary").startsWith("All lights"));
+        waitFor("the summary is updated", () -> text("contribution-summary").startsWith("All lights"));
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);
     }
@@ -71,16 +71,16 @@ class ContributionPaneTest extends EditorFixture {
         Bounds at = picture.localToScreen(picture.getBoundsInLocal());
         robot.interact(() -> picture.getScene().getWindow().requestFocus());
         robot.moveTo(at.getMinX() + 12, at.getCenterY() - 20).press(MouseButton.PRIMARY).moveBy(40, 30).release(MouseButton.PRIMARY);
-        waitFor("the region is asked", () -> text("contribution-region-text").contains("pixels at"));
+        waitFor("the region is set", () -> text("contribution-region-text").contains("pixels at"));
         waitFor("its shares are there", () -> rows().get(1).regionShare() != whole);
         assertThat(rows().get(1).imageShare()).isEqualTo(whole);
         robot.moveTo(at.getMinX() + 30, at.getCenterY());
-        waitFor("the pixel is told", () -> robot.lookup(".table-cell").queryAll().stream()
+        waitFor("the share at the cursor is shown", () -> robot.lookup(".table-cell").queryAll().stream()
                 .filter(c -> c instanceof javafx.scene.control.TableCell<?, ?> t && t.getTableColumn() != null
                         && "Cursor".equals(t.getTableColumn().getText()))
                 .anyMatch(c -> ((javafx.scene.control.TableCell<?, ?>) c).getText() != null
                         && ((javafx.scene.control.TableCell<?, ?>) c).getText().endsWith("%")));
         click("contribution-whole");
-        waitFor("the whole is asked", () -> rows().get(1).regionShare() == whole);
+        waitFor("the whole frame is set", () -> rows().get(1).regionShare() == whole);
     }
 }

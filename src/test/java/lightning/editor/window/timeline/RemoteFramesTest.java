@@ -218,11 +218,11 @@ class RemoteFramesTest extends EditorFixture {
     void invalidCertificate_showsError_andKeepsInput() throws Exception {
         Path none = Files.writeString(folder.resolve("none.p12"), "words");
         join("127.0.0.1:1", none);
-        waitFor("it is told", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
+        waitFor("the message is shown", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
         assertThat(text("machines-status")).doesNotContain("Exception");
         type("machines-certificate", folder.resolve("gone.p12").toString());
         click("machines-begin");
-        waitFor("it is told", () -> text("machines-status").contains("gone.p12"));
+        waitFor("the message is shown", () -> text("machines-status").contains("gone.p12"));
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         type("machines-hosts", "a b");
         click("machines-begin");

@@ -77,7 +77,7 @@ class ShotExportPaneTest extends EditorFixture {
 
     private void begin(String status) {
         click("shot-begin");
-        waitFor("it is told: " + status, () -> text("shot-status").startsWith(status));
+        waitFor("the status is shown: " + status, () -> text("shot-status").startsWith(status));
     }
 
     private void type(String field, String text) {

@@ -50,7 +50,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void hover_showsShapeAndLightShares() {
         robot.moveTo(pixel(32, 24));
-        waitFor("it tells", () -> text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> text("pixel").contains("ball"));
         Film film = model().picture().frame().film();
         int shown = ViewTransform.DEFAULT.pack(film.red(32, 24), film.green(32, 24), film.blue(32, 24));
         double luminance = 0.2126 * film.red(32, 24) + 0.7152 * film.green(32, 24) + 0.0722 * film.blue(32, 24);
@@ -63,7 +63,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void hoverOverBackground_showsBackground() {
         robot.moveTo(pixel(2, 1));
-        waitFor("it tells", () -> text("pixel").contains("background"));
+        waitFor("the text is shown", () -> text("pixel").contains("background"));
     }
 
     @Test
@@ -80,10 +80,10 @@ class TracedPaneTest extends EditorFixture {
     void picture_duringZoom_staysUnderPointer() {
         Point2D before = pixel(32, 24);
         robot.moveTo(before);
-        waitFor("it tells", () -> text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> text("pixel").contains("ball"));
         assertThat(pixel(32, 24)).isEqualTo(before);
         robot.moveTo(pixel(0, 0));
-        waitFor("it tells", () -> !text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> !text("pixel").contains("ball"));
         assertThat(pixel(32, 24)).isEqualTo(before);
     }
 
@@ -121,7 +121,7 @@ class TracedPaneTest extends EditorFixture {
             model().commands().run(Command.PLACE_SHADOW);
         });
         robot.clickOn(pixel(32, 22));
-        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click or drag where the shadow"));
+        waitFor("the prompt requests the shadow's position", () -> text("prompt").startsWith("Click or drag where the shadow"));
         robot.clickOn(pixel(46, 36));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(46, 36).lights().getFirst();
@@ -335,7 +335,7 @@ class TracedPaneTest extends EditorFixture {
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
         assertThat(isEnabled(Command.GO)).isTrue();
-        waitFor("it is told", () -> text("pending").equals("The region is newer than the rest of the image"));
+        waitFor("the message is shown", () -> text("pending").equals("The region is newer than the rest of the image"));
         click("undo");
         assertThat(text("pending")).isEqualTo("The region is out of date");
         click("redo");
@@ -365,7 +365,7 @@ class TracedPaneTest extends EditorFixture {
         });
         waitForPicture();
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 5)));
-        waitFor("it is told", () -> isShown("pending"));
+        waitFor("the message is shown", () -> isShown("pending"));
     }
 
     @Test
