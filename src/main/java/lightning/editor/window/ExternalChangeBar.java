@@ -114,7 +114,7 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
             return Messages.tr("{0} was moved or deleted. Save Scene creates it again.", name);
         }
         return status.isOpenElsewhere()
-                ? Messages.tr("{0} is also open in another window. Lightning asks before it overwrites changes.", name)
+                ? Messages.tr("{0} is also open in another window. A prompt appears before changes are overwritten.", name)
                 : "";
     }
 

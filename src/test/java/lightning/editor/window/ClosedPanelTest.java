@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A closed panel, and a closed editor, leave no thread. */
+/** Closed panels and closed editors leave no thread running. */
 class ClosedPanelTest extends EditorFixture {
 
     private static Set<Thread> threads() {

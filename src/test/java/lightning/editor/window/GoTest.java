@@ -44,7 +44,7 @@ class GoTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
-    /** So many that a large picture takes its time. */
+    /** Adds enough lights that a large picture takes noticeable time. */
     private void manyLights() {
         robot.interact(() -> {
             for (int i = 0; i < 120; i++) {
@@ -89,7 +89,7 @@ class GoTest extends EditorFixture {
         assertThat(text("status")).matches("[0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
         waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
-        // Which of the two it is depends on the machine: the picture is tiny.
+        // Either is possible, depending on the machine: the picture is tiny.
         assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
     }
 
@@ -174,7 +174,7 @@ class GoTest extends EditorFixture {
 
     @Test
     void depthSpinner_isUndoableEdit() {
-        // In a narrow window it is in the tool bar's overflow.
+        // In a narrow window, the field is in the tool bar's overflow menu.
         Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream()
                 .flatMap(item -> item.lookupAll(".spinner").stream()).map(Spinner.class::cast).findFirst().orElseThrow();
         robot.interact(() -> depth.increment());
@@ -305,7 +305,7 @@ class GoTest extends EditorFixture {
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
-    /** Hidden reflections leave what is seen through the glass, and that is as old. */
+    /** Hidden reflections still show transparency, which can be out of date as well. */
     @Test
     void staleGlass_showsBadgeUntilClickUpdatesIt() throws Exception {
         OpenDocument glass = OpenDocument.open(Files.writeString(folder.resolve("glass.jen"), TransparentScenes.BALL));

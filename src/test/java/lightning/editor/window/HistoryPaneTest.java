@@ -16,7 +16,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** A click in the list of edits goes there. */
+/** Clicking an edit in the list restores its state. */
 class HistoryPaneTest extends EditorFixture {
     @AfterEach
     void closeWindows() {

@@ -24,7 +24,7 @@ import lightning.editor.window.widget.WindowPlacement;
 import org.junit.jupiter.api.Test;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** On a small screen, or a large one at twice the scale, nothing is out of reach. */
+/** On a small screen, or a large one at scale 2, everything can be reached. */
 class SmallWindowTest extends EditorFixture {
 
     private void resize(double width, double height) {
@@ -32,7 +32,7 @@ class SmallWindowTest extends EditorFixture {
             stage.setWidth(width);
             stage.setHeight(height);
         });
-        // The window hears of its size a little later.
+        // The window receives its new size later.
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == width && stage.getScene().getHeight() == height);
         FastRobot.settle();
     }
@@ -113,7 +113,7 @@ class SmallWindowTest extends EditorFixture {
         assertThat(window()).as(screenBounds(overflow) + " is in it").matches(b -> b.contains(screenBounds(overflow)));
         assertThat(screenBounds(overflow).getWidth()).isGreaterThan(8);
         robot.clickOn(overflow);
-        // Whenever the bar is laid out, it takes its buttons out of the menu and puts them back: only the window's thread sees them for sure.
+        // A layout of the tool bar removes its buttons from the menu and adds them again, so only the window's thread sees them reliably.
         waitFor("its menu shows what has no room", () -> robot.lookup("#effects-panel").tryQuery().isPresent());
         robot.push(KeyCode.ESCAPE);
     }
@@ -130,7 +130,7 @@ class SmallWindowTest extends EditorFixture {
         }
     }
 
-    /** Whether it and all that it is in are visible. */
+    /** Returns true if a node and all its parents are visible. */
     private static boolean isVisible(Node node) {
         return node == null || node.isVisible() && isVisible(node.getParent());
     }
@@ -184,7 +184,7 @@ class SmallWindowTest extends EditorFixture {
         assertThat(textOf(badge)).isEqualToIgnoringWhitespace(badge.getText());
     }
 
-    /** What is drawn of it. */
+    /** Returns the displayed text of a label. */
     private static String textOf(Labeled labeled) {
         return labeled.getChildrenUnmodifiable().stream().filter(n -> n instanceof Text t && !(n instanceof FontIcon))
                 .map(n -> ((Text) n).getText()).collect(Collectors.joining());
@@ -209,7 +209,7 @@ class SmallWindowTest extends EditorFixture {
         return false;
     }
 
-    /** The text that is drawn is shorter than what it should be. */
+    /** Returns true if the displayed text is shorter than the full text. */
     private static boolean isClipped(Labeled labeled) {
         return labeled.isVisible() && labeled.getText() != null && labeled.getChildrenUnmodifiable().stream()
                 .anyMatch(n -> n instanceof Text t && !(n instanceof FontIcon) && !t.getText().equals(labeled.getText()));

@@ -20,16 +20,16 @@ import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 
 /**
- * What the program's source asks {@code Messages} for.
+ * Texts that the program's source passes to {@code Messages}.
  *
- * @param used    English words
- * @param literals words of the editor's panes that nobody asks for, with where they stand
+ * @param used English texts
+ * @param literals literals in the editor's panes that look like text but are not passed to {@code Messages}, with their positions
  */
 record UiTextScan(Set<String> used, List<String> literals) {
     private static final Path MAIN = Path.of("src", "main", "java", "lightning");
-    /** Begins as a sentence or a title does, or has two words of small letters. */
+    /** Matches text that starts like a sentence or title, or contains two lowercase words. */
     private static final Pattern WORDS = Pattern.compile("(?s)[A-Z][a-z]{2,}.*|.*[a-z]{3,} [a-z]{2,}.*");
-    /** What is said in no window: styles, identities, names of files and threads, failures of the program itself. */
+    /** Calls whose arguments are never shown: styles, ids, names of files and threads, internal errors. */
     private static final Set<String> IGNORED_CALLS = Set.of("setStyle", "setId", "add", "addAll", "web", "startsWith", "replaceFirst",
             "getLogger", "store", "matches", "endsWith");
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 
 class ContributionPaneTest extends EditorFixture {
 
-    /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */
+    /** Opens the pane for a scene with one more light, which illuminates only the underside of the floor. */
     private Scene openWith(Light more) {
         robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, more)));
         robot.interact(() -> model().commands().run(Command.GO));

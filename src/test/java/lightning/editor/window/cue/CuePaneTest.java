@@ -33,7 +33,7 @@ class CuePaneTest extends EditorFixture {
         waitForPicture();
     }
 
-    /** Two cues, of which the second is lit now. */
+    /** Saves two looks, of which the second is applied. */
     private void saveTwoCues() {
         day = model().editor().scene();
         robot.push(KeyCode.SHIFT, KeyCode.F4);

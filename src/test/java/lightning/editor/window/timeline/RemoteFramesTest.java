@@ -38,12 +38,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
+/** Film strip on nodes of the same process, joined through the dialog and connected over TLS. */
 class RemoteFramesTest extends EditorFixture {
     private static final String SHOT =
             "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
 
-    /** Nodes start one after the other: the first need not look for others for long. */
+    /** Short timeouts: nodes start one after the other, so the first should not search for others for long. */
     private static final NodeConfig.Timing FAST_TIMING = new NodeConfig.Timing(500, 15_000, 4000, 1500);
 
     private final InetAddress loopback = InetAddress.getLoopbackAddress();
@@ -62,7 +62,7 @@ class RemoteFramesTest extends EditorFixture {
         robot.interact(() -> model().commands().run(Command.FILM_STRIP));
     }
 
-    /** What a node still does after it is closed ends before its folder goes. */
+    /** Waits until the closed nodes are done, before their folder is deleted. */
     @AfterEach
     void endNodes() throws Exception {
         nodes.forEach(RenderNode::close);
@@ -107,7 +107,7 @@ class RemoteFramesTest extends EditorFixture {
         return robot.lookup("#strip").<FilmStripPane>query().strip().orElseThrow();
     }
 
-    /** The films that the nodes hold, in every bit, and the small pictures that are seen of them. */
+    /** Asserts that the nodes' films are bit-identical to the reference, and that the thumbnails match. */
     private void assertAllExact() throws Exception {
         for (int frame = 1; frame <= 4; frame++) {
             Scene scene = model().editor().document().content().sceneAt(frame);
@@ -121,14 +121,14 @@ class RemoteFramesTest extends EditorFixture {
         }
     }
 
-    /** Where the machine that has it is lost in that moment, another traces it. */
+    /** Returns a film. If the node that holds it is lost, waits until another has rendered it. */
     private Film film(int frame) throws Exception {
         var film = new CompletableFuture<Film>();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Await.TIMEOUT_SECONDS);
         while (!film.isDone()) {
             assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
             if (strip().state(frame) == FrameState.CURRENT) {
-                // One after the other is brought: what was asked for again in vain must not hold up the next frame.
+                // Films are fetched in sequence, so the next frame must not wait for a repeated request that is no longer needed.
                 strip().fetch(frame, () -> !film.isDone(), film::complete);
             }
             WaitForAsyncUtils.sleep(200, TimeUnit.MILLISECONDS);
@@ -206,7 +206,7 @@ class RemoteFramesTest extends EditorFixture {
                 assertThat(of).isSameAs(scene);
                 film.complete(brought);
             });
-            // However soon it is traced here.
+            // Marks the scene as in progress, even if it is already rendered locally.
             ahead.update(model().editor().editorStateProperty().get().withSceneInProgress(Optional.of(scene)), strip());
         });
         assertThat(film.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS).hasSameBits(new ReferenceTracer(fourth).trace())).isTrue();

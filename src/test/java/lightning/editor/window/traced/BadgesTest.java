@@ -25,7 +25,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-/** The canvas's badges, in time that passes by hand. */
+/** Badges over the picture, with a manual clock. */
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class BadgesTest {

@@ -11,7 +11,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.junit.jupiter.api.Test;
 
-/** What the card of a pixel says. */
+/** Texts of the pixel report. */
 class PixelReportTest {
     private static LightReport light(String name, LightReport.State state, float diffuse) {
         return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 0, 1, 0, 0, 1,

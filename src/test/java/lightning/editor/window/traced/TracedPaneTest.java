@@ -39,7 +39,7 @@ import org.junit.jupiter.api.Test;
 
 class TracedPaneTest extends EditorFixture {
 
-    /** Where a pixel of the traced picture is on the screen. */
+    /** Returns the screen position of a pixel of the traced picture. */
     private Point2D pixel(double x, double y) {
         PictureView picture = robot.lookup("#traced-picture").query();
         Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
@@ -183,7 +183,7 @@ class TracedPaneTest extends EditorFixture {
         assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
     }
 
-    /** A hand that drags by a pixel changes the picture by no more than a quarter of a stop. */
+    /** Dragging by one pixel changes the exposure by at most a quarter of a stop. */
     @Test
     void exposureSlider_isWideEnough() {
         Slider slider = robot.lookup("#exposure").query();
@@ -355,7 +355,7 @@ class TracedPaneTest extends EditorFixture {
         assertThat(isShown("pending")).isFalse();
     }
 
-    /** While an animation plays each picture is on its way: nothing waits for Go. */
+    /** During playback there is always a picture in progress, so no edit is pending. */
     @Test
     void playback_showsNoPendingBadge() {
         robot.interact(() -> {
