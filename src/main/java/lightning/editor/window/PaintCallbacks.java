@@ -34,13 +34,13 @@ final class PaintCallbacks {
      */
     static void afterPaintOf(BooleanSupplier isReady, long timeoutNs, Runnable callback) {
         new AnimationTimer() {
-            private long since;
+            private long startTime;
             private boolean drawn;
 
             @Override
             public void handle(long now) {
-                since = since == 0 ? now : since;
-                if (drawn || now - since > timeoutNs) {
+                startTime = startTime == 0 ? now : startTime;
+                if (drawn || now - startTime > timeoutNs) {
                     stop();
                     Platform.runLater(callback);
                 }

@@ -144,14 +144,14 @@ public final class EditingBenchmark {
                 return null;
             });
             Thread.sleep(PAUSE_MS);
-            long begin = threads.getThreadCpuTime(id);
+            long start = threads.getThreadCpuTime(id);
             long end = onFxThread(() -> {
                 edit.accept(number);
                 return threads.getThreadCpuTime(id);
             });
             Thread.sleep(PAUSE_MS);
-            handler[Math.max(i, 0)] = (end - begin) / 1e6;
-            all[Math.max(i, 0)] = (threads.getThreadCpuTime(id) - begin) / 1e6;
+            handler[Math.max(i, 0)] = (end - start) / 1e6;
+            all[Math.max(i, 0)] = (threads.getThreadCpuTime(id) - start) / 1e6;
         }
         print(title + ", the edit itself", median(handler), "ms of processor time");
         print(title + ", with layout and pictures", median(all), "ms of processor time");

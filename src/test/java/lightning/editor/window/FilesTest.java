@@ -299,8 +299,8 @@ class FilesTest extends EditorFixture {
         answer = Files.writeString(deep.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         startCommand(Command.LOAD_FILE);
         waitFor("it tells", () -> isMessageShown("bad.obj could not be opened"));
-        Window told = robot.lookup(".dialog-pane").query().getScene().getWindow();
-        assertThat(told.getX() + told.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
+        Window dialog = robot.lookup(".dialog-pane").query().getScene().getWindow();
+        assertThat(dialog.getX() + dialog.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
     }
 

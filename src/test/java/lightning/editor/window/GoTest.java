@@ -110,11 +110,11 @@ class GoTest extends EditorFixture {
         click("go");
         waitForPicture();
         waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
-        WarmSaving told = model().picture().renderStateProperty().get().measuredSaving();
+        WarmSaving firstSaving = model().picture().renderStateProperty().get().measuredSaving();
         robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSampling(
                 new SamplingSettings(AntialiasMode.EDGES, 2))))));
         click("go");
-        waitFor("the saving is another", () -> model().picture().renderStateProperty().get().measuredSaving() != told);
+        waitFor("the saving is another", () -> model().picture().renderStateProperty().get().measuredSaving() != firstSaving);
         assertThat(model().picture().renderStateProperty().get().measuredSaving().isOf(model().picture().frame().update())).isTrue();
         assertThat(model().picture().frame().update().plan().description()).contains("samples");
     }

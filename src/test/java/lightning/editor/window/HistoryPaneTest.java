@@ -74,9 +74,9 @@ class HistoryPaneTest extends EditorFixture {
         click("go");
         waitForPicture();
         click("status");
-        List<String> told =
+        List<String> details =
                 robot.lookup("#updates-table .table-cell").queryAllAs(TableCell.class).stream().map(TableCell::getText).toList();
-        assertThat(told).contains(model().picture().frame().update().plan().description(), "first pass: no picture yet");
+        assertThat(details).contains(model().picture().frame().update().plan().description(), "first pass: no picture yet");
         assertThat(model().updates().entries()).hasSize(2);
         assertThat(model().updates().entries().getFirst().update()).isSameAs(model().picture().frame().update());
     }

@@ -125,8 +125,8 @@ class SmallWindowTest extends EditorFixture {
             FastRobot.settle();
             Node bar = robot.lookup("#toolbar").query();
             boolean named = robot.from(bar).lookup("Bounces").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
-            boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
-            assertThat(named).as("the name beside the control, at " + width).isEqualTo(there);
+            boolean isDepthShown = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
+            assertThat(named).as("the name next to the control, at width " + width).isEqualTo(isDepthShown);
         }
     }
 

@@ -34,7 +34,7 @@ record UiTextScan(Set<String> used, List<String> literals) {
             "getLogger", "store", "matches", "endsWith");
 
     static UiTextScan read() throws IOException {
-        var asked = new TreeSet<String>();
+        var usedTexts = new TreeSet<String>();
         var literals = new ArrayList<String>();
         var compiler = ToolProvider.getSystemJavaCompiler();
         try (var files = Files.walk(MAIN); var manager = compiler.getStandardFileManager(null, null, null)) {
@@ -43,19 +43,19 @@ record UiTextScan(Set<String> used, List<String> literals) {
                     manager.getJavaFileObjectsFromPaths(sources));
             for (CompilationUnitTree unit : task.parse()) {
                 boolean ofPanes = unit.getPackageName().toString().startsWith("lightning.editor.window");
-                unit.accept(new Scanner(asked, ofPanes ? literals : new ArrayList<>()), null);
+                unit.accept(new Scanner(usedTexts, ofPanes ? literals : new ArrayList<>()), null);
             }
         }
-        return new UiTextScan(asked, literals);
+        return new UiTextScan(usedTexts, literals);
     }
 
     private static final class Scanner extends TreeScanner<Void, Void> {
-        private final Set<String> asked;
+        private final Set<String> usedTexts;
         private final List<String> literals;
         private boolean unseen;
 
-        Scanner(Set<String> asked, List<String> literals) {
-            this.asked = asked;
+        Scanner(Set<String> usedTexts, List<String> literals) {
+            this.usedTexts = usedTexts;
             this.literals = literals;
         }
 
@@ -65,7 +65,7 @@ record UiTextScan(Set<String> used, List<String> literals) {
             if (name.startsWith("Messages.")) {
                 call.getArguments().stream().limit(name.equals("Messages.count") ? 3 : 1).forEach(words -> {
                     if (isText(words)) {
-                        asked.add(text(words));
+                        usedTexts.add(text(words));
                     }
                 });
                 call.getArguments().stream().filter(words -> !isText(words)).forEach(words -> scan(words, none));

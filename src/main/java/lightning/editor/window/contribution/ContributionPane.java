@@ -187,8 +187,8 @@ public final class ContributionPane extends VBox {
         lightQuery.close();
         pixelQuery.close();
         lastFrame = null;
-        PicturePointer.RegionRequest ask = model.picturePointer().regionRequestProperty().get();
-        if (ask != null) {
+        PicturePointer.RegionRequest request = model.picturePointer().regionRequestProperty().get();
+        if (request != null) {
             model.picturePointer().regionRequestProperty().set(null);
         }
     }

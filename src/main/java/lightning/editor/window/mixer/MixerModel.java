@@ -125,8 +125,8 @@ final class MixerModel {
     /** Sets the intensity of a strip and of those selected with it, relative or absolute. */
     Optional<String> setIntensity(MixerChannel channel, double intensity, Object gesture) {
         Set<MixerChannel> channels = editedChannels(channel);
-        Scene from = baseScene();
-        double oldIntensity = channel.intensity(from);
+        Scene startScene = baseScene();
+        double oldIntensity = channel.intensity(startScene);
         if (!relative.get() || channels.size() == 1) {
             return edit(scene -> MixerEdits.setIntensity(scene, channels, intensity), gesture);
         }
@@ -135,13 +135,13 @@ final class MixerModel {
                     Optional.of(Messages.tr("{0} is at 0, so it cannot be scaled. Choose Absolute, or drag another strip",
                             channel.title())));
         }
-        return edit(scene -> MixerEdits.scaleIntensity(scene, from, channels, intensity / oldIntensity), gesture);
+        return edit(scene -> MixerEdits.scaleIntensity(scene, startScene, channels, intensity / oldIntensity), gesture);
     }
 
     /** Makes all lights and the environment brighter by a number of stops. */
     Optional<String> setMaster(double stops, Object gesture) {
-        Scene from = baseScene();
-        return edit(scene -> MixerEdits.scaleAll(scene, from, Math.pow(2, stops)), gesture);
+        Scene startScene = baseScene();
+        return edit(scene -> MixerEdits.scaleAll(scene, startScene, Math.pow(2, stops)), gesture);
     }
 
     /** Edits a strip and those selected with it. */

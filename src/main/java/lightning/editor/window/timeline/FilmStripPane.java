@@ -218,7 +218,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private boolean isSameFolder() {
-        return !(strip.frames() instanceof RemoteFrames far) || far.folder().equals(folder());
+        return !(strip.frames() instanceof RemoteFrames remote) || remote.folder().equals(folder());
     }
 
     private void stripChanged() {

@@ -34,7 +34,7 @@ final class FilmStripText {
     }
 
     private static String noMachineText(FilmStrip strip) {
-        String hosts = strip.frames() instanceof RemoteFrames far ? far.hosts() : "";
+        String hosts = strip.frames() instanceof RemoteFrames remote ? remote.hosts() : "";
         return strip.status().hasLostMachine() ? Messages.tr("all nodes lost; rendering resumes when a node connects")
                 : Messages.tr("no node responds at {0}: it may not be running, or its certificate differs", hosts);
     }

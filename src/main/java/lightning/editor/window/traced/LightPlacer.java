@@ -176,14 +176,14 @@ final class LightPlacer {
             editor.message().show(Messages.tr("No light is selected"));
         } else if (frame != null) {
             ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
-            pointer.pick(picker).ifPresentOrElse(found -> {
+            pointer.pick(picker).ifPresentOrElse(hit -> {
                 switch (tool) {
                     case Tool.PlacementTool(Goal act) -> {
-                        var placing = LightPlacement.start(startLight, act, found.point());
+                        var placing = LightPlacement.start(startLight, act, hit.point());
                         drag = new Drag.PlacementDrag(placing, picker);
-                        place(placing, found, false);
+                        place(placing, hit, false);
                     }
-                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, found, picker);
+                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, hit, picker);
                 }
             }, () -> editor.message().show(Messages.tr(NO_SURFACE)));
         }
@@ -198,32 +198,33 @@ final class LightPlacer {
     void drag(Pointer pointer, boolean isSnapping) {
         switch (drag) {
             case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
-                    pointer.pick(picker).ifPresent(found -> place(placing, found, isSnapping));
-            case Drag.ShadowDrag(Light begin, ScenePicker.SurfaceHit from, ScenePicker picker) -> {
+                    pointer.pick(picker).ifPresent(hit -> place(placing, hit, isSnapping));
+            case Drag.ShadowDrag(Light lightAtStart, ScenePicker.SurfaceHit pressHit, ScenePicker picker) -> {
                 // If the point is in shadow, the occluder is the caster; otherwise the point itself is on the caster.
-                Goal act = new Goal.Shadow(picker.findOccluder(from, begin).orElse(from).point());
-                drag = new Drag.PlacementDrag(LightPlacement.start(begin, act, from.point()), picker);
+                Goal newGoal = new Goal.Shadow(picker.findOccluder(pressHit, lightAtStart).orElse(pressHit).point());
+                drag = new Drag.PlacementDrag(LightPlacement.start(lightAtStart, newGoal, pressHit.point()), picker);
                 drag(pointer, isSnapping);
             }
-            case Drag.DistanceDrag(Ring begin, Viewport.Pixel from) -> {
-                Viewport.Pixel center = ringCenter(begin, pointer.canvas());
-                Vec3 point = begin.hit().point();
-                double factor = pointer.position().distance(center) / Math.max(1, from.distance(center));
-                double distance = begin.light().position().minus(point).length() * factor;
-                show(begin.placing(), begin.hit(),
-                        begin.placing().moveToDistance(begin.light(), point, isSnapping ? Snapping.snapDistance(distance) : distance),
+            case Drag.DistanceDrag(Ring startRing, Viewport.Pixel startPosition) -> {
+                Viewport.Pixel center = ringCenter(startRing, pointer.canvas());
+                Vec3 point = startRing.hit().point();
+                double factor = pointer.position().distance(center) / Math.max(1, startPosition.distance(center));
+                double distance = startRing.light().position().minus(point).length() * factor;
+                show(startRing.placing(), startRing.hit(),
+                        startRing.placing().moveToDistance(startRing.light(), point,
+                                isSnapping ? Snapping.snapDistance(distance) : distance),
                         Optional.empty());
             }
         }
     }
 
-    private void place(LightPlacement placing, ScenePicker.SurfaceHit found, boolean isSnapping) {
+    private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, boolean isSnapping) {
         boolean isPool = placing.goal() instanceof Goal.Pool;
         LightPlacement rounded = isSnapping && !isPool ? placing.withDistance(Snapping.snapDistance(placing.distance())) : placing;
         try {
-            Light light = rounded.place(found);
+            Light light = rounded.place(hit);
             Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(light)) : Optional.empty();
-            show(rounded, found, snap.map(Snapping::light).orElse(light), snap.map(Snapping::message));
+            show(rounded, hit, snap.map(Snapping::light).orElse(light), snap.map(Snapping::message));
         } catch (IllegalArgumentException e) {
             editor.message().show(ErrorMessage.of(e));
         }
@@ -244,8 +245,8 @@ final class LightPlacer {
      * @param isClick true if the mouse did not move since the press
      */
     void release(boolean isClick) {
-        if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit from, ScenePicker _) && isClick) {
-            selectTool(Messages.tr("Click or drag where the shadow should fall"), new Goal.Shadow(from.point()));
+        if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit pressHit, ScenePicker _) && isClick) {
+            selectTool(Messages.tr("Click or drag where the shadow should fall"), new Goal.Shadow(pressHit.point()));
         } else {
             clearTool();
         }

@@ -133,13 +133,14 @@ final class TracedGizmo extends Pane {
                 editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(),
                         _ -> gizmo.drag(handle, view, viewport, from, point, e.isShiftDown())), drag);
             }
-            case LightTarget(Light begin, LightDrag by) -> {
-                Light moved = by.apply(begin, view(), viewport(), point.x() - drag.start().x(), drag.start().y() - point.y());
+            case LightTarget(Light lightAtStart, LightDrag dragKind) -> {
+                Light moved = dragKind.apply(lightAtStart, view(), viewport(), point.x() - drag.start().x(),
+                        drag.start().y() - point.y());
                 Optional<Snapping> snap =
-                        e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snapping.of(begin, moved, view(), viewport()))
+                        e.isShiftDown() && !moved.equals(lightAtStart) ? Optional.of(Snapping.of(lightAtStart, moved, view(), viewport()))
                                 : Optional.empty();
                 Light snapped = snap.map(Snapping::light).orElse(moved);
-                if (editor.editOrReport(scene -> LightEdits.edit(scene, begin.name(), _ -> snapped), drag).isEmpty()) {
+                if (editor.editOrReport(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> snapped), drag).isEmpty()) {
                     snap.ifPresent(s -> editor.message().show(Messages.tr("Snapped: {0}", s.message())));
                 }
             }
@@ -161,7 +162,8 @@ final class TracedGizmo extends Pane {
         switch (drag.target()) {
             case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
                     .edit(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
-            case LightTarget(Light begin, LightDrag _) -> editor.edit(scene -> LightEdits.edit(scene, begin.name(), _ -> begin), drag);
+            case LightTarget(Light lightAtStart, LightDrag _) ->
+                    editor.edit(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> lightAtStart), drag);
         }
         release();
     }

@@ -22,8 +22,8 @@ import org.junit.jupiter.api.Test;
 class ContributionPaneTest extends EditorFixture {
 
     /** Opens the pane for a scene with one more light, which illuminates only the underside of the floor. */
-    private Scene openWith(Light more) {
-        robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, more)));
+    private Scene openWith(Light addedLight) {
+        robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, addedLight)));
         robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.F9);

@@ -202,12 +202,12 @@ class RemoteFramesTest extends EditorFixture {
         robot.interact(() -> {
             model().editor().showFrame(4);
             Scene scene = model().editor().scene();
-            var ahead = new RemoteFramePreview(model().editor(), model().files().windowExecutor(), (brought, of) -> {
-                assertThat(of).isSameAs(scene);
-                film.complete(brought);
+            var preview = new RemoteFramePreview(model().editor(), model().files().windowExecutor(), (fetched, shownScene) -> {
+                assertThat(shownScene).isSameAs(scene);
+                film.complete(fetched);
             });
             // Marks the scene as in progress, even if it is already rendered locally.
-            ahead.update(model().editor().editorStateProperty().get().withSceneInProgress(Optional.of(scene)), strip());
+            preview.update(model().editor().editorStateProperty().get().withSceneInProgress(Optional.of(scene)), strip());
         });
         assertThat(film.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS).hasSameBits(new ReferenceTracer(fourth).trace())).isTrue();
         waitForPicture();

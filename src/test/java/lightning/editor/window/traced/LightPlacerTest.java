@@ -216,8 +216,8 @@ class LightPlacerTest extends EditorFixture {
         Point2D from = pixel(light("lamp").position());
         dragWithShift(MouseButton.SECONDARY, from, from.add(33, 11));
         assertThat(model().editor().message().textProperty().get()).startsWith("Snapped: at ");
-        String told = model().editor().message().textProperty().get();
-        double step = Double.parseDouble(told.substring(told.lastIndexOf(' ') + 1));
+        String message = model().editor().message().textProperty().get();
+        double step = Double.parseDouble(message.substring(message.lastIndexOf(' ') + 1));
         Vec3 at = light("lamp").position();
         for (double v : new double[] {at.x(), at.y(), at.z()}) {
             assertThat(v / step).isCloseTo(Math.rint(v / step), within(1e-9));

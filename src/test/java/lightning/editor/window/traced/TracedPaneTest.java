@@ -158,9 +158,9 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void prompt_isShownUntilEscape() {
         robot.interact(() -> model().commands().run(Command.PLACE_HIGHLIGHT));
-        Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
+        Bounds promptBounds = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
         Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
-        assertThat(canvas.contains(asked)).isTrue();
+        assertThat(canvas.contains(promptBounds)).isTrue();
         robot.push(KeyCode.ESCAPE);
         assertThat(isShown("prompt")).isFalse();
         click("region");
