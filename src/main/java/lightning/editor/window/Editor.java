@@ -21,7 +21,7 @@ import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.render.image.ViewTransform;
 
-/** The editor of one document in one window, from opening to closing. */
+/** Editor of one document in one window, from opening to closing. */
 public final class Editor implements AutoCloseable {
     private final Stage stage;
     private final StartupSession startup;
@@ -36,9 +36,10 @@ public final class Editor implements AutoCloseable {
     /**
      * Opens the window.
      *
-     * @param startup     the document's model and picture; closed with the editor
-     * @param thread    reads and writes files; closed with the editor
-     * @param maxWidth the largest size of the window, pixels: the screen's; likewise {@code maxHeight}
+     * @param startup document's model and picture; closed with the editor
+     * @param thread reads and writes files; closed with the editor
+     * @param maxWidth maximum width of the window: that of the screen, pixels
+     * @param maxHeight maximum height of the window, pixels
      */
     Editor(Stage stage, StartupSession startup, Preferences preferences, FileThread thread, FilePrompt prompt, double maxWidth,
             double maxHeight) {
@@ -77,7 +78,7 @@ public final class Editor implements AutoCloseable {
         return window;
     }
 
-    /** Whether the picture is there, and nothing is being done about another. */
+    /** Returns true if the picture is rendered and no other task is running. */
     boolean isIdle() {
         return model.picture().frame() != null && model.fileActivity().file() == null
                 && model.editor().editorStateProperty().get().sceneInProgress().isEmpty();
@@ -87,7 +88,7 @@ public final class Editor implements AutoCloseable {
         return files;
     }
 
-    /** Asks about edits that a crash left unsaved, until some are wanted. */
+    /** Offers to recover unsaved scenes after a crash, one at a time, until the user accepts one. */
     void offerRecovery(List<RecoveryFolder.RecoverableScene> recoveries) {
         for (RecoveryFolder.RecoverableScene found : recoveries) {
             ButtonType answer = notices.askRecover(found).orElse(null);
@@ -99,12 +100,12 @@ public final class Editor implements AutoCloseable {
                 thread.runInOrder(() -> {
                     found.delete();
                     return found;
-                }, _ -> {}, failure -> notices.showFailure(Messages.tr("The edits could not be discarded"), failure));
+                }, _ -> {}, failure -> notices.showFailure(Messages.tr("Could not discard the edits"), failure));
             }
         }
     }
 
-    /** Says that a scene could not be opened, and goes on when it was read. */
+    /** Reports a scene that could not be opened, then continues with the scene that was read instead. */
     void reportFailedOpen(Path file, Exception failure) {
         notices.showFailureAndWait(Messages.tr("{0} could not be opened", Quote.path(file)), failure);
     }
@@ -113,7 +114,7 @@ public final class Editor implements AutoCloseable {
         stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
     }
 
-    /** Choices are kept at once, for the case of a crash. */
+    /** Saves each choice immediately, so that a crash does not lose it. */
     private void savePreferencesOnChange() {
         PreviewSettings settings = model.previewSettings();
         for (Observable choice : List.of(model.accuracyModeProperty(), model.picture().viewProperty().map(ViewTransform::curve),
@@ -140,7 +141,7 @@ public final class Editor implements AutoCloseable {
         preferences.save();
     }
 
-    /** Windows go before the one that owns them: the toolkit may touch one once more that its owner took with it. */
+    /** Closes secondary windows before their owner: the toolkit may still access a child window after the owner has closed it. */
     private void closeOtherWindows() {
         List.copyOf(Window.getWindows()).reversed().stream().filter(window -> window != stage).forEach(Window::hide);
     }

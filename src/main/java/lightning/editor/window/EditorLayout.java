@@ -21,49 +21,51 @@ import lightning.editor.window.widget.PaneHeader;
 import lightning.editor.window.widget.PictureView;
 
 /**
- * The places of the editor's panes. Each holds what says that the scene is being read, until its pane comes: the traced picture
- * first, then all others. Panes stay where they were put, since looks are lost on the way from one window into another.
+ * Layout of the editor's panes. Each area shows a loading note until its pane is added: the traced picture first, then all others. Panes
+ * stay in their parents, because a move to another window discards their applied styles.
  */
 final class EditorLayout extends BorderPane {
-    /** The share of the two pictures in the window's width. */
+    /** Share of the window's width that the two picture panes take. */
     static final double CANVAS_SHARE = 0.74;
     private static final double LIST_SHARE = 0.36;
-    /** Of the timeline when it is first shown, pixels, and its most share of the height. */
+    /** Initial height of the timeline, pixels; {@link #MAX_TIMELINE_SHARE} limits it further. */
     private static final double TIMELINE_HEIGHT = 200;
     private static final double MAX_TIMELINE_SHARE = 0.4;
-    /** About what menu and tools take, and the line at the bottom, pixels: so that little moves when they come. */
+    /** Approximate height of menu bar and tool bar, pixels. Reserves their space, so that little moves when they are added. */
     static final double BARS_HEIGHT = 72;
     static final double STATUS_HEIGHT = 27;
-    /** About what the head of a pane takes, and the lines below the traced picture of what a pixel is made of, pixels: for the same reason. */
+    /** Approximate height of a pane's header, pixels. Reserves its space, so that little moves when it is added. */
     static final double HEADER_HEIGHT = 36;
     static final double FOOTER_HEIGHT = 38;
-    /** About how wide the traced picture is where all its controls are in a row, and what a second row takes, pixels. */
+    /** Approximate width that fits all controls of the traced picture in one row, pixels. */
     private static final double SINGLE_ROW_WIDTH = 589;
     private static final double EXTRA_ROW_HEIGHT = 30;
-    /** Of the bar between two panes, pixels. */
+    /** Width of the divider between two panes, pixels. */
     static final double DIVIDER_WIDTH = 4;
-    /** Below the header, whose text begins there. */
+    /** Insets of a loading note, aligned with the text of the header above it. */
     private static final Insets NOTE_INSETS = new Insets(6, 12, 6, 12);
 
     private final PictureView picture;
     private final SplitPane canvases;
-    /** The pictures, and below them the timeline. */
+    /** Picture panes with the timeline below. */
     private final SplitPane workArea;
     private final SplitPane sidePanels;
     private final SplitPane mainSplit;
     private Node traced;
     private Node preview;
     private Node timeline;
-    /** Kept, since it is told only as long as somebody has it. */
+    /** Strong reference: the binding notifies its listeners only while it is reachable. */
     private BooleanExpression timelineShown;
-    /** Where the timeline begins; 0 before it was first shown. */
+    /** Divider position of the timeline; 0 before the timeline is first shown. */
     private double timelineDivider;
-    /** Where the border of the panels was before they were hidden. */
+    /** Divider position of the side panels before they were hidden. */
     private double sideDivider = CANVAS_SHARE;
 
     /**
-     * @param file    what is being read
-     * @param picture what is shown in the place of the traced picture, whose pane goes on with it; it may show something already
+     * Creates the layout with loading notes.
+     *
+     * @param file file that is being read
+     * @param picture picture view that the pane of the traced picture takes over; may already show an image
      */
     EditorLayout(Path file, PictureView picture) {
         this.picture = picture;
@@ -99,7 +101,7 @@ final class EditorLayout extends BorderPane {
         return pane;
     }
 
-    /** About what the head of the traced picture takes that is so wide, pixels. */
+    /** Returns the approximate height of the traced picture's header at a given width, pixels. */
     static double headerHeight(double width) {
         return width < SINGLE_ROW_WIDTH ? HEADER_HEIGHT + EXTRA_ROW_HEIGHT : HEADER_HEIGHT;
     }
@@ -132,7 +134,7 @@ final class EditorLayout extends BorderPane {
         canvases.getItems().set(0, pane);
     }
 
-    /** Puts in all but the traced picture. */
+    /** Adds all panes except the traced picture. */
     void setPanes(Node bars, Node previewPane, Node lights, Node properties, Node status) {
         setId("editor");
         preview = previewPane;
@@ -144,9 +146,9 @@ final class EditorLayout extends BorderPane {
     }
 
     /**
-     * Shows the timeline below the pictures while it is wanted and the panels are not hidden; it is made when it first is.
+     * Shows the timeline below the pictures while it is switched on and the panels are not hidden. Creates it on first use.
      *
-     * @return makes it before
+     * @return action that creates the timeline ahead of time
      */
     Runnable addTimeline(WindowLayout arrangement, Supplier<Node> factory) {
         Runnable create = () -> {
@@ -162,7 +164,7 @@ final class EditorLayout extends BorderPane {
                 create.run();
             }
             if (on && workArea.getItems().size() == 1) {
-                // A pane that comes while its neighbors' room is about to change gets the least that it can do with.
+                // Without this layout pass, the split pane would give the new pane only its minimum height.
                 applyCss();
                 layout();
                 workArea.getItems().add(timeline);
@@ -186,7 +188,7 @@ final class EditorLayout extends BorderPane {
         }
     }
 
-    /** Gives the pictures their room, now and whenever it is wanted otherwise. */
+    /** Applies the layout now and on every change of it. */
     void bindTo(WindowLayout arrangement) {
         arrangement.canvasLayoutProperty().subscribe(this::showCanvases);
         arrangement.panelsHiddenProperty().subscribe(this::hidePanels);
@@ -208,7 +210,7 @@ final class EditorLayout extends BorderPane {
     private void hidePanels(boolean hidden) {
         if (hidden && mainSplit.getItems().size() == 2) {
             sideDivider = mainSplit.getDividerPositions()[0];
-            // What stays is never taken out: it would lose the keyboard and the mouse.
+            // Visible panes are never removed, because they would lose keyboard focus and mouse events.
             mainSplit.getItems().remove(sidePanels);
         } else if (!hidden && mainSplit.getItems().size() == 1) {
             mainSplit.getItems().add(sidePanels);
@@ -216,7 +218,7 @@ final class EditorLayout extends BorderPane {
         }
     }
 
-    /** Whether the mouse is over one of the pictures, and what has the keyboard needs neither Tab nor the space bar. */
+    /** Returns true if the mouse is over a picture and the focused control uses neither Tab nor the space bar. */
     boolean isOverPictures() {
         return canvases.isHover() && (getScene() == null || !(getScene().getFocusOwner() instanceof Control));
     }

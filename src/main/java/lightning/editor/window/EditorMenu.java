@@ -26,15 +26,15 @@ import lightning.editor.window.traced.ViewMenuItems;
 import lightning.editor.window.widget.ColorTheme;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Every command in a menu, with its key. */
+/** Menu bar with all commands and their shortcuts. */
 final class EditorMenu extends MenuBar {
-    /** Where a line is drawn between items. */
+    /** Marks a separator line between items. */
     private static final Command SEPARATOR = null;
 
     private final EditorModel model;
     private final CommandMenuItems items;
 
-    /** Every command that is not about a menu itself does something by now. */
+    /** Creates the menus. All commands that do not open a submenu must already be registered. */
     EditorMenu(EditorModel model, FileActions files) {
         this.model = model;
         items = CommandMenuItems.forMenuBar(model.commands());
@@ -59,7 +59,7 @@ final class EditorMenu extends MenuBar {
         Menu rig = menu(Messages.tr("Light Rig"), Command.LOAD_RIG, Command.ADD_RIG, Command.SAVE_RIG);
         rig.setGraphic(new FontIcon("mdi2f-file-outline"));
         light.getItems().add(rig);
-        Menu shape = menu(Messages.tr("Shape"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
+        Menu shape = menu(Messages.tr("Object"), Command.DUPLICATE_SHAPE, Command.DELETE_SHAPE, Command.RENAME_SHAPE, SEPARATOR,
                 Command.SHOW_SHAPE);
         Menu shot =
                 menu(Messages.tr("Shot"), Command.TIMELINE, Command.FILM_STRIP, SEPARATOR, Command.NEW_SHOT, Command.DELETE_SHOT, SEPARATOR,
@@ -79,15 +79,15 @@ final class EditorMenu extends MenuBar {
     }
 
     /**
-     * What makes each menu's lines with their looks before it is opened, a step after the other. A first opening is twice as quick then,
-     * though it puts the looks on again.
+     * Returns steps that build and style each menu before it is opened. This halves the time of the first opening, although the toolkit
+     * applies the styles again.
      */
     Stream<Runnable> preloadSteps() {
         return getMenus().stream().flatMap(menu -> Stream.of(() -> popup(menu).ifPresent(EditorMenu::createSkin),
                 () -> popup(menu).ifPresent(EditorMenu::layOut)));
     }
 
-    /** The window of a menu, which there is once the bar has its looks. */
+    /** Returns the menu's popup window, which exists once the menu bar is styled. */
     private static Optional<ContextMenu> popup(Menu menu) {
         return Optional.ofNullable(menu.getItems().getFirst().getParentPopup());
     }
@@ -136,7 +136,7 @@ final class EditorMenu extends MenuBar {
         model.commands().setToggle(Command.LIGHT_THEME, light);
         Menu view = menu(Messages.tr("View"), Command.ONLY_SELECTED, Command.SCOPES);
         view.getItems().add(
-                new Menu(Messages.tr("Show the Picture"), null,
+                new Menu(Messages.tr("View Options"), null,
                         ViewMenuItems.of(model.picture().viewProperty(), items).toArray(MenuItem[]::new)));
         add(view, SEPARATOR, Command.TRACED_FIT, Command.TRACED_ONE_TO_ONE, Command.TRACED_ZOOM_IN, Command.TRACED_ZOOM_OUT, Command.REGION,
                 SEPARATOR, Command.VIEW_X, Command.VIEW_Y, Command.VIEW_Z, Command.VIEW_ALL, SEPARATOR);
@@ -164,7 +164,7 @@ final class EditorMenu extends MenuBar {
             menu.getItems()
                     .add(items.choice(Command.LANGUAGE, "language-" + value.name(), value.toString(), chosen.map(c -> c == value), () -> {
                         chosen.set(value);
-                        model.editor().message().show(Messages.tr("The editor speaks it from its next start on"));
+                        model.editor().message().show(Messages.tr("The interface language changes after a restart"));
                     }));
         }
         return menu;

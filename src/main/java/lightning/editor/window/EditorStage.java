@@ -9,35 +9,36 @@ import lightning.editor.window.model.Preferences;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.WindowPlacement;
 
-/** The editor's window on the screen: as large as it was left, and wholly seen. */
+/** Main window of the editor: restores its last size, limited to the screen. */
 final class EditorStage {
     private static final double DEFAULT_WIDTH = 1600;
     private static final double DEFAULT_HEIGHT = 950;
-    /** Below these there is no room for two pictures and the properties, pixels. */
+    /** Minimum size that fits two pictures and the properties, pixels. */
     private static final double MIN_WIDTH = 860;
     private static final double MIN_HEIGHT = 480;
-    /** What a window may have had: less cannot be taken hold of, more no screen has. */
+    /** Limits of a stored window size, pixels. Values outside are invalid preferences. */
     private static final double MIN_SIDE = 200;
     private static final double MAX_SIDE = 32_768;
 
     private EditorStage() {}
 
     /**
-     * Opens the window with something in it that needs no style sheet.
+     * Opens the window with content that needs no style sheet.
      *
-     * @param maxWidth the largest size of the window, pixels: the screen's; likewise {@code maxHeight}
+     * @param maxWidth maximum width of the window: that of the screen, pixels
+     * @param maxHeight maximum height of the window, pixels
      */
     static void showUnstyled(Stage stage, Parent content, Preferences preferences, double maxWidth, double maxHeight) {
         fit(stage, content, preferences, maxWidth, maxHeight);
         stage.show();
     }
 
-    /** Opens the window with something in it, or shows that where it is open. Sizes as before. */
+    /** Shows content in the window and opens the window if necessary. Sizes as in {@link #showUnstyled}. */
     static void show(Stage stage, Parent content, Preferences preferences, double maxWidth, double maxHeight) {
         if (stage.getScene() == null) {
             fit(stage, new Group(), preferences, maxWidth, maxHeight);
         }
-        // Before there is content, which is quickest.
+        // Styling an empty scene is fastest.
         ColorTheme.style(stage.getScene());
         if (stage.getScene().getRoot() != content) {
             stage.getScene().setRoot(content);

@@ -31,13 +31,13 @@ import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 
-/** The buttons of the canvas window (paper §3.3 to §3.7), grouped by what they are for. */
+/** Tool bar of the editor (paper §3.3 to §3.7), with buttons grouped by purpose. */
 final class EditorToolBar extends ToolBar {
-    /** What a choice takes beside its text, pixels. */
+    /** Width that a choice box takes in addition to its text, pixels. */
     private static final double ARROW_WIDTH = 40;
-    /** As the style sheet has it, pixels. */
+    /** Font size of the style sheet, pixels. */
     private static final double FONT_SIZE = 12;
-    /** Between a control and its name, pixels. */
+    /** Gap between a control and its label, pixels. */
     private static final double NAME_GAP = 6;
 
     private final SceneEditor editor;
@@ -55,7 +55,7 @@ final class EditorToolBar extends ToolBar {
         go.button().getStyleClass().add("accent");
         getItems().addAll(go, CommandButton.titledButton(commands, Command.LIVE));
         add(Command.UPDATE_REFLECTIONS, Command.CANCEL, Command.VERIFY);
-        getItems().addAll(separator(), precision(precision), size(), labeled(Messages.tr("Depth"), depth()), separator());
+        getItems().addAll(separator(), precision(precision), size(), labeled(Messages.tr("Bounces"), depth()), separator());
         add(Command.MAKE_ANIMATION, Command.ACCURACY_PANEL, Command.EFFECTS_PANEL);
     }
 
@@ -69,7 +69,7 @@ final class EditorToolBar extends ToolBar {
         return new Separator(Orientation.VERTICAL);
     }
 
-    /** A control and its name, which go into the overflow together. */
+    /** Groups a control with its label, so that both move into the overflow menu together. */
     private static HBox labeled(String text, Control control) {
         var label = new Label(text);
         label.getStyleClass().add("pane-note");
@@ -93,7 +93,7 @@ final class EditorToolBar extends ToolBar {
         return choice;
     }
 
-    /** The longest title of a choice, pixels; the box itself would take as much as its menu. */
+    /** Returns the width of the longest title of a choice, pixels. The box itself would take the width of its menu. */
     private static double maxTitleWidth(ChoiceBox<?> choice) {
         return choice.getItems().stream().mapToDouble(item -> {
             var text = new Text(item.toString());
@@ -105,9 +105,8 @@ final class EditorToolBar extends ToolBar {
     private MenuButton size() {
         var sizes = new MenuButton("", new FontIcon(MaterialDesignR.RESIZE));
         sizes.setId("traced-sizes");
-        sizes.setAccessibleText(Messages.tr("Size and anti-aliasing of the traced picture"));
-        sizes.setTooltip(new Tooltip(Messages.tr("Size and anti-aliasing of the traced picture\nAnother size traces it anew; "
-                + "other anti-aliasing is an edit, and Go computes what is missing.")));
+        sizes.setAccessibleText(Messages.tr("Resolution and anti-aliasing"));
+        sizes.setTooltip(new Tooltip(Messages.tr("Resolution and anti-aliasing\nA new resolution renders the image in full.")));
         CommandMenuItems items = CommandMenuItems.forMenu(commands);
         sizes.getItems().setAll(SizeMenu.pictureSizeItems(editor, items));
         sizes.getItems().addAll(new SeparatorMenuItem(), SamplingMenu.of(editor, items));
@@ -118,9 +117,9 @@ final class EditorToolBar extends ToolBar {
     private Spinner<Integer> depth() {
         var depth = new Spinner<Integer>(0, SceneLimits.MAX_DEPTH, 0);
         depth.setId("depth");
-        depth.setAccessibleText(Messages.tr("Recursion depth of mirrors"));
+        depth.setAccessibleText(Messages.tr("Reflection bounces"));
         depth.setTooltip(
-                new Tooltip(Messages.tr("Recursion depth\nHow many mirror bounces are followed, 0 to {0}.", SceneLimits.MAX_DEPTH)));
+                new Tooltip(Messages.tr("Reflection bounces (0 to {0})", SceneLimits.MAX_DEPTH)));
         editor.sceneProperty().subscribe(s -> depth.getValueFactory().setValue(s.picture().depth()));
         depth.valueProperty().subscribe(v -> {
             if (v != editor.scene().picture().depth()) {

@@ -32,7 +32,7 @@ import lightning.editor.window.timeline.Playback;
 import lightning.editor.window.timeline.ShotExportWindow;
 import lightning.editor.window.timeline.TimelinePane;
 
-/** Everything inside the editor's frame: traced picture, preview, and beside them the lights and their properties. */
+/** Content of the editor's window: traced picture, preview, and the lists and properties next to them. */
 public final class EditorWindow implements AutoCloseable {
     private final Runnable createTimeline;
     private final EditorLayout layout;
@@ -42,11 +42,11 @@ public final class EditorWindow implements AutoCloseable {
     private final VBox bars;
     private final EditorMenu menu;
     private final SidePane side;
-    /** Null before it was first shown. */
+    /** Null before it is first shown. */
     private TimelinePane timeline;
     private final BooleanProperty fullScreen = new SimpleBooleanProperty();
 
-    /** Fills a frame, in which the traced picture stands already. */
+    /** Adds all panes to a layout that already contains the traced picture. */
     EditorWindow(EditorLayout layout, EditorModel model, FileActions files, EditorDialogs notices) {
         this.layout = layout;
         this.files = files;
@@ -87,22 +87,22 @@ public final class EditorWindow implements AutoCloseable {
     private void toggleFullScreen() {
         var stage = (Stage) window();
         if (!fullScreen.isBound()) {
-            // Escape cancels and ends what is asked.
+            // Escape cancels tasks and prompts, so it must not leave the full screen.
             stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
-            stage.setFullScreenExitHint(Messages.tr("F11 leaves the full screen"));
+            stage.setFullScreenExitHint(Messages.tr("Press F11 to exit full screen"));
             fullScreen.bind(stage.fullScreenProperty());
         }
         stage.setFullScreen(!stage.isFullScreen());
     }
 
-    /** Puts a line below the tool bar. */
+    /** Adds a bar below the tool bar. */
     void addBar(Node bar) {
         bars.getChildren().add(bar);
     }
 
-    /** The keyboard takes lights at once. */
+    /** Gives the list of lights the keyboard focus. */
     void focus() {
-        // What lies between the bars of the split panes is in the window only when they have their looks.
+        // Split panes add their content to the scene only when they are styled.
         layout.applyCss();
         preview.canvas().requestFocus();
     }
@@ -127,13 +127,13 @@ public final class EditorWindow implements AutoCloseable {
         e.consume();
     }
 
-    /** What can be made before somebody asks for it, a step after the other. */
+    /** Returns steps that create panels ahead of their first use. */
     Stream<Runnable> preloadSteps() {
         return Stream.of(side.preloadSteps(), menu.preloadSteps(), panels.preloadSteps(), Stream.of(createTimeline))
                 .flatMap(Function.identity());
     }
 
-    /** Opens the first scene among files; returns whether there is one. */
+    /** Opens the first scene among dropped files. Returns true if one of them is a scene. */
     boolean openDropped(List<File> droppedFiles) {
         Optional<File> scene = droppedFiles.stream().filter(EditorWindow::isScene).findFirst();
         scene.ifPresent(f -> files.load(f.toPath()));

@@ -17,8 +17,8 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.widget.DisabledReason;
 
 /**
- * A line above the canvases that is there while others have changed the open scene's file, taken it away or have it open
- * too, and offers what can be done. The file is watched on a thread of its own.
+ * Notice above the pictures that the open scene's file was changed, moved or deleted, or is open in another editor. Offers actions. A
+ * separate thread watches the file.
  */
 final class ExternalChangeBar extends HBox implements AutoCloseable {
     private static final double GAP = 8;
@@ -32,12 +32,14 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
     private final Button keepMine = button(Messages.tr("Keep Mine"), "disk-keep");
     private final Button compare = button(Messages.tr("Compare…"), "disk-compare");
     private final Button hide = button(Messages.tr("Hide"), "disk-read");
-    /** What the artist has read. */
+    /** Status that the user has dismissed. */
     private DiskStatus dismissed;
 
     /**
-     * @param windowExecutor  runs tasks in turn on the window's thread
-     * @param showComparison  shows the open scene beside the file, and asks
+     * Creates the bar and starts to watch the file.
+     *
+     * @param windowExecutor runs tasks in order on the window's thread
+     * @param showComparison shows the open scene next to the file and offers to choose one
      */
     ExternalChangeBar(Workbench workbench, CommandRegistry commands, Executor windowExecutor, Runnable showComparison) {
         this.workbench = workbench;
@@ -61,7 +63,7 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
         compare.setOnAction(_ -> showComparison.run());
         hide.setOnAction(_ -> dismiss());
         getChildren().addAll(text, reload, keepMine, compare, hide);
-        // Every look at the document is told so, one that finds all as it was too.
+        // The editor state also changes on every check of the file, even if the result is the same.
         commands.editorState().addListener(_ -> update());
         update();
     }
@@ -73,7 +75,7 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
         return button;
     }
 
-    /** Looks at once, as when the artist comes back from another program. */
+    /** Checks the file immediately, for example when the window gets the focus back. */
     void checkFile() {
         watch.checkNow();
     }
@@ -109,10 +111,10 @@ final class ExternalChangeBar extends HBox implements AutoCloseable {
             return Messages.tr("{0} was changed by another program.", name);
         }
         if (status.isDeleted()) {
-            return Messages.tr("{0} is no longer where it was; Save Scene writes it again.", name);
+            return Messages.tr("{0} was moved or deleted. Save Scene creates it again.", name);
         }
         return status.isOpenElsewhere()
-                ? Messages.tr("{0} is open in another editor of yours too. Each asks before it overwrites the other's work.", name)
+                ? Messages.tr("{0} is also open in another window. A prompt appears before changes are overwritten.", name)
                 : "";
     }
 

@@ -21,8 +21,8 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.VisibilityListener;
 
 /**
- * All edits as a list, the first at the top: a click goes to what was after that edit. What is undone is dimmed. The document's, or those
- * of the selected light alone, which leave the edits of all other lights.
+ * List of all edits, newest first. Clicking an entry restores the state after that edit; undone edits are dimmed. Shows the edits of the
+ * document, or of the selected light only, which leave all other lights unchanged.
  */
 final class HistoryPane extends VBox {
     private static final PseudoClass UNDONE = PseudoClass.getPseudoClass("undone");
@@ -34,7 +34,11 @@ final class HistoryPane extends VBox {
     private final ToggleButton lightToggle = new ToggleButton(Messages.tr("Selected light"));
     private final Label lightName = new Label();
 
-    /** @param position how many steps are done there */
+    /**
+     * Entry of the list.
+     *
+     * @param position number of applied edits at this entry
+     */
     private record Row(int position, String text, boolean isUndone) {}
 
     HistoryPane(SceneEditor editor, Workbench workbench) {
@@ -83,7 +87,7 @@ final class HistoryPane extends VBox {
         lightName.setText(lightToggle.isSelected() ? name : "");
         List<Row> rows = IntStream.rangeClosed(0, steps.size())
                 .mapToObj(i -> new Row(i,
-                        i == 0 ? lightToggle.isSelected() ? Messages.tr("As it first was") : Messages.tr("As it was opened")
+                        i == 0 ? lightToggle.isSelected() ? Messages.tr("Initial state") : Messages.tr("Opened")
                                 : steps.get(i - 1),
                         i > position))
                 .toList();
@@ -99,7 +103,7 @@ final class HistoryPane extends VBox {
             return;
         }
         if (editor.isAnimating()) {
-            editor.message().show(Messages.tr("An animation is open; close it first"));
+            editor.message().show(Messages.tr("Close the open animation first"));
         } else if (row.position() == list.getItems().stream().filter(r -> !r.isUndone()).count() - 1) {
             return;
         } else if (lightToggle.isSelected()) {

@@ -9,10 +9,10 @@ import javafx.scene.input.InputEvent;
 import javafx.util.Duration;
 import lightning.editor.window.widget.TimeSlicedTask;
 
-/** Makes what will be opened while nobody works: one step after the other, and none while there is anything else to do. */
+/** Creates panels in the background while the user is idle. Runs one step at a time, and none while other work is running. */
 final class IdlePreloader implements AutoCloseable {
     private static final Duration STEP_INTERVAL = Duration.millis(100);
-    /** Nobody works who did nothing for so long, nanoseconds. */
+    /** Time without input after which the user counts as idle, nanoseconds. */
     private static final long IDLE_NS = 1_000_000_000;
 
     private final Scene scene;
@@ -23,10 +23,10 @@ final class IdlePreloader implements AutoCloseable {
     private long lastInputNs = System.nanoTime();
 
     /**
-     * Begins with the first step as soon as that can be.
+     * Starts the first step as soon as the user is idle.
      *
-     * @param scene   of the window that somebody works at
-     * @param isIdle whether nothing is being done beside the window
+     * @param scene scene of the window whose input events count
+     * @param isIdle returns true if no background work is running
      */
     IdlePreloader(Scene scene, BooleanSupplier isIdle, Iterator<Runnable> steps) {
         this.scene = scene;
@@ -38,7 +38,7 @@ final class IdlePreloader implements AutoCloseable {
     }
 
     private void runNextStep() {
-        // What comes in slices has the thread for itself.
+        // Time-sliced tasks have the thread to themselves.
         if (System.nanoTime() - lastInputNs > IDLE_NS && isIdle.getAsBoolean() && !TimeSlicedTask.isAnyRunning()) {
             steps.next().run();
         }

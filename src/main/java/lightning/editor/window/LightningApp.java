@@ -25,33 +25,33 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
 
 /**
- * The editor's program: a window at once with a coarse picture in it, then the frame of all panes, then the pane of the traced picture, then
- * everything else. The scene is read and looked at while the window system starts.
+ * JavaFX application of the editor. Opens in steps: a window with a coarse picture, the layout of all panes, the pane of the traced
+ * picture, then all other panes. Reads and previews the scene while the window system starts.
  */
 public class LightningApp extends Application {
-    /** What is being read for the program that starts in this process; null where it was not begun by {@link #open}. */
+    /** Task that reads the startup files for the next launch in this process; null unless {@link #open} started it. */
     private static FutureTask<StartupFiles> startupRead;
 
     private static final long PREVIEW_TIMEOUT_MS = 600;
-    /** How long a window that is there waits for a first look, before it shows that it waits; nanoseconds. */
+    /** Maximum wait for the first preview before the window shows that it is loading, nanoseconds. */
     private static final long FIRST_PICTURE_TIMEOUT_NS = 300_000_000;
 
     private final FileThread thread = new FileThread(Platform::runLater);
     private final RecoveryFolder recovery = recovery();
     private Preferences preferences;
-    /** What was read and nobody works at yet; else null. */
+    /** Files that were read but are not yet open in an editor; otherwise null. */
     private StartupFiles startupFiles;
-    /** Null before it was drawn. */
+    /** Null before it is created. */
     private EditorLayout layout;
     private StartupSession startupSession;
     private Editor editor;
     private IdlePreloader preloader;
 
     /**
-     * Opens the editor and returns when its window is closed. At most once in a process.
+     * Opens the editor and returns when its window is closed. At most once per process.
      *
-     * @param arguments the file to open, a scene or one of which a scene can be made, or nothing
-     * @return why no window can be opened, as {@link WindowToolkit#start} tells; empty if one was
+     * @param arguments the file to open (a scene, or a file that can be imported), or nothing
+     * @return reason why no window can be opened, from {@link WindowToolkit#start}; empty on success
      */
     public static Optional<String> open(List<String> arguments) {
         return open(LightningApp.class, arguments);
@@ -60,7 +60,7 @@ public class LightningApp extends Application {
     static Optional<String> open(Class<? extends LightningApp> program, List<String> arguments) {
         Path file = file(arguments);
         RecoveryFolder recovery = recovery();
-        // The program's own preferences are read later, which write too.
+        // These preferences are read-only; the application creates its own, writable ones later.
         startupRead = new FutureTask<>(() -> StartupFiles.read(file, new Preferences(EditorPaths.dataFolder(), _ -> {}), recovery));
         Thread.ofPlatform().daemon().name("lightning-opening").start(startupRead);
         Optional<String> problem = WindowToolkit.start();
@@ -70,12 +70,12 @@ public class LightningApp extends Application {
         return problem;
     }
 
-    /** Whether the editor opens a file, by its name. */
+    /** Returns true if the editor can open a file with this name. */
     public static boolean canOpen(String file) {
         return StartupFiles.canOpen(file);
     }
 
-    /** The file to open. */
+    /** Returns the file to open. */
     Path file() {
         return file(getParameters() == null ? List.of() : getParameters().getUnnamed());
     }
@@ -88,7 +88,7 @@ public class LightningApp extends Application {
         return new RecoveryFolder(EditorPaths.dataFolder().resolve("recovery"));
     }
 
-    /** Before there is a window that could wait for a disk. */
+    /** Reads the preferences before a window exists, so that no window has to wait for the disk. */
     @Override
     public void init() {
         preferences = new Preferences(EditorPaths.dataFolder(), thread);
@@ -119,7 +119,7 @@ public class LightningApp extends Application {
         }));
     }
 
-    /** Shows the panes, which say that they wait. */
+    /** Shows the layout with its loading notes. */
     private void showLayout(Stage stage, Path file, PictureView picture) {
         var newLayout = new EditorLayout(file, picture);
         stage.getScene().setRoot(newLayout);
@@ -130,7 +130,7 @@ public class LightningApp extends Application {
     }
 
     private static StartupFiles read(FutureTask<StartupFiles> reading) throws Exception {
-        // What it holds is for the first document alone.
+        // The files are for the first document only.
         startupRead = null;
         try {
             return reading.get();
@@ -143,7 +143,7 @@ public class LightningApp extends Application {
         }
     }
 
-    /** How long a scene that is read waits for a first look at it, milliseconds. */
+    /** Maximum wait of a loaded scene for its first preview, milliseconds. */
     long previewTimeoutMs() {
         return PREVIEW_TIMEOUT_MS;
     }
@@ -153,7 +153,7 @@ public class LightningApp extends Application {
         return files;
     }
 
-    /** Shows what there is to be seen already. */
+    /** Shows the preview if it is ready. */
     private static void showFirstPixels(PictureView picture, StartupFiles files) {
         TracedRaster.Pixels pixels = files.preview().raster().pixels();
         if (pixels != null) {
@@ -162,14 +162,14 @@ public class LightningApp extends Application {
         }
     }
 
-    /** Nobody waits for a scene whose window was closed while it was read. */
+    /** Runs the action only if the window is still open: it may have been closed while the scene was read. */
     private static void runIfOpen(Stage stage, Runnable action) {
         if (stage.isShowing()) {
             action.run();
         }
     }
 
-    /** Where the scene is read, and the window has its frame. */
+    /** Opens the editor once the scene is read and the window has its layout. */
     private void showIfReady(Stage stage) {
         StartupFiles files = startupFiles;
         if (files != null && layout != null) {
@@ -193,7 +193,7 @@ public class LightningApp extends Application {
         }
     }
 
-    /** An editor has its window. */
+    /** Called when the editor has its window. Subclasses override it. */
     void editorOpened(Editor opened) {}
 
     @Override

@@ -4,14 +4,14 @@ import java.util.function.BooleanSupplier;
 import javafx.animation.AnimationTimer;
 import javafx.application.Platform;
 
-/** Goes on when a window was drawn. */
+/** Runs callbacks after a window has been painted. */
 final class PaintCallbacks {
-    /** The first is told before what is there is drawn, the second while it is, the third after it. */
+    /** Number of pulses to wait: before, during and after painting the current content. */
     private static final int PULSES = 3;
 
     private PaintCallbacks() {}
 
-    /** With all that is in it now: what comes next takes the window's thread and all processors for a while. */
+    /** Runs the callback after the current content is painted. The callback may then block the window's thread and use all processors. */
     static void afterNextPaint(Runnable callback) {
         new AnimationTimer() {
             private int pulses;
@@ -27,24 +27,24 @@ final class PaintCallbacks {
     }
 
     /**
-     * With something that may not be there yet.
+     * Runs the callback after content has been painted that may not be ready yet.
      *
-     * @param isReady    whether it is
-     * @param timeoutNs how long that is waited for, nanoseconds
+     * @param isReady returns true once the content is ready
+     * @param timeoutNs maximum wait, nanoseconds
      */
     static void afterPaintOf(BooleanSupplier isReady, long timeoutNs, Runnable callback) {
         new AnimationTimer() {
-            private long since;
+            private long startTime;
             private boolean drawn;
 
             @Override
             public void handle(long now) {
-                since = since == 0 ? now : since;
-                if (drawn || now - since > timeoutNs) {
+                startTime = startTime == 0 ? now : startTime;
+                if (drawn || now - startTime > timeoutNs) {
                     stop();
                     Platform.runLater(callback);
                 }
-                // It is drawn after this.
+                // The content is painted after this pulse.
                 drawn = isReady.getAsBoolean();
             }
         }.start();

@@ -21,7 +21,7 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
-/** The windows beside the editor's, each open at most once and called as the command that opens it. */
+/** Secondary windows of the editor. Each is open at most once and has the title of the command that opens it. */
 final class PanelWindows implements AutoCloseable {
     private static final Map<Command, PanelSpec> PANELS = Map.of(
             Command.ACCURACY_PANEL,
@@ -42,24 +42,29 @@ final class PanelWindows implements AutoCloseable {
     private final Map<Command, Stage> windows = new EnumMap<>(Command.class);
 
     /**
-     * What stands in a window.
+     * Content and size of a window.
      *
-     * @param width pixels; likewise {@code height}
+     * @param width pixels
+     * @param height pixels
      */
     private record PanelSpec(double width, double height, Function<EditorModel, Region> pane) {}
 
-    /** @param owner the editor's window, once there is one */
+    /**
+     * Creates no window yet.
+     *
+     * @param owner returns the editor's window once it exists
+     */
     PanelWindows(EditorModel model, Supplier<Window> owner) {
         this.model = model;
         this.owner = owner;
     }
 
-    /** Does the commands that open them. */
+    /** Registers the commands that open the windows. */
     void registerCommands(CommandRegistry commands) {
         PANELS.keySet().forEach(command -> commands.setAction(command, () -> open(command)));
     }
 
-    /** For each window the steps that make it before it is wanted, each of which takes a moment of the window's thread. */
+    /** Returns, for each window, steps that create it ahead of time. Each step blocks the window's thread only briefly. */
     Stream<Runnable> preloadSteps() {
         return PANELS.keySet().stream().sorted().flatMap(
                 command -> Stream.of(() -> getOrCreate(command), () -> root(command).applyCss(), () -> root(command).layout()));
@@ -79,7 +84,7 @@ final class PanelWindows implements AutoCloseable {
         stage.toFront();
     }
 
-    /** The commands' keys work in it as in the editor's window. */
+    /** Creates a window in which the editor's shortcuts work as well. */
     private Stage createWindow(Command command, PanelSpec panel) {
         var stage = new PanelWindow(owner.get(), command.plainTitle(), panel.pane().apply(model), panel.width(), panel.height());
         CommandKeys.install(stage.getScene(), model.commands());

@@ -15,76 +15,82 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.KeyBindings;
 import lightning.editor.window.widget.TimeSlicedTask;
 
-/** What mouse and keyboard do, as a table; the keys of commands can be changed in it. */
+/** Table of mouse actions and keyboard shortcuts. The shortcuts of commands can be changed in it. */
 final class ShortcutsPane extends GridPane {
-    /** @param mouse empty where the mouse has nothing of its own; likewise {@code keys} */
+    /**
+     * Row of the table.
+     *
+     * @param mouse mouse action; empty if there is none
+     * @param keys keyboard shortcut; empty if there is none
+     */
     private record Row(String action, String mouse, String keys) {}
 
     private static final List<Row> LIGHTS = List.of(
             new Row(Messages.key("Select a light"), Messages.key("click"), Messages.key("[  and  ]")),
             new Row(Messages.key("Rotate it"), Messages.key("left drag"), Messages.key("arrows")),
-            new Row(Messages.key("Carry it about what it aims at"), Messages.key("Ctrl + left drag"), ""),
-            new Row(Messages.key("Move it in the viewing plane"), Messages.key("right drag"), Messages.key("Ctrl + arrows")),
-            new Row(Messages.key("Move it along the view; up is away"), Messages.key("middle drag, or Alt + drag"),
+            new Row(Messages.key("Orbit it around its target"), Messages.key("Ctrl + left drag"), ""),
+            new Row(Messages.key("Move it in the view plane"), Messages.key("right drag"), Messages.key("Ctrl + arrows")),
+            new Row(Messages.key("Move it along the view axis (up: away)"), Messages.key("middle drag, or Alt + drag"),
                     Messages.key("Page Up, Page Down")));
     private static final List<Row> CAMERA = List.of(
-            new Row(Messages.key("Zoom"), Messages.key("Shift + drag that begins upright"), Messages.key("Shift + up, down")),
-            new Row(Messages.key("Pan"), Messages.key("Shift + drag that begins sideways"), Messages.key("Shift + left, right")),
-            new Row(Messages.key("Turn the scene"), Messages.key("Shift + drag from near the edge"), Messages.key("Shift + Ctrl + arrows")),
-            new Row(Messages.key("Along the x axis, from above, the scene's camera"), "X, −Y, −Z", "X, Y, Z"),
-            new Row(Messages.key("All lights in view"), Messages.key("All"), "A"),
-            new Row(Messages.key("Through the selected light, and back"), Messages.key("the eye"), "L"),
-            new Row(Messages.key("Hide the gizmos, and show them again"), Messages.key("the crossed cone"), "G"));
+            new Row(Messages.key("Zoom"), Messages.key("Shift + drag up or down"), Messages.key("Shift + up, down")),
+            new Row(Messages.key("Pan"), Messages.key("Shift + drag left or right"), Messages.key("Shift + left, right")),
+            new Row(Messages.key("Rotate the scene"), Messages.key("Shift + drag from near the edge"),
+                    Messages.key("Shift + Ctrl + arrows")),
+            new Row(Messages.key("Side view, top view, scene camera"), "X, −Y, −Z", "X, Y, Z"),
+            new Row(Messages.key("Frame all lights"), Messages.key("All"), "A"),
+            new Row(Messages.key("Look through the selected light"), Messages.key("eye button"), "L"),
+            new Row(Messages.key("Hide or show light handles"), Messages.key("cone button"), "G"));
     private static final List<Row> PICTURE = List.of(
-            new Row(Messages.key("What a pixel is made of"), Messages.key("hover"), ""),
-            new Row(Messages.key("Select the light that matters most there"), Messages.key("click"), ""),
-            new Row(Messages.key("A menu with the shape's material, here or in the preview"), Messages.key("right click"), ""),
+            new Row(Messages.key("Inspect a pixel"), Messages.key("hover"), ""),
+            new Row(Messages.key("Select the light that contributes most there"), Messages.key("click"), ""),
+            new Row(Messages.key("Open an object's menu, here or in the preview"), Messages.key("right click"), ""),
             new Row(Messages.key("Zoom"), Messages.key("wheel"), ""),
-            new Row(Messages.key("Move the picture"), Messages.key("middle drag, or Space and drag"), ""),
-            new Row(Messages.key("Turn, carry, move the selected light or shape"), Messages.key("as in the preview"), ""),
-            new Row(Messages.key("What a light does, with a tool of the menu Light"), Messages.key("click, or drag"), ""),
-            new Row(Messages.key("Take a light that was placed nearer or farther"), Messages.key("drag of its ring"), ""),
-            new Row(Messages.key("Snap to round places, angles, distances"), Messages.key("Shift in a drag"), ""),
-            new Row(Messages.key("Give a drag up"), "", Messages.key("Esc")));
+            new Row(Messages.key("Pan the image"), Messages.key("middle drag, or Space and drag"), ""),
+            new Row(Messages.key("Rotate, orbit, or move the selected light or object"), Messages.key("as in the preview"), ""),
+            new Row(Messages.key("Place a light with a tool of the Light menu"), Messages.key("click, or drag"), ""),
+            new Row(Messages.key("Change the distance of a placed light"), Messages.key("drag the ring"), ""),
+            new Row(Messages.key("Snap to round positions, angles, and distances"), Messages.key("Shift in a drag"), ""),
+            new Row(Messages.key("Cancel a drag"), "", Messages.key("Esc")));
     private static final List<Row> LIST = List.of(
             new Row(Messages.key("Rename the selected light"), Messages.key("double click"), "F2"),
-            new Row(Messages.key("Switch it on or off"), Messages.key("the bulb"), Messages.key("Space")),
-            new Row(Messages.key("Let it shine alone"), "S", "S"),
+            new Row(Messages.key("Toggle it on or off"), Messages.key("bulb button"), Messages.key("Space")),
+            new Row(Messages.key("Solo"), "S", "S"),
             new Row(Messages.key("Delete it"), "", Messages.key("Delete")));
     private static final List<Row> SHAPES = List.of(
-            new Row(Messages.key("Select a shape, or its group"), Messages.key("click, or right click"), ""),
-            new Row(Messages.key("Move, turn, scale it"), Messages.key("left drag of an arrow, a ring, the square"), ""),
-            new Row(Messages.key("Hide it, and show it again"), Messages.key("the eye"), "H"),
+            new Row(Messages.key("Select an object or its group"), Messages.key("click, or right click"), ""),
+            new Row(Messages.key("Move, rotate, or scale it"), Messages.key("left drag an arrow, a ring, or the square"), ""),
+            new Row(Messages.key("Hide or show it"), Messages.key("eye button"), "H"),
             new Row(Messages.key("Duplicate it"), "", Messages.key("Ctrl + D")),
-            new Row(Messages.key("Rename it, in the list"), Messages.key("double click"), "F2"),
+            new Row(Messages.key("Rename it (in the list)"), Messages.key("double click"), "F2"),
             new Row(Messages.key("Delete it"), "", Messages.key("Delete")));
     private static final List<Row> NUMBERS = List.of(
-            new Row(Messages.key("One step more or less"), Messages.key("click the arrow's upper or lower half"), Messages.key("up, down")),
-            new Row(Messages.key("Ten steps"), Messages.key("the same with Ctrl"), Messages.key("Page Up, Page Down")),
-            new Row(Messages.key("A tenth of a step"), Messages.key("the same with Shift"), Messages.key("Shift + up, down")),
-            new Row(Messages.key("Bring the old value back"), "", Messages.key("Escape")));
+            new Row(Messages.key("One step up or down"), Messages.key("click the upper or lower arrow"), Messages.key("up, down")),
+            new Row(Messages.key("Large steps (× 10)"), Messages.key("with Ctrl"), Messages.key("Page Up, Page Down")),
+            new Row(Messages.key("Small steps (× 0.1)"), Messages.key("with Shift"), Messages.key("Shift + up, down")),
+            new Row(Messages.key("Restore the previous value"), "", Messages.key("Escape")));
 
-    /** What is told of a key that is pressed, pixels wide. */
+    /** Width of the message about a pressed key, pixels. */
     private static final double MESSAGE_WIDTH = 300;
 
     ShortcutsPane(CommandRegistry commands) {
         setId("keys");
-        // It has the keyboard first: else the window would open scrolled to the first key that can be changed.
+        // Takes the initial focus; otherwise the window would open scrolled to the first shortcut that can be changed.
         setFocusTraversable(true);
-        setAccessibleText(Messages.tr("Mouse and keyboard"));
+        setAccessibleText(Messages.tr("Mouse and keyboard shortcuts"));
         getStyleClass().add("keys");
         var text = new ColumnConstraints();
         text.setHgrow(Priority.ALWAYS);
         getColumnConstraints().setAll(text, new ColumnConstraints(), new ColumnConstraints());
-        section(Messages.tr("Lights, in the preview"), LIGHTS);
-        section(Messages.tr("The preview's camera"), CAMERA);
-        section(Messages.tr("The traced picture"), PICTURE);
-        section(Messages.tr("The list of lights"), LIST);
-        section(Messages.tr("Shapes, in their list and in the preview"), SHAPES);
+        section(Messages.tr("Lights in the preview"), LIGHTS);
+        section(Messages.tr("Preview camera"), CAMERA);
+        section(Messages.tr("Rendered image"), PICTURE);
+        section(Messages.tr("Light list"), LIST);
+        section(Messages.tr("Objects (in the list and in the preview)"), SHAPES);
         section(Messages.tr("Numbers"), NUMBERS);
-        addRow(getRowCount(), label(Messages.tr("Commands"), "keys-title"), label(Messages.tr("Click a key to change it"), "caption"),
+        addRow(getRowCount(), label(Messages.tr("Commands"), "keys-title"), label(Messages.tr("Click a shortcut to change it"), "caption"),
                 resetAll(commands.keyBindings()));
-        // They are below what is seen first, and so many that all together would hold up the window.
+        // These rows are below the visible part. Adding all of them together would block the window.
         TimeSlicedTask.whileVisible(this,
                 Stream.of(Command.values()).filter(commands::hasAction).<Runnable>map(c -> () -> add(c, commands.keyBindings())).toList()
                         .iterator());
@@ -101,7 +107,7 @@ final class ShortcutsPane extends GridPane {
     }
 
     private static Button resetAll(KeyBindings keys) {
-        var reset = new Button(Messages.tr("Reset All Keys"));
+        var reset = new Button(Messages.tr("Reset All Shortcuts"));
         reset.setId("reset-keys");
         reset.getStyleClass().add("small");
         reset.setOnAction(_ -> keys.reset());

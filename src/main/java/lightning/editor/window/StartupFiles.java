@@ -12,27 +12,27 @@ import lightning.format.jen.JenException;
 import lightning.format.jen.JenFile;
 
 /**
- * What the editor begins with, read from files.
+ * Everything that the editor reads from files at its start.
  *
- * @param preview of its scene
- * @param failedFile the scene that was named, where it could not be opened for {@code failure}; else null
- * @param findRecoveries   what crashes left unsaved
- * @param fileToImport   a file of another program, of which a scene is made as soon as there is a window that can ask; else null
+ * @param preview preview of the document's scene
+ * @param failedFile file that could not be opened because of {@code failure}; null if there is none
+ * @param findRecoveries finds unsaved scenes of earlier crashes
+ * @param fileToImport file of another program, to import as soon as a window can show the import dialog; null if there is none
  */
 record StartupFiles(OpenDocument document, StartupPreview preview, Path failedFile, Exception failure,
         List<RecoveryFolder.RecoverableScene> findRecoveries, Path fileToImport) {
 
-    /** Whether a file is by its name a scene, or one of another program of which a scene can be made. */
+    /** Returns true if a file's name is that of a scene or of a format that can be imported. */
     static boolean canOpen(String file) {
         return JenFile.isJenFileName(file) || MeshFormat.isMeshFileName(file);
     }
 
     /**
-     * Reads a scene and begins to look at it; the first scene takes the place of one that cannot be opened, or is not made yet.
+     * Reads a scene and starts its preview. Reads the default scene if the file cannot be opened or has to be imported first.
      *
-     * @param preferences how the artist left the view
-     * @throws IOException   if neither could be read
-     * @throws JenException  if the first scene, which was read in place of the other, does not parse
+     * @param preferences stored view settings
+     * @throws IOException if neither file can be read
+     * @throws JenException if the default scene does not parse
      */
     static StartupFiles read(Path file, Preferences preferences, RecoveryFolder recovery) throws IOException, JenException {
         List<RecoveryFolder.RecoverableScene> recoveries = findRecoveries(recovery);

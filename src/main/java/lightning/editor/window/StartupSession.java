@@ -14,18 +14,22 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 
 /**
- * A document that is being traced, as the artist left the editor, and its picture in a frame: all that is seen while the rest of
- * the editor is made.
+ * Document that is being traced with the stored view settings, and the pane of its picture. Shows the picture while the rest of the editor
+ * is created.
  */
 final class StartupSession implements AutoCloseable {
-    /** How long the rest of the window waits for a picture, nanoseconds. */
+    /** Maximum time that the rest of the window waits for a picture, nanoseconds. */
     private static final long PICTURE_TIMEOUT_NS = 600_000_000;
 
     private final EditorModel model;
     private final TracedPane traced;
     private final EditorLayout layout;
 
-    /** @param preview of the document's scene, as {@link #startPreview} does */
+    /**
+     * Starts to render the document.
+     *
+     * @param preview preview of the document's scene, from {@link #startPreview}
+     */
     StartupSession(EditorLayout layout, OpenDocument document, StartupPreview preview, Preferences preferences, RecoveryFolder recovery,
             FileThread thread) {
         model = new EditorModel(document, preview, recovery, thread);
@@ -41,10 +45,10 @@ final class StartupSession implements AutoCloseable {
         layout.showTraced(traced);
     }
 
-    /** Begins to look at a document's scene, as the artist left the view. */
+    /** Starts the preview of a document's scene with the stored view settings. */
     static StartupPreview startPreview(OpenDocument document, Preferences preferences) {
         ViewTransform view = ViewTransform.DEFAULT.withCurve(preferences.enumValue("curve", DisplayCurve.SRGB));
-        // Without its table the picture would have other colors for a moment.
+        // Without its color table the preview would show wrong colors for a moment.
         return ColorTableActions.hasStoredTable(preferences) ? StartupPreview.none(view) : StartupPreview.start(document.scene(), view);
     }
 
@@ -60,7 +64,7 @@ final class StartupSession implements AutoCloseable {
         return layout;
     }
 
-    /** Goes on when the picture was drawn, be it a coarse one, or lets wait for long. */
+    /** Runs the callback when the picture, coarse or final, is painted, or after a timeout. */
     void whenPainted(Runnable callback) {
         PaintCallbacks.afterPaintOf(() -> !traced.isEmpty(), PICTURE_TIMEOUT_NS, callback);
     }

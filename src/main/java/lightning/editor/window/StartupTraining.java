@@ -16,14 +16,13 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.ColorTheme;
 
 /**
- * The editor's program as far as its start goes, and what is opened beside it most: it opens the first scene, then menus and panels one
- * after the other, and closes.
+ * Training run that records which classes the editor uses: opens the first scene, then menus and panels one after the other, and closes.
  */
 public final class StartupTraining extends LightningApp {
-    /** In this time what was opened comes from the window's thread onto the screen. */
+    /** Pause between two steps, in which an opened window is painted. */
     private static final Duration STEP_PAUSE = Duration.millis(300);
 
-    /** Opens the editor where a window can be opened, and returns when it is closed. At most once in a process. */
+    /** Opens the editor if a window can be opened, and returns when it is closed. At most once per process. */
     public static void open() {
         open(StartupTraining.class, List.of());
     }
@@ -53,7 +52,7 @@ public final class StartupTraining extends LightningApp {
                 Command.UPDATES_PANEL, Command.HISTORY_PANEL, Command.KEYS, Command.PALETTE, Command.ABOUT, Command.TIMELINE)
                 .forEach(command -> steps.add(() -> model.commands().run(command)));
         steps.add(() -> model.commands().run(Command.MAKE_ANIMATION));
-        // An open animation holds back the commands that change the document.
+        // An open animation disables the commands that change the document.
         steps.add(() -> List.copyOf(Window.getWindows()).stream().filter(AnimationWindow.class::isInstance).forEach(Window::hide));
         steps.add(() -> model.commands().run(Command.NEW_SHOT));
         steps.add(() -> model.editor().materialShownProperty().set(true));

@@ -8,8 +8,8 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.PictureView;
 
 /**
- * What a window shows before anything else: the traced picture where it will stay, and the ground of all panes. It has no control and needs no
- * style sheet, which take longer to be there than the picture.
+ * First content of the window: the traced picture at its final position, and the backgrounds of all panes. Has no controls and needs no
+ * style sheet, since both take longer to load than the picture.
  */
 final class StartupView extends Region {
     private static final Color CANVAS_COLOR = Color.web("#121212");
@@ -17,10 +17,10 @@ final class StartupView extends Region {
     private final PictureView picture = TracedPane.createView();
     private final Region canvases = new Region();
     private final Region headers = new Region();
-    /** Of the traced picture. */
+    /** Header of the traced picture. */
     private final Region tracedHeader = new Region();
     private final Region tracedFooter = new Region();
-    /** The bars between two panes. */
+    /** Dividers between the panes. */
     private final Region canvasDivider = new Region();
     private final Region sideDivider = new Region();
 
@@ -38,7 +38,7 @@ final class StartupView extends Region {
         getChildren().addAll(canvases, headers, tracedHeader, tracedFooter, canvasDivider, sideDivider, picture);
     }
 
-    /** Shows the picture, here and wherever it is put. */
+    /** Returns the picture view, which can later move to another parent. */
     PictureView picture() {
         return picture;
     }
@@ -68,7 +68,7 @@ final class StartupView extends Region {
         picture.resizeRelocate(0, top, width, bottom - EditorLayout.FOOTER_HEIGHT - top);
     }
 
-    /** What the first of two panes has of a width. */
+    /** Returns the width of the first of two panes, pixels. */
     private static double firstPaneWidth(double totalWidth, double share) {
         return Math.rint(totalWidth * share - EditorLayout.DIVIDER_WIDTH / 2);
     }

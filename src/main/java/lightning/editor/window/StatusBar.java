@@ -15,7 +15,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.TracedPicture;
 
-/** What the picture is and how long it took, in a few words that open all that is known of it; and what the artist should read next. */
+/** Summary of the last update, which opens the render log on click, and the current status message. */
 final class StatusBar extends HBox {
     private final SceneEditor editor;
     private final TracedPicture picture;
@@ -36,7 +36,7 @@ final class StatusBar extends HBox {
         status.setTooltip(details);
         status.setMnemonicParsing(false);
         status.getStyleClass().add("status-button");
-        status.setAccessibleText(Messages.tr("What the last update did"));
+        status.setAccessibleText(Messages.tr("Last update"));
         status.setOnAction(_ -> commands.run(Command.UPDATES_PANEL));
         var gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
@@ -52,8 +52,8 @@ final class StatusBar extends HBox {
     private void update() {
         RenderState state = picture.renderStateProperty().get();
         status.setText(text(state));
-        status.setAccessibleText(status.getText().isEmpty() ? Messages.tr("What the last update did") : status.getText());
-        String click = Messages.tr("\nA click shows what the last updates did.");
+        status.setAccessibleText(status.getText().isEmpty() ? Messages.tr("Last update") : status.getText());
+        String click = Messages.tr("\nClick to open the render log.");
         details.setText((state.frame() == null ? status.getText() : StatusText.of(state.frame(), state.saving())) + click);
     }
 

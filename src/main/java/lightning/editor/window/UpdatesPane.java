@@ -14,7 +14,7 @@ import lightning.editor.window.model.StatusText;
 import lightning.editor.window.model.UpdateLog;
 import lightning.editor.window.model.UpdateLog.Entry;
 
-/** What the last updates did: plan, rows, rays, time, and what the picture is; the latest at the top. */
+/** Render log: plan, shading points, rays, time and accuracy of the last updates, newest first. */
 final class UpdatesPane extends VBox {
     private static final DateTimeFormatter TIME_FORMAT = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
 
@@ -29,18 +29,18 @@ final class UpdatesPane extends VBox {
         table.setId("updates-table");
         table.setAccessibleText(Messages.tr("updates"));
         table.getStyleClass().add("dense");
-        table.setPlaceholder(new Label(Messages.tr("No picture yet")));
+        table.setPlaceholder(new Label(Messages.tr("No image yet")));
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_ALL_COLUMNS);
-        // In a narrow window what was done gives way: the line below tells all of it.
-        addTextColumn(Messages.tr("At"), 80, e -> TIME_FORMAT.format(e.shownAt()));
-        addTextColumn(Messages.tr("What was done"), 270, e -> e.update().plan().description());
+        // In a narrow window the description is truncated; the line below the table shows all of it.
+        addTextColumn(Messages.tr("Time"), 80, e -> TIME_FORMAT.format(e.shownAt()));
+        addTextColumn(Messages.tr("Change"), 270, e -> e.update().plan().description());
         table.getColumns().getLast().setMinWidth(MIN_TEXT_WIDTH);
-        addNumberColumn(Messages.tr("Rows"), 92, e -> StatusText.number(e.update().rowsTouched()));
+        addNumberColumn(Messages.tr("Points"), 92, e -> StatusText.number(e.update().rowsTouched()));
         addNumberColumn(Messages.tr("Shadow rays"), 162, e -> StatusText.number(e.update().rays().shadow()));
         addNumberColumn(Messages.tr("All rays"), 126, e -> StatusText.number(e.update().rays().total()));
         addNumberColumn(Messages.tr("Time"), 86, e -> StatusText.time(e.update().milliseconds()));
-        addNumberColumn(Messages.tr("Saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
-        addTextColumn(Messages.tr("Picture"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("without finer samples yet"));
+        addNumberColumn(Messages.tr("Time saved"), 92, e -> e.saving().map(s -> StatusText.savingText(s.percent() / 100)).orElse("–"));
+        addTextColumn(Messages.tr("Picture"), 92, e -> e.isFinished() ? e.accuracyText() : Messages.tr("not anti-aliased yet"));
         table.setItems(log.entries());
         details.setId("updates-whole");
         details.getStyleClass().add("about-lines");

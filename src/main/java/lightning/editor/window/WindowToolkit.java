@@ -4,27 +4,27 @@ import java.util.Optional;
 import java.util.logging.Logger;
 import javafx.application.Platform;
 
-/** Where windows open. */
+/** Starts the JavaFX toolkit. */
 final class WindowToolkit {
-    /** Kept, since a logger that nobody keeps forgets its filter. */
+    /** Strong reference: a logger without one is collected and loses its filter. */
     private static final Logger LOGGER = Logger.getLogger("javafx");
 
     private WindowToolkit() {}
 
     /**
-     * Starts the window toolkit, at most once in a process.
+     * Starts the toolkit, at most once per process.
      *
-     * @return why no window can be opened, in one clause without a full stop; empty if one can
+     * @return reason why no window can be opened, in one clause without a full stop; empty on success
      */
     static Optional<String> start() {
-        // The launcher starts on the class path, of which JavaFX warns: docs/decisions/0030-an-archive-of-classes.md.
+        // The launcher starts on the class path, about which JavaFX warns: docs/decisions/0030-an-archive-of-classes.md.
         LOGGER.setFilter(line -> !line.getMessage().startsWith("Unsupported JavaFX configuration"));
         try {
             Platform.startup(() -> {});
             return Optional.empty();
         } catch (RuntimeException | LinkageError e) {
-            return Optional.of("no window can be opened here (" + e.getMessage()
-                    + "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)");
+            return Optional.of("cannot open a window (" + e.getMessage()
+                    + "; requires a display and, on Debian, the packages libgtk-3-0 and libxtst6)");
         }
     }
 }

@@ -1,9 +1,9 @@
 /**
- * The editor's window: JavaFX panes over what {@link lightning.editor.document} holds. The only package that knows JavaFX.
+ * The editor's windows: JavaFX views of the model in {@link lightning.editor.document}. Only this package and its sub-packages use JavaFX.
  *
  * <pre>{@code
- * Optional<String> obstacle = WindowToolkit.start();
- * if (obstacle.isEmpty()) {
+ * Optional<String> reason = WindowToolkit.start();
+ * if (reason.isEmpty()) {
  *     LightningApp.open(List.of("scenes/bird.jen"));
  * }
  * }</pre>

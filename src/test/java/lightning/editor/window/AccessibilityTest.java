@@ -19,12 +19,12 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
 
-/** Who does not see, or has no mouse, can use the editor too. */
+/** The editor can be used with a screen reader and without a mouse. */
 class AccessibilityTest extends EditorFixture {
     private static final int MANY = 200;
     private static final Set<String> PANES = Set.of("toolbar", "traced", "preview", "lists", "side");
 
-    /** All controls that take the keyboard, those left out that are parts of others. */
+    /** Returns all controls that take keyboard focus, without parts of other controls. */
     private Set<Node> controls() {
         return robot.lookup(n -> n.isFocusTraversable() && !(n instanceof ScrollPane) && !isPart(n)).queryAll();
     }
@@ -61,7 +61,7 @@ class AccessibilityTest extends EditorFixture {
         assertThat(wrongTabOrders()).isEmpty();
     }
 
-    /** Where the Tab key goes up, or to the left, within a pane. */
+    /** Returns the places where the Tab key moves up, or to the left, within a pane. */
     private List<String> wrongTabOrders() {
         List<String> wrong = new ArrayList<>();
         Node first = stage.getScene().getFocusOwner();
@@ -69,7 +69,7 @@ class AccessibilityTest extends EditorFixture {
         for (int i = 0; i < MANY && (i == 0 || a != first); i++) {
             robot.push(KeyCode.TAB);
             Node b = stage.getScene().getFocusOwner();
-            // Both as they lie by then: what gets the keyboard is scrolled into view.
+            // Compares positions after scrolling: the focused control is scrolled into view.
             Bounds from = a.localToScene(a.getLayoutBounds());
             Bounds to = b.localToScene(b.getLayoutBounds());
             boolean up = to.getMaxY() <= from.getMinY();
@@ -109,7 +109,7 @@ class AccessibilityTest extends EditorFixture {
 
     @Test
     void everyControl_isReachableByTab() {
-        // In a group of switches the Tab key goes to the one that is on, and the arrow keys to the others.
+        // In a toggle group, the Tab key reaches the selected toggle and the arrow keys the others.
         Set<Node> wanted = controls().stream().filter(n -> !n.isDisabled() && isVisible(n))
                 .filter(n -> !(n instanceof ToggleButton t) || t.getToggleGroup() == null || t.isSelected()).collect(Collectors.toSet());
         Set<Node> reached = new HashSet<>();

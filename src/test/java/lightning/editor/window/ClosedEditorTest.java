@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class ClosedEditorTest extends EditorFixture {
     private List<WeakReference<?>> before;
 
-    /** The toolkit may touch a window once more that its owner took with it. */
+    /** The toolkit may still access a child window after its owner has closed it. */
     @Test
     void otherWindows_closeBeforeEditor() {
         List<Window> closed = new ArrayList<>();
@@ -28,13 +28,13 @@ class ClosedEditorTest extends EditorFixture {
         assertThat(closed).hasSizeGreaterThanOrEqualTo(3).endsWith(stage);
     }
 
-    /** Its pictures and caches would stay for as long as the process lives. */
+    /** Otherwise its pictures and caches would stay in memory until the process ends. */
     @Test
     void closedEditor_isGarbageCollected() throws Exception {
         before = Stream.of(model(), model().editor(), model().picture().raster()).<WeakReference<?>>map(WeakReference::new).toList();
         close();
         open();
-        // What the tests' hand touched last it knows.
+        // The robot keeps a reference to the last node it used.
         robot.clickOn("#traced-picture");
         waitFor("nothing knows the closed editor", () -> {
             System.gc();

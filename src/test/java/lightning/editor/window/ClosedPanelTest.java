@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A closed panel, and a closed editor, leave no thread. */
+/** Closed panels and closed editors leave no thread running. */
 class ClosedPanelTest extends EditorFixture {
 
     private static Set<Thread> threads() {
@@ -48,7 +48,7 @@ class ClosedPanelTest extends EditorFixture {
     void pixelShares_areComputedOnThreadThatEndsWithPanel() {
         open(Command.CONTRIBUTIONS);
         robot.moveTo("#traced-picture");
-        waitFor("the pixel is asked", () -> runs("lightning-pixel-share"));
+        waitFor("the query runs", () -> runs("lightning-pixel-share"));
         closePanels();
         waitFor("its thread has ended", () -> !runs("lightning-pixel-share"));
     }

@@ -15,7 +15,7 @@ import lightning.editor.window.model.AccuracyMode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Every command is found by a few letters, and heard by the key that the artist gave it. */
+/** The palette finds every command by a few letters, and custom shortcuts run their commands. */
 class CommandPaletteTest extends EditorFixture {
     @AfterEach
     void closeWindows() {
@@ -89,7 +89,7 @@ class CommandPaletteTest extends EditorFixture {
         assertThat(text(Command.DUPLICATE_LIGHT)).isEqualTo("Ctrl+J");
     }
 
-    /** The key that the menu bar shows. */
+    /** Returns the shortcut that the menu bar shows. */
     private String text(Command command) {
         MenuItem item = robot.lookup(".menu-bar").<MenuBar>query().getMenus().stream().flatMap(m -> m.getItems().stream())
                 .filter(i -> ("menu-" + command.id()).equals(i.getId())).findFirst().orElseThrow();

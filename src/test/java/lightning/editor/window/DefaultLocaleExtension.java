@@ -6,7 +6,7 @@ import org.junit.jupiter.api.extension.AfterAllCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
-/** Runs a class of tests under another default locale. */
+/** Runs a test class under another default locale. */
 final class DefaultLocaleExtension implements BeforeAllCallback, AfterAllCallback {
     private final Locale locale;
     private Locale defaultLocale;

@@ -35,9 +35,9 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * What editing costs in a scene of any size, in the real editor: a line of figures for each. Arguments are the number of shapes
- * and the number of lights. Processor time is of the window's thread alone, so that other work on the machine counts little. What
- * lies below the window {@code lightning bench --editing} measures.
+ * Measures the cost of editing in the real editor for scenes of any size, one line of results per edit. Arguments: number of shapes, number
+ * of lights. Measures the processor time of the window's thread only, so that other work on the machine has little effect. {@code lightning
+ * bench --editing} measures the code below the window.
  */
 public final class EditingBenchmark {
     private static final int SAMPLES = 41;
@@ -118,12 +118,20 @@ public final class EditingBenchmark {
         measure("another selected", model, i -> model.editor().selection().selectNode("b" + (shapes / 4 + i)));
     }
 
-    /** @param edit gets the number of the edit, from 0 */
+    /**
+     * Measures an edit.
+     *
+     * @param edit receives the index of the edit, from 0
+     */
     private static void measure(String title, EditorModel model, IntConsumer edit) throws Exception {
         measure(title, model, _ -> {}, edit);
     }
 
-    /** @param setup what an artist does before, which is not counted */
+    /**
+     * Measures an edit with a setup.
+     *
+     * @param setup runs before each edit and is not measured
+     */
     private static void measure(String title, EditorModel model, IntConsumer setup, IntConsumer edit) throws Exception {
         long id = onFxThread(() -> Thread.currentThread().threadId());
         var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -136,14 +144,14 @@ public final class EditingBenchmark {
                 return null;
             });
             Thread.sleep(PAUSE_MS);
-            long begin = threads.getThreadCpuTime(id);
+            long start = threads.getThreadCpuTime(id);
             long end = onFxThread(() -> {
                 edit.accept(number);
                 return threads.getThreadCpuTime(id);
             });
             Thread.sleep(PAUSE_MS);
-            handler[Math.max(i, 0)] = (end - begin) / 1e6;
-            all[Math.max(i, 0)] = (threads.getThreadCpuTime(id) - begin) / 1e6;
+            handler[Math.max(i, 0)] = (end - start) / 1e6;
+            all[Math.max(i, 0)] = (threads.getThreadCpuTime(id) - start) / 1e6;
         }
         print(title + ", the edit itself", median(handler), "ms of processor time");
         print(title + ", with layout and pictures", median(all), "ms of processor time");
@@ -169,7 +177,11 @@ public final class EditingBenchmark {
         return elapsedMs(start);
     }
 
-    /** @param sample numbers below 0 are warm-ups */
+    /**
+     * Returns the median of several samples.
+     *
+     * @param sample receives the sample's index; indices below 0 are warm-ups
+     */
     private static double median(IntToDoubleFunction sample) {
         double[] times = new double[SAMPLES];
         for (int i = -WARM_UPS; i < SAMPLES; i++) {
@@ -182,7 +194,7 @@ public final class EditingBenchmark {
         return Arrays.stream(values).sorted().toArray()[values.length / 2];
     }
 
-    /** Balls that fill a tenth of a block over a floor, under lights of all types. */
+    /** Returns a scene of spheres that fill a tenth of a block above a floor, under lights of all types. */
     private String text() {
         var random = new Random(1);
         double radius = Math.cbrt(0.1 * 108 / (Math.max(shapes - 1, 1) * 4 / 3.0 * Math.PI));

@@ -36,7 +36,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** An editor on a small scene with one light of each type, all of them in view. */
+/** Editor of a small scene with one light of each type, all of them in view. */
 @ExtendWith(JavaFxRequirement.class)
 @Slow
 public abstract class EditorFixture {
@@ -60,7 +60,7 @@ public abstract class EditorFixture {
     public final FxRobot robot = new FastRobot();
     Stage stage;
     public Editor editor;
-    /** What the artist answers when asked for a file; null is Cancel. */
+    /** File that the file dialogs return; null cancels them. */
     public volatile Path answer;
 
     @BeforeEach
@@ -114,7 +114,7 @@ public abstract class EditorFixture {
         return model().editor().scene().light(name).orElseThrow();
     }
 
-    /** Waits until something holds, as seen from the window's thread, and the window shows it. */
+    /** Waits until a condition holds on the window's thread and the window is laid out. */
     public void waitFor(String description, Callable<Boolean> condition) {
         try {
             WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS,
@@ -125,13 +125,13 @@ public abstract class EditorFixture {
         FastRobot.settle();
     }
 
-    /** Waits until the picture shows everything. */
+    /** Waits until the picture is complete. */
     public void waitForPicture() {
         waitFor("the picture is there", () -> !model().editor().editorStateProperty().get().hasPendingEdits()
                 && model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
     }
 
-    /** Clicks the control of that id. */
+    /** Clicks the control with an id. */
     public void click(String id) {
         robot.clickOn("#" + id);
     }
@@ -144,7 +144,7 @@ public abstract class EditorFixture {
         return robot.lookup("#" + id).<Labeled>query().getText();
     }
 
-    /** All that is known of the last update, in one line. */
+    /** Returns the details of the last update in one line. */
     public String telemetry() {
         return robot.lookup("#status").<javafx.scene.control.Button>query().getTooltip().getText();
     }
@@ -157,20 +157,20 @@ public abstract class EditorFixture {
         return robot.lookup("#preview-canvas").query();
     }
 
-    /** Where a point of the scene is seen in the preview. */
+    /** Returns the screen position of a scene point in the preview. */
     public Point2D toScreen(Vec3 point) {
         Viewport canvas = preview().viewport();
         return preview().toScreen(canvas.project(model().previewSettings().cameraProperty().get(), point));
     }
 
-    /** That every pixel of the canvas, as it is on the screen's side, is a film's. */
+    /** Asserts that every displayed pixel of the canvas equals that of a film. */
     public void assertCanvasShows(lightning.render.image.Film expected) {
         PictureView picture = robot.lookup("#traced-picture").query();
         int[] shown = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(picture::pixels));
         assertThat(shown).as("the pixels of the canvas").isEqualTo(model().picture().viewProperty().get().toPixels(expected));
     }
 
-    /** That Go, with mirrors made current, shows every pixel of the scene as the reference has it. */
+    /** Asserts that Go with current reflections renders the same pixels as the reference tracer. */
     public void assertGoShowsTheScene() {
         click("go");
         waitForPicture();

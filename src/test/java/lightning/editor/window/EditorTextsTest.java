@@ -25,17 +25,20 @@ import lightning.scene.effects.RenderEffect;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** All that the editor says has its words in every language. */
+/** Every text of the editor has a translation in every language. */
 @Slow
 class EditorTextsTest {
     private static final Pattern VALUE = Pattern.compile("\\{\\d}|%[-+,]?[\\d.]*[a-z%]");
-    /** Names of products, formats and channels, colors, patterns of numbers and times, words of the window toolkit: the same everywhere. */
+    /**
+     * Texts that are the same in every language: names of products, formats and channels, colors, patterns of numbers and times, words of
+     * the toolkit.
+     */
     private static final Set<String> UNTRANSLATED = Set.of("Lightning", "Kelvin", "RGB", "HSV", "PSNR", "SSIM", "HH:mm:ss",
-            // Told on the console, where no window can be.
-            "no window can be opened here (", "; it takes a display and, on Debian, the packages libgtk-3-0 and libxtst6)",
-            // Kinds of files.
+            // Printed on the console when no window can be opened.
+            "cannot open a window (", "; requires a display and, on Debian, the packages libgtk-3-0 and libxtst6)",
+            // Names of file types.
             "Scenes", "Tables",
-            // A key, a name in the preferences, names of gauges that fields ask for.
+            // A shortcut, a preference name, and accessible names of color fields.
             "Shortcut+Y", "glowing textures", "gel red", "gel green", "gel blue");
 
     private static UiTextScan source;

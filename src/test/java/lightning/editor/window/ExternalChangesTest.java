@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** The open scene's file is written by others while it is open here. */
+/** Other programs write the open scene's file. */
 class ExternalChangesTest extends EditorFixture {
     private Path file;
     private String otherText;
@@ -36,7 +36,7 @@ class ExternalChangesTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
-    /** Begins to save over what another wrote just before, and waits for the question. */
+    /** Saves over a change by another program, and waits for the confirmation dialog. */
     private void saveOverOtherText() throws IOException {
         dim();
         writeOtherText();
@@ -48,14 +48,14 @@ class ExternalChangesTest extends EditorFixture {
         return JenReader.read(where).scene().light("lamp").orElseThrow().intensity();
     }
 
-    /** At once: a half-written file would be news, and the whole one news again. */
+    /** Writes atomically: a half-written file would trigger one notice and the complete file another. */
     private void writeOtherText() throws IOException {
         Files.move(Files.writeString(folder.resolve("his"), otherText), file, StandardCopyOption.REPLACE_EXISTING);
     }
 
     private void awaitNotice() {
-        waitFor("it is told", this::isNoticeShown);
-        // The line takes its place before anything in it is clicked on.
+        waitFor("the message is shown", this::isNoticeShown);
+        // The notice must be laid out before anything in it is clicked.
         FastRobot.settle();
     }
 
@@ -140,7 +140,7 @@ class ExternalChangesTest extends EditorFixture {
     void deletedFile_isReportedAndCanBeSavedAgain() throws IOException {
         Files.delete(file);
         awaitNotice();
-        assertThat(text("disk-news")).contains("is no longer where it was");
+        assertThat(text("disk-news")).contains("was moved or deleted");
         click("save-scene");
         waitFor("it is saved", () -> !isNoticeShown());
         assertThat(file).exists();
@@ -152,7 +152,7 @@ class ExternalChangesTest extends EditorFixture {
         try (var other = new OpenSceneRegistry(EditorPaths.dataFolder().resolve("open"))) {
             other.register(file);
             awaitNotice();
-            assertThat(text("disk-news")).contains("is open in another editor");
+            assertThat(text("disk-news")).contains("is also open in another window");
         }
         waitFor("it is gone", () -> !isNoticeShown());
     }

@@ -28,8 +28,8 @@ import org.testfx.service.query.PointQuery;
 import org.testfx.util.WaitForAsyncUtils;
 
 /**
- * TestFX's robot without its pauses: TestFX waits at least 50 ms after everything that a hand does, this one until the
- * window has handled it and has laid itself out.
+ * TestFX robot without pauses. TestFX waits at least 50 ms after each action; this robot waits until the window has handled the action and
+ * is laid out.
  */
 public final class FastRobot extends FxRobot {
     private static final int ROUNDS = 3;
@@ -38,7 +38,10 @@ public final class FastRobot extends FxRobot {
     private static final List<KeyCode> MODIFIERS = List.of(KeyCode.SHIFT, KeyCode.CONTROL, KeyCode.ALT);
 
     private static List<Window> windowsBefore = List.of();
-    /** One for all tests: a closed window of the headless platform keeps its robot, and each robot the last window that it was used in. */
+    /**
+     * Shared by all tests: on the headless platform, a closed window keeps its robot and each robot keeps the last window that it was used
+     * in.
+     */
     private static Robot robot;
 
     private final List<MouseButton> pressed = new ArrayList<>();
@@ -58,7 +61,10 @@ public final class FastRobot extends FxRobot {
         return robot;
     }
 
-    /** A desktop gives the focus of a window that closed to another; the headless platform leaves it with none, and its robot fails. */
+    /**
+     * Focuses a window if none is focused. A desktop does this when a window closes; the headless platform does not, and its robot would
+     * fail.
+     */
     private static void keepFocus() {
         List<Window> windows = List.copyOf(Window.getWindows());
         if (windows.stream().noneMatch(Window::isFocused)) {
@@ -67,7 +73,7 @@ public final class FastRobot extends FxRobot {
         }
     }
 
-    /** On the window's thread; what fails there fails here. */
+    /** Runs a task on the window's thread and rethrows its exceptions. */
     private static <T> T await(Callable<T> what) {
         try {
             return Platform.isFxApplicationThread() ? what.call()
@@ -79,7 +85,7 @@ public final class FastRobot extends FxRobot {
         }
     }
 
-    /** Lets the window handle what came to it, and lay itself out; and a window that opened beside it take its place. */
+    /** Waits until all windows have handled their events and are positioned and laid out. */
     public static void settle() {
         layOut();
         List<Window> windows = await(() -> List.copyOf(Window.getWindows()));
@@ -91,7 +97,7 @@ public final class FastRobot extends FxRobot {
         windowsBefore = windows;
     }
 
-    /** A window that places itself beside its owner is there after the next pulse, not before. */
+    /** A window that positions itself next to its owner is shown only after the next pulse. */
     private static void awaitPulses() {
         var pulses = new CountDownLatch(PULSES);
         await(() -> {
@@ -115,12 +121,12 @@ public final class FastRobot extends FxRobot {
         }
     }
 
-    /** What is put into the window pulse by pulse is in it then. */
+    /** Waits for content that is added over several pulses. */
     private static void awaitSlicedTasks() {
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Await.TIMEOUT_SECONDS);
         while (await(TimeSlicedTask::isAnyRunning)) {
             if (System.nanoTime() > end) {
-                throw new AssertionError("slices of work went on for " + Await.TIMEOUT_SECONDS + " s");
+                throw new AssertionError("time-sliced tasks were still running after " + Await.TIMEOUT_SECONDS + " s");
             }
             awaitPulses();
         }
@@ -132,7 +138,7 @@ public final class FastRobot extends FxRobot {
                 for (Window window : List.copyOf(Window.getWindows())) {
                     Scene scene = window.getScene();
                     if (scene != null && scene.getRoot() != null) {
-                        // As a pulse does it: what is not out of date is left alone, as Node.applyCss does not.
+                        // As in a pulse: skips styles that are up to date, unlike Node.applyCss.
                         NodeHelper.processCSS(scene.getRoot());
                         scene.getRoot().layout();
                     }
@@ -148,7 +154,7 @@ public final class FastRobot extends FxRobot {
         return this;
     }
 
-    /** What was added a moment ago has no place before the window has laid itself out, and what moves meanwhile is followed. */
+    /** A new node has no position before the layout, so this waits first and follows moving targets. */
     @Override
     public FxRobot moveTo(PointQuery to, Motion motion) {
         settle();
@@ -167,7 +173,7 @@ public final class FastRobot extends FxRobot {
         return this;
     }
 
-    /** Begins slowly, as a hand does that drags something. */
+    /** Starts slowly, so that the movement is recognized as a drag. */
     private void moveCursor(Point2D to) {
         Point2D from = await(() -> robot().getMousePosition());
         int steps = pressed.isEmpty() ? 2 : DRAG_STEPS;
@@ -249,7 +255,7 @@ public final class FastRobot extends FxRobot {
         return drop();
     }
 
-    /** The key of a keyboard that is not a Mac's. */
+    /** Returns the key of a non-Mac keyboard. */
     private static KeyCode platformKey(KeyCode key) {
         return key == KeyCode.SHORTCUT ? KeyCode.CONTROL : key;
     }
@@ -317,7 +323,7 @@ public final class FastRobot extends FxRobot {
     @Override
     public FxRobot write(String text) {
         act(() -> {
-            // A window that was opened from another is the later one.
+            // Of two focused windows, the later one was opened from the other.
             Scene scene = Window.getWindows().stream().filter(Window::isFocused).reduce((_, last) -> last).orElseThrow().getScene();
             for (String character : text.split("")) {
                 Node owner = scene.getFocusOwner();

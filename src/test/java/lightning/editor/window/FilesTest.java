@@ -41,7 +41,7 @@ class FilesTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
-    /** Does not wait for the command, which may wait for an answer. */
+    /** Starts a command without waiting for it, because it may wait for an answer. */
     private void startCommand(Command command) {
         Platform.runLater(() -> model().commands().run(command));
     }
@@ -183,20 +183,20 @@ class FilesTest extends EditorFixture {
         assertThat(telemetry()).startsWith("full render: no image yet");
     }
 
-    /** A scene of the size that no other test has, and of so much work that it can be canceled on any machine. */
+    /** Returns a scene with a size that no other test uses, and enough work to be canceled on any machine. */
     private OpenDocument large() throws IOException, JenException {
         String text = Files.readString(folder.resolve("desk.jen")).replace("size 64 48", "size 170 170  antialias every  samples 8");
         String lights = IntStream.range(0, 100).mapToObj(i -> "light more_" + i + " point { at 1 3 4 }\n").collect(Collectors.joining());
         return OpenDocument.open(Files.writeString(folder.resolve("other.jen"), text + lights));
     }
 
-    /** How many pixels the traced picture has; 0 where there is none. */
+    /** Returns the number of pixels in the traced picture; 0 without a picture. */
     private int shownPixels() {
         PictureView picture = robot.lookup("#traced-picture").query();
         return picture.isEmpty() ? 0 : picture.pixels().length;
     }
 
-    /** The picture is that of the scene in the title, or none, whichever thread comes first. */
+    /** The picture is always that of the scene in the title, or empty, regardless of thread timing. */
     @Test
     void otherSceneTitle_isNeverShownOverOldPicture() throws Exception {
         OpenDocument opened = large();
@@ -211,7 +211,7 @@ class FilesTest extends EditorFixture {
         });
         robot.interact(() -> model().commands().run(Command.CANCEL));
         waitFor("it is stopped", () -> model().picture().renderStateProperty().get().canceled());
-        // Its centers may have been there before it was stopped.
+        // Its center samples may have been shown before it was canceled.
         waitFor("the last scene's picture is gone", () -> isShown("waiting") || shownPixels() == 170 * 170);
         assertThat(stage.getTitle()).startsWith("other.jen");
         assertThat(wrong).isEmpty();
@@ -225,7 +225,7 @@ class FilesTest extends EditorFixture {
             model().commands().run(Command.CANCEL);
         });
         waitFor("nothing is in work", () -> model().editor().editorStateProperty().get().sceneInProgress().isEmpty());
-        waitFor("it is told", () -> isShown("waiting") && text("waiting").equals("Canceled. Go traces the picture."));
+        waitFor("the message is shown", () -> isShown("waiting") && text("waiting").equals("Canceled. Render the image with F5."));
         assertThat(isEnabled(Command.GO)).isTrue();
     }
 
@@ -299,8 +299,8 @@ class FilesTest extends EditorFixture {
         answer = Files.writeString(deep.resolve("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         startCommand(Command.LOAD_FILE);
         waitFor("it tells", () -> isMessageShown("bad.obj could not be opened"));
-        Window told = robot.lookup(".dialog-pane").query().getScene().getWindow();
-        assertThat(told.getX() + told.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
+        Window dialog = robot.lookup(".dialog-pane").query().getScene().getWindow();
+        assertThat(dialog.getX() + dialog.getWidth() / 2).isCloseTo(stage.getX() + stage.getWidth() / 2, Offset.offset(2.0));
         robot.type(javafx.scene.input.KeyCode.ESCAPE);
     }
 

@@ -44,7 +44,7 @@ class GoTest extends EditorFixture {
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 0.25)));
     }
 
-    /** So many that a large picture takes its time. */
+    /** Adds enough lights that a large picture takes noticeable time. */
     private void manyLights() {
         robot.interact(() -> {
             for (int i = 0; i < 120; i++) {
@@ -76,7 +76,7 @@ class GoTest extends EditorFixture {
         dim();
         assertThat(isEnabled(Command.GO)).isTrue();
         waitFor("the canvas is marked", () -> isShown("pending"));
-        assertThat(text("pending")).isEqualTo("Edits not yet rendered");
+        assertThat(text("pending")).isEqualTo("Out of date. Render (F5)");
     }
 
     @Test
@@ -89,7 +89,7 @@ class GoTest extends EditorFixture {
         assertThat(text("status")).matches("Updated in [0-9.]+ m?s, exact");
         assertThat(telemetry()).contains("lamp: weight").contains("0 shadow rays");
         waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
-        // Which of the two it is depends on the machine: the picture is tiny.
+        // Either is possible, depending on the machine: the picture is tiny.
         assertThat(telemetry()).contains("for a full trace").containsPattern("% (saved|slower)");
     }
 
@@ -110,11 +110,11 @@ class GoTest extends EditorFixture {
         click("go");
         waitForPicture();
         waitFor("its saving is measured", () -> model().picture().renderStateProperty().get().saving().isPresent());
-        WarmSaving told = model().picture().renderStateProperty().get().measuredSaving();
+        WarmSaving firstSaving = model().picture().renderStateProperty().get().measuredSaving();
         robot.interact(() -> model().editor().edit(scene -> new EditOutcome.Applied(scene.withPicture(scene.picture().withSampling(
                 new SamplingSettings(AntialiasMode.EDGES, 2))))));
         click("go");
-        waitFor("the saving is another", () -> model().picture().renderStateProperty().get().measuredSaving() != told);
+        waitFor("the saving is another", () -> model().picture().renderStateProperty().get().measuredSaving() != firstSaving);
         assertThat(model().picture().renderStateProperty().get().measuredSaving().isOf(model().picture().frame().update())).isTrue();
         assertThat(model().picture().frame().update().plan().description()).contains("samples");
     }
@@ -174,7 +174,7 @@ class GoTest extends EditorFixture {
 
     @Test
     void depthSpinner_isUndoableEdit() {
-        // In a narrow window it is in the tool bar's overflow.
+        // In a narrow window, the field is in the tool bar's overflow menu.
         Spinner<?> depth = robot.lookup("#toolbar").<ToolBar>query().getItems().stream()
                 .flatMap(item -> item.lookupAll(".spinner").stream()).map(Spinner.class::cast).findFirst().orElseThrow();
         robot.interact(() -> depth.increment());
@@ -213,7 +213,7 @@ class GoTest extends EditorFixture {
     private void typeSize(String typed) {
         MenuItem other = sizeItem("size-other");
         Platform.runLater(other::fire);
-        waitFor("it asks", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
+        waitFor("the dialog opens", () -> robot.lookup(".text-input-dialog .text-field").tryQuery().isPresent());
         robot.interact(() -> robot.lookup(".text-input-dialog .text-field").<TextField>query().setText(typed));
         robot.clickOn("OK");
     }
@@ -298,14 +298,14 @@ class GoTest extends EditorFixture {
         usePaperAccuracy();
         dim();
         click("go");
-        waitFor("it is told", () -> isShown("mirrors"));
-        assertThat(text("mirrors")).isEqualTo("The mirrors are older than the lights: Update Reflections");
+        waitFor("the message is shown", () -> isShown("mirrors"));
+        assertThat(text("mirrors")).isEqualTo("Reflections out of date. Click to update");
         click("mirrors");
         waitFor("they are updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
     }
 
-    /** Hidden reflections leave what is seen through the glass, and that is as old. */
+    /** Hidden reflections still show transparency, which can be out of date as well. */
     @Test
     void staleGlass_showsBadgeUntilClickUpdatesIt() throws Exception {
         OpenDocument glass = OpenDocument.open(Files.writeString(folder.resolve("glass.jen"), TransparentScenes.BALL));
@@ -320,7 +320,7 @@ class GoTest extends EditorFixture {
         assertThat(isEnabled(Command.UPDATE_REFLECTIONS)).isTrue();
         robot.interact(() -> model().pictureDisplay().effectsProperty().set(ViewEffects.ALL.with(RenderEffect.REFLECTION, false)));
         waitFor("the look is shown", () -> !model().picture().frame().displayMode().isFullPicture());
-        waitFor("it is told", () -> isShown("mirrors"));
+        waitFor("the message is shown", () -> isShown("mirrors"));
         click("mirrors");
         waitFor("it is updated", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
@@ -332,8 +332,8 @@ class GoTest extends EditorFixture {
         usePaperAccuracy();
         robot.interact(() -> List.of("lamp", "sun", "stage").forEach(l -> model().editor().edit(scene -> LightEdits.delete(scene, l))));
         click("go");
-        waitFor("it is told", () -> isShown("mirrors"));
-        assertThat(text("mirrors")).isEqualTo("No light shines here; the mirrors still show those of before: Update Reflections");
+        waitFor("the message is shown", () -> isShown("mirrors"));
+        assertThat(text("mirrors")).isEqualTo("No lights on; reflections out of date. Click to update");
         robot.interact(() -> model().accuracyModeProperty().set(AccuracyMode.EXACT));
         waitFor("no ghost is left", () -> !isShown("mirrors"));
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());

@@ -16,7 +16,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** A click in the list of edits goes there. */
+/** Clicking an edit in the list restores its state. */
 class HistoryPaneTest extends EditorFixture {
     @AfterEach
     void closeWindows() {
@@ -40,7 +40,7 @@ class HistoryPaneTest extends EditorFixture {
         type("intensity", "3");
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
-        assertThat(listedTexts(false)).containsExactly("As it was opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
+        assertThat(listedTexts(false)).containsExactly("Opened", "lamp: intensity 1 → 2", "lamp: intensity 2 → 3",
                 "ambience 0.2 → 0.5");
         robot.clickOn("lamp: intensity 1 → 2");
         assertThat(model().editor().scene()).isEqualTo(two);
@@ -60,7 +60,7 @@ class HistoryPaneTest extends EditorFixture {
         type("ambience", "0.5");
         robot.interact(() -> model().commands().run(Command.HISTORY_PANEL));
         click("history-light");
-        robot.clickOn("As it first was");
+        robot.clickOn("Initial state");
         assertThat(light("lamp").intensity()).isEqualTo(1);
         assertThat(model().editor().scene().world().ambience()).isEqualTo(0.5);
         assertThat(listedTexts(true)).containsExactly("lamp: intensity 1 → 2", "lamp: intensity 2 → 3");
@@ -74,9 +74,9 @@ class HistoryPaneTest extends EditorFixture {
         click("go");
         waitForPicture();
         click("status");
-        List<String> told =
+        List<String> details =
                 robot.lookup("#updates-table .table-cell").queryAllAs(TableCell.class).stream().map(TableCell::getText).toList();
-        assertThat(told).contains(model().picture().frame().update().plan().description(), "full render: no image yet");
+        assertThat(details).contains(model().picture().frame().update().plan().description(), "full render: no image yet");
         assertThat(model().updates().entries()).hasSize(2);
         assertThat(model().updates().entries().getFirst().update()).isSameAs(model().picture().frame().update());
     }

@@ -14,18 +14,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** What is made before it is wanted comes behind all else. */
+/** The preloader runs its steps only while the user is idle and no other work is running. */
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class IdlePreloaderTest {
     private static final long LONGER_THAN_IDLE_MS = 1800;
 
     private final AtomicInteger stepsRun = new AtomicInteger();
-    /** Goes on for ever. */
+    /** Task that never ends. */
     private final TimeSlicedTask slicedTask = new TimeSlicedTask(() -> true);
     private IdlePreloader preloader;
 
-    /** Starts slices that never finish: after the stage is set up, whose robot waits until all slices have finished. */
+    /** Starts the endless task. Called after the stage is set up, because the robot waits until all time-sliced tasks are done. */
     private void start() {
         slicedTask.start();
         preloader = new IdlePreloader(new Scene(new Group()), () -> true,

@@ -15,7 +15,7 @@ import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** A scene that has a shot opens with its timeline. */
+/** A scene with a shot opens with its timeline. */
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class InitialTimelineTest {

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 import org.testfx.api.FxToolkit;
 
 /**
- * Skips the tests of a class where the machine lacks libraries that JavaFX draws text with, and names
- * the packages; with the environment variable {@value #REQUIRED_VARIABLE} set, the tests fail instead.
+ * Skips a test class if the libraries with which JavaFX draws text are missing, and names the packages. If the environment variable {@value
+ * #REQUIRED_VARIABLE} is set, the tests fail instead.
  */
 public final class JavaFxRequirement implements BeforeAllCallback {
     private static final String REQUIRED_VARIABLE = "LIGHTNING_NEEDS_JAVAFX";
@@ -24,7 +24,7 @@ public final class JavaFxRequirement implements BeforeAllCallback {
 
     @Override
     public void beforeAll(ExtensionContext context) {
-        // The first window of a process takes its time on a machine that has other work.
+        // On a busy machine the first window of a process can take long.
         FxToolkit.toolkitContext().setLaunchTimeoutInMillis(TimeUnit.SECONDS.toMillis(Await.TIMEOUT_SECONDS));
         FxToolkit.toolkitContext().setSetupTimeoutInMillis(TimeUnit.SECONDS.toMillis(Await.TIMEOUT_SECONDS));
         if (!System.getProperty("os.name").equals("Linux")) {

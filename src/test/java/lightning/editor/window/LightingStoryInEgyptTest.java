@@ -2,7 +2,7 @@ package lightning.editor.window;
 
 import org.junit.jupiter.api.extension.RegisterExtension;
 
-/** The same afternoon where other digits are used. */
+/** Runs the lighting story in a locale with other digits. */
 class LightingStoryInEgyptTest extends LightingStoryTest {
     @RegisterExtension
     static final DefaultLocaleExtension LOCALE = new DefaultLocaleExtension("ar", "EG");

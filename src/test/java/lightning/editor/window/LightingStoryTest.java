@@ -16,7 +16,7 @@ import lightning.scene.LightType;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-/** An artist's afternoon as §2.3 of the paper tells it: key light, fill light, rim light, and every second thought. */
+/** Lighting session from §2.3 of the paper: key light, fill light, rim light, and all corrections. */
 class LightingStoryTest extends EditorFixture {
 
     private void type(String dial, String value) {
@@ -37,7 +37,7 @@ class LightingStoryTest extends EditorFixture {
         robot.interact(() -> types.getSelectionModel().select(type));
     }
 
-    /** Leaves the toolbar, so that the button's tooltip, which would take the next click, goes. */
+    /** Moves the mouse off the tool bar, so that a button's tooltip closes and does not receive the next click. */
     private void leaveToolBar() {
         robot.moveTo("#light-name");
         waitFor("no tooltip is shown", () -> Window.getWindows().stream().noneMatch(Tooltip.class::isInstance));
@@ -59,7 +59,7 @@ class LightingStoryTest extends EditorFixture {
 
     @Test
     void keyFillAndRim_withUndoTypeChangeSaveAndReload_matchFullTrace() throws Exception {
-        // The key light is too weak, then its color too blue.
+        // Make the key light brighter, then less blue.
         robot.interact(() -> model().editor().selection().selectLight("lamp"));
         rename("key");
         type("intensity", "1.6");
@@ -72,7 +72,7 @@ class LightingStoryTest extends EditorFixture {
         assertThat(light("key").color().r()).isEqualTo(1);
         mirrorsAndCompare();
 
-        // A spot fills the shadows; its attenuation and dropoff are wrong, then its type.
+        // A spot fills the shadows; then its attenuation, dropoff and type are changed.
         add(1);
         rename("fill");
         type("intensity", "0.6");
@@ -84,7 +84,7 @@ class LightingStoryTest extends EditorFixture {
         assertThat(light("fill").dropoff()).as("kept though a point light has none").isEqualTo(3);
         mirrorsAndCompare();
 
-        // The rim light is far too big.
+        // The rim light is far too large.
         add(1);
         rename("rim");
         type("angle", "12");
@@ -92,7 +92,7 @@ class LightingStoryTest extends EditorFixture {
         go();
         mirrorsAndCompare();
 
-        // Saved, spoilt, and loaded again as it was.
+        // Save, change, and reload the saved scene.
         Scene saved = model().editor().scene();
         click(Command.SAVE_SCENE.id());
         waitFor("the file holds the scene", () -> JenReader.read(folder.resolve("desk.jen")).scene().equals(saved));

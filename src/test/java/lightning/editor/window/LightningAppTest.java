@@ -33,7 +33,7 @@ class LightningAppTest {
     };
     private Stage stage;
     private String first;
-    /** Whether the picture came into the window; empty before it came at all. */
+    /** True if the picture was in a window when it was first drawn; empty before that. */
     private Optional<Boolean> seen = Optional.empty();
     private final List<String> notes = new ArrayList<>();
 
@@ -44,12 +44,12 @@ class LightningAppTest {
         app.start(primary);
         first = primary.getScene().getRoot().getId();
         var picture = (PictureView) primary.getScene().lookup("#traced-picture");
-        // A pane takes it out of the window until it is made.
+        // The picture is not part of the window while its pane is being created.
         picture.emptyProperty().subscribe(empty -> seen = empty ? seen : Optional.of(picture.getScene() != null));
         picture.getChildrenUnmodifiable().addListener((ListChangeListener<Node>) _ -> notes.addAll(texts(picture)));
     }
 
-    /** What the picture says by itself. */
+    /** Returns the notes drawn over the picture. */
     private static List<String> texts(PictureView picture) {
         return picture.lookupAll("#first-words Text").stream().map(text -> ((Text) text).getText()).toList();
     }
@@ -59,7 +59,7 @@ class LightningAppTest {
         app.stop();
     }
 
-    /** A large scene is read for a while, and the window is there before, with its panes. */
+    /** The window and its panes open while a large scene is still being read. */
     @Test
     void window_opensBeforeScene(FxRobot robot) throws Exception {
         assertThat(first).isEqualTo("opening");
@@ -76,7 +76,7 @@ class LightningAppTest {
     @Test
     void picture_beforePanes_isLabeledCoarse(FxRobot robot) throws Exception {
         TestEditors.await(() -> robot.lookup("#editor").tryQuery().isPresent());
-        assertThat(notes).containsExactly("Coarse picture, a finer one follows");
+        assertThat(notes).containsExactly("Refining…");
         assertThat(texts(robot.lookup("#traced-picture").query())).isEmpty();
     }
 

@@ -27,7 +27,7 @@ import lightning.editor.window.command.CommandMenuItems;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Whatever a menu of the editor offers is a command. */
+/** Every menu item of the editor is a command. */
 class MenusTest extends EditorFixture {
     @AfterEach
     void closeWindows() {
@@ -50,7 +50,7 @@ class MenusTest extends EditorFixture {
             bar.getMenus().forEach(menu -> collect(menu.getItems(), all));
         }
         if (node instanceof MenuButton button) {
-            // As its menu is filled when it opens.
+            // This menu is filled when it opens.
             if (button.getOnShowing() != null) {
                 button.getOnShowing().handle(null);
             }
@@ -74,7 +74,7 @@ class MenusTest extends EditorFixture {
         }
     }
 
-    /** Those of a shape's menu, and those that are there with every tab and window open. */
+    /** Returns the items of a shape's menu and of all menus that exist with every tab and window open. */
     private List<MenuItem> allItems() {
         robot.interact(() -> model().editor().materialShownProperty().set(true));
         robot.clickOn(toScreen(new Vec3(0, 1, 0)), MouseButton.SECONDARY);
@@ -101,7 +101,7 @@ class MenusTest extends EditorFixture {
     void everyCommand_isInAMenuOfTheEditor() {
         Set<Command> offered = EnumSet.noneOf(Command.class);
         allItems().forEach(item -> CommandMenuItems.command(item).ifPresent(offered::add));
-        // Of the light's type there is a choice of its own, among its properties.
+        // The light's type is chosen in its properties instead.
         offered.add(Command.CHANGE_TYPE);
         assertThat(offered).containsExactlyInAnyOrder(Command.values());
     }
@@ -130,7 +130,7 @@ class MenusTest extends EditorFixture {
         return window(menu).getSkin().getNode();
     }
 
-    /** Of a menu's lines. */
+    /** Returns the heights of a menu's items. */
     private static Set<Double> heights(Node menu) {
         return ((Parent) ((Parent) menu).getChildrenUnmodifiable().getFirst()).getChildrenUnmodifiable().stream()
                 .map(line -> line.getBoundsInParent().getHeight()).collect(Collectors.toSet());

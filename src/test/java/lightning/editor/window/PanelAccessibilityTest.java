@@ -25,7 +25,7 @@ import lightning.editor.window.widget.Contrast;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The windows beside the editor's, and its own in both themes, for who sees little or has no mouse. */
+/** Accessibility of the secondary windows, and of the main window in both themes: contrast, and use without a mouse. */
 class PanelAccessibilityTest extends EditorFixture {
     private static final int MANY = 120;
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
@@ -93,9 +93,9 @@ class PanelAccessibilityTest extends EditorFixture {
     @Test
     void dialogButtons_areReachableByTabAndEscapeCancels() {
         robot.interact(() -> model().editor().edit(scene -> LightEdits.edit(scene, "lamp", l -> l.withIntensity(0.5))));
-        // It waits for an answer, and whoever calls it with it.
+        // The command blocks until the dialog is answered.
         Platform.runLater(() -> model().commands().run(Command.QUIT));
-        waitFor("it asks", () -> panels().size() == 1 && panels().getFirst().isFocused());
+        waitFor("the dialog opens", () -> panels().size() == 1 && panels().getFirst().isFocused());
         Window question = panels().getFirst();
         List<Node> wanted = controls(question);
         assertThat(wanted).hasSize(3).allMatch(PanelAccessibilityTest::isNamed);

@@ -15,7 +15,7 @@ import lightning.editor.document.DeskScene;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The commands' keys are heard in the windows beside the editor's as in its own. */
+/** The commands' shortcuts work in the secondary windows as in the main window. */
 class PanelShortcutsTest extends EditorFixture {
     private static final List<Command> PANELS = List.of(Command.ACCURACY_PANEL, Command.EFFECTS_PANEL, Command.KEYS, Command.SCOPES,
             Command.HISTORY_PANEL, Command.UPDATES_PANEL, Command.MIXER, Command.CUES, Command.CONTRIBUTIONS);

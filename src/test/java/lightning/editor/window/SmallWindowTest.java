@@ -24,7 +24,7 @@ import lightning.editor.window.widget.WindowPlacement;
 import org.junit.jupiter.api.Test;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** On a small screen, or a large one at twice the scale, nothing is out of reach. */
+/** On a small screen, or a large one at scale 2, everything can be reached. */
 class SmallWindowTest extends EditorFixture {
 
     private void resize(double width, double height) {
@@ -32,7 +32,7 @@ class SmallWindowTest extends EditorFixture {
             stage.setWidth(width);
             stage.setHeight(height);
         });
-        // The window hears of its size a little later.
+        // The window receives its new size later.
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == width && stage.getScene().getHeight() == height);
         FastRobot.settle();
     }
@@ -75,7 +75,7 @@ class SmallWindowTest extends EditorFixture {
         resize(960, 540);
         Label line = robot.lookup("#pixel").query();
         robot.moveTo("#traced-picture");
-        waitFor("it tells", () -> line.getText().contains("normal"));
+        waitFor("the text is shown", () -> line.getText().contains("normal"));
         FastRobot.settle();
         assertThat(robot.from(line).lookup(".text").<Text>query().getText()).isEqualTo(line.getText());
     }
@@ -84,13 +84,13 @@ class SmallWindowTest extends EditorFixture {
     void pixelLine_whileHovered_stays() {
         Label line = robot.lookup("#pixel").query();
         robot.moveTo("#traced-picture");
-        waitFor("it tells", () -> line.getText().contains("normal"));
+        waitFor("the text is shown", () -> line.getText().contains("normal"));
         robot.moveTo("#pixel");
         FastRobot.settle();
         assertThat(line.getText()).contains("normal");
         assertThat(line.getTooltip().getText()).isEqualTo(line.getText());
         robot.moveTo("#lights");
-        waitFor("it tells no more", () -> line.getText().isBlank());
+        waitFor("the text is cleared", () -> line.getText().isBlank());
         assertThat(line.getTooltip()).isNull();
     }
 
@@ -113,7 +113,7 @@ class SmallWindowTest extends EditorFixture {
         assertThat(window()).as(screenBounds(overflow) + " is in it").matches(b -> b.contains(screenBounds(overflow)));
         assertThat(screenBounds(overflow).getWidth()).isGreaterThan(8);
         robot.clickOn(overflow);
-        // Whenever the bar is laid out, it takes its buttons out of the menu and puts them back: only the window's thread sees them for sure.
+        // A layout of the tool bar removes its buttons from the menu and adds them again, so only the window's thread sees them reliably.
         waitFor("its menu shows what has no room", () -> robot.lookup("#effects-panel").tryQuery().isPresent());
         robot.push(KeyCode.ESCAPE);
     }
@@ -124,13 +124,13 @@ class SmallWindowTest extends EditorFixture {
             resize(width, 540);
             FastRobot.settle();
             Node bar = robot.lookup("#toolbar").query();
-            boolean named = robot.from(bar).lookup("Depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
-            boolean there = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
-            assertThat(named).as("the name beside the control, at " + width).isEqualTo(there);
+            boolean named = robot.from(bar).lookup("Bounces").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
+            boolean isDepthShown = robot.from(bar).lookup("#depth").tryQuery().filter(SmallWindowTest::isVisible).isPresent();
+            assertThat(named).as("the name next to the control, at width " + width).isEqualTo(isDepthShown);
         }
     }
 
-    /** Whether it and all that it is in are visible. */
+    /** Returns true if a node and all its parents are visible. */
     private static boolean isVisible(Node node) {
         return node == null || node.isVisible() && isVisible(node.getParent());
     }
@@ -184,7 +184,7 @@ class SmallWindowTest extends EditorFixture {
         assertThat(textOf(badge)).isEqualToIgnoringWhitespace(badge.getText());
     }
 
-    /** What is drawn of it. */
+    /** Returns the displayed text of a label. */
     private static String textOf(Labeled labeled) {
         return labeled.getChildrenUnmodifiable().stream().filter(n -> n instanceof Text t && !(n instanceof FontIcon))
                 .map(n -> ((Text) n).getText()).collect(Collectors.joining());
@@ -209,7 +209,7 @@ class SmallWindowTest extends EditorFixture {
         return false;
     }
 
-    /** The text that is drawn is shorter than what it should be. */
+    /** Returns true if the displayed text is shorter than the full text. */
     private static boolean isClipped(Labeled labeled) {
         return labeled.isVisible() && labeled.getText() != null && labeled.getChildrenUnmodifiable().stream()
                 .anyMatch(n -> n instanceof Text t && !(n instanceof FontIcon) && !t.getText().equals(labeled.getText()));

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** Paths that are no scene files, opened in the editor: the open scene stays, and no thread waits for them. */
+/** Opening a path that is not a regular file keeps the open scene and blocks no thread. */
 @EnabledOnOs(OS.LINUX)
 class SpecialFilesTest extends EditorFixture {
     private void assertRefused(Path path, String message) {

@@ -18,8 +18,8 @@ import org.testfx.framework.junit5.Stop;
 import org.testfx.util.WaitForAsyncUtils;
 
 /**
- * Gives each test of a class a stage of its own on the one toolkit, and a {@link FastRobot}: the class's method with
- * {@link Start} fills the stage, that with {@link Stop} ends what it began.
+ * Gives each test its own stage on the shared toolkit, and a {@link FastRobot}. The method with {@link Start} fills the stage; the method
+ * with {@link Stop} cleans up.
  */
 public final class StageExtension implements BeforeEachCallback, AfterEachCallback, ParameterResolver {
     private final FastRobot robot = new FastRobot();

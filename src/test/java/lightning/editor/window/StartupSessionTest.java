@@ -45,7 +45,7 @@ class StartupSessionTest {
         thread.close();
     }
 
-    /** Shows the pane of a picture, and asks to hear when it is seen: whether there was one then. */
+    /** Shows the pane of a picture, and records whether the picture was drawn when the callback ran. */
     private void show(String size) throws Exception {
         Path file = Files.writeString(folder.resolve("scene.jen"), "jen 1\npicture { size " + size + " }\nsphere ball { }\n");
         FxToolkit.setupFixture(() -> {

@@ -65,7 +65,7 @@ class StartupViewTest {
         });
     }
 
-    /** Shows something else in the window, with the looks that it has then. */
+    /** Shows other content in the window with the current styles. */
     private void change(Parent content) {
         ColorTheme.style(stage.getScene());
         stage.getScene().setRoot(content);

@@ -22,7 +22,7 @@ import lightning.format.jen.JenException;
 import lightning.scene.Light;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** A model with a small scene of a light of each type, to show panes of. */
+/** Model of a small scene with a light of each type, for showing single panes. */
 public final class TestEditors {
     public static final String SPOT = "key";
     public static final String POINT = "fill";
@@ -41,26 +41,26 @@ public final class TestEditors {
 
     private TestEditors() {}
 
-    /** On the window's thread; the first light is selected. */
+    /** Creates a model with the first light selected. Call on the window's thread. */
     public static EditorModel model(Path folder) throws IOException, JenException {
         Path file = Files.writeString(folder.resolve("desk.jen"), TEXT);
         return new EditorModel(OpenDocument.open(file), new RecoveryFolder(folder.resolve("recovery")), new FileThread(Platform::runLater));
     }
 
-    /** The first that is seen of a scene file, on the window's thread; preferences and what is recovered are in the folder. */
+    /** Starts a session of a scene file on the window's thread. The folder contains preferences and recovered scenes. */
     static StartupSession startupSession(Path file, EditorLayout frame, Path folder, FileThread thread) {
         return startupSession(document(file), frame, new Preferences(folder.resolve("own"), thread),
                 new RecoveryFolder(folder.resolve("recovery")),
                 thread);
     }
 
-    /** The same of a document that is open, whose preferences others read, too. */
+    /** Starts a session of an open document with shared preferences. */
     static StartupSession startupSession(OpenDocument document, EditorLayout frame, Preferences preferences, RecoveryFolder recovery,
             FileThread thread) {
         return new StartupSession(frame, document, StartupSession.startPreview(document, preferences), preferences, recovery, thread);
     }
 
-    /** A scene file without faults. */
+    /** Opens a valid scene file. */
     static OpenDocument document(Path file) {
         try {
             return OpenDocument.open(file);
@@ -69,12 +69,12 @@ public final class TestEditors {
         }
     }
 
-    /** A frame whose picture shows nothing yet. */
+    /** Creates a layout with an empty picture. */
     static EditorLayout layout(Path file) {
         return new EditorLayout(file, TracedPane.createView());
     }
 
-    /** Shows one pane alone. */
+    /** Shows a single pane. */
     public static void show(Stage stage, Parent pane) {
         ColorTheme.DARK.apply();
         Scene scene = new Scene(pane, 320, 960);
@@ -87,7 +87,7 @@ public final class TestEditors {
         return model.editor().scene().light(name).orElseThrow();
     }
 
-    /** Returns as soon as the condition holds. */
+    /** Waits until a condition holds. */
     public static void await(BooleanSupplier condition) throws TimeoutException {
         WaitForAsyncUtils.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS, condition::getAsBoolean);
     }

@@ -16,7 +16,7 @@ import lightning.editor.document.Command;
 import org.junit.jupiter.api.AfterEach;
 import org.kordamp.ikonli.javafx.FontIcon;
 
-/** Every word of the editor is read in full on a small screen, in each of its panes and windows. */
+/** No text of the editor is clipped on a small screen, in any pane or window. */
 abstract class TextClippingFixture extends EditorFixture {
     private final List<String> clippedTexts = new ArrayList<>();
 
@@ -29,7 +29,7 @@ abstract class TextClippingFixture extends EditorFixture {
         List.copyOf(Window.getWindows()).stream().filter(window -> window != stage).forEach(Window::hide);
     }
 
-    /** That no text is cut. */
+    /** Asserts that no text is clipped. */
     void assertNotClipped() {
         robot.interact(() -> {
             stage.setWidth(1366);
@@ -37,7 +37,7 @@ abstract class TextClippingFixture extends EditorFixture {
         });
         waitFor("the window is so wide", () -> stage.getScene().getWidth() == 1366);
         robot.moveTo("#traced-picture");
-        waitFor("the pixel is told of", () -> text("pixel").contains("ball") || text("pixel").contains("floor"));
+        waitFor("the pixel report is shown", () -> text("pixel").contains("ball") || text("pixel").contains("floor"));
         checkWindow("no light", () -> model().editor().selection().selectLight(null));
         for (String light : List.of("lamp", "sun", "stage")) {
             checkWindow(light, () -> model().editor().selection().selectLight(light));
@@ -62,12 +62,12 @@ abstract class TextClippingFixture extends EditorFixture {
         assertThat(clippedTexts).isEmpty();
     }
 
-    /** Those beside the editor's. */
+    /** Returns the secondary windows. */
     private Stream<Window> windows() {
         return Window.getWindows().stream().filter(window -> window instanceof Stage && window != stage);
     }
 
-    /** Makes windows as small as on a screen of 1920×1080 at twice the scale. */
+    /** Makes windows as small as on a screen of 1920×1080 at scale 2. */
     private void narrow() {
         windows().forEach(window -> {
             window.setWidth(Math.min(window.getWidth(), 960));
@@ -94,7 +94,7 @@ abstract class TextClippingFixture extends EditorFixture {
                 .flatMap(TextClippingFixture::nodes) : Stream.empty());
     }
 
-    /** What is drawn of it. */
+    /** Returns the displayed text of a label. */
     private static String displayedText(Labeled labeled) {
         return labeled.getChildrenUnmodifiable().stream().filter(n -> n instanceof Text && !(n instanceof FontIcon))
                 .map(n -> ((Text) n).getText()).findFirst().orElse("");

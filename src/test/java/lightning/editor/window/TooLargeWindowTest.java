@@ -10,7 +10,7 @@ import lightning.scene.SamplingSettings;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** A picture that no memory holds, asked for in the editor. */
+/** Requests a picture that exceeds any memory. */
 class TooLargeWindowTest extends EditorFixture {
     @Test
     void memoryError_inStatus_omitsCommandLineOptions() {

@@ -20,21 +20,21 @@ import java.util.regex.Pattern;
 import javax.tools.ToolProvider;
 
 /**
- * What the program's source asks {@code Messages} for.
+ * Texts that the program's source passes to {@code Messages}.
  *
- * @param used    English words
- * @param literals words of the editor's panes that nobody asks for, with where they stand
+ * @param used English texts
+ * @param literals literals in the editor's panes that look like text but are not passed to {@code Messages}, with their positions
  */
 record UiTextScan(Set<String> used, List<String> literals) {
     private static final Path MAIN = Path.of("src", "main", "java", "lightning");
-    /** Begins as a sentence or a title does, or has two words of small letters. */
+    /** Matches text that starts like a sentence or title, or contains two lowercase words. */
     private static final Pattern WORDS = Pattern.compile("(?s)[A-Z][a-z]{2,}.*|.*[a-z]{3,} [a-z]{2,}.*");
-    /** What is said in no window: styles, identities, names of files and threads, failures of the program itself. */
+    /** Calls whose arguments are never shown: styles, ids, names of files and threads, internal errors. */
     private static final Set<String> IGNORED_CALLS = Set.of("setStyle", "setId", "add", "addAll", "web", "startsWith", "replaceFirst",
             "getLogger", "store", "matches", "endsWith");
 
     static UiTextScan read() throws IOException {
-        var asked = new TreeSet<String>();
+        var usedTexts = new TreeSet<String>();
         var literals = new ArrayList<String>();
         var compiler = ToolProvider.getSystemJavaCompiler();
         try (var files = Files.walk(MAIN); var manager = compiler.getStandardFileManager(null, null, null)) {
@@ -43,19 +43,19 @@ record UiTextScan(Set<String> used, List<String> literals) {
                     manager.getJavaFileObjectsFromPaths(sources));
             for (CompilationUnitTree unit : task.parse()) {
                 boolean ofPanes = unit.getPackageName().toString().startsWith("lightning.editor.window");
-                unit.accept(new Scanner(asked, ofPanes ? literals : new ArrayList<>()), null);
+                unit.accept(new Scanner(usedTexts, ofPanes ? literals : new ArrayList<>()), null);
             }
         }
-        return new UiTextScan(asked, literals);
+        return new UiTextScan(usedTexts, literals);
     }
 
     private static final class Scanner extends TreeScanner<Void, Void> {
-        private final Set<String> asked;
+        private final Set<String> usedTexts;
         private final List<String> literals;
         private boolean unseen;
 
-        Scanner(Set<String> asked, List<String> literals) {
-            this.asked = asked;
+        Scanner(Set<String> usedTexts, List<String> literals) {
+            this.usedTexts = usedTexts;
             this.literals = literals;
         }
 
@@ -65,7 +65,7 @@ record UiTextScan(Set<String> used, List<String> literals) {
             if (name.startsWith("Messages.")) {
                 call.getArguments().stream().limit(name.equals("Messages.count") ? 3 : 1).forEach(words -> {
                     if (isText(words)) {
-                        asked.add(text(words));
+                        usedTexts.add(text(words));
                     }
                 });
                 call.getArguments().stream().filter(words -> !isText(words)).forEach(words -> scan(words, none));

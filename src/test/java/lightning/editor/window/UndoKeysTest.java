@@ -11,7 +11,7 @@ import lightning.editor.document.DeskScene;
 import lightning.editor.window.widget.TextTyping;
 import org.junit.jupiter.api.Test;
 
-/** Undo is where the hands are: in a number field too. */
+/** The undo shortcut works wherever the focus is, including number fields. */
 class UndoKeysTest extends EditorFixture {
 
     private TextField field(String query) {

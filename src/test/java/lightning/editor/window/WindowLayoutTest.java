@@ -17,7 +17,7 @@ import lightning.render.shading.ReferenceTracer;
 import lightning.scene.AntialiasMode;
 import org.junit.jupiter.api.Test;
 
-/** The pictures have the room that the artist gives them. */
+/** The pictures have the sizes that the layout commands give them. */
 class WindowLayoutTest extends EditorFixture {
     private boolean isVisible(String query) {
         return robot.lookup(query).tryQuery().isPresent();

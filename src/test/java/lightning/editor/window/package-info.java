@@ -1,2 +1,2 @@
-/** Drives the editor as an artist does, on JavaFX's platform without a window system. */
+/** Tests that drive the editor like a user, on JavaFX's headless platform. */
 package lightning.editor.window;

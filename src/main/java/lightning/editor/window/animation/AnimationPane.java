@@ -31,17 +31,17 @@ import org.kordamp.ikonli.materialdesign2.MaterialDesignP;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignR;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignS;
 
-/** What the animation window holds: record, stop, play and scrub, files, and the export of pictures. */
+/** Content of the animation window: recording and playback, motion path files, and export of images. */
 final class AnimationPane extends VBox {
     private static final String EXTENSION = "path";
 
     private final LightAnimation animation;
     private final PathPrompt pathPrompt;
     private final String sceneName;
-    private final IntegerField resolution = new IntegerField("resolution", Messages.tr("Resolution: preview frames from key to key"),
+    private final IntegerField resolution = new IntegerField("resolution", Messages.tr("Keyframe every N frames"),
             "resolution", RecordedShot.MAX_INTERVAL, RecordedShot.DEFAULT_INTERVAL);
     private final IntegerField pictures =
-            new IntegerField("pictures", Messages.tr("Pictures to export"), Messages.tr("the number of pictures"),
+            new IntegerField("pictures", Messages.tr("Frames to export"), Messages.tr("the number of pictures"),
                     MotionExport.MAX_PICTURES, 1);
     private final Slider scrub = new Slider(0, 1, 0);
     private final Label status = new Label();
@@ -51,9 +51,11 @@ final class AnimationPane extends VBox {
     private boolean isUpdating;
 
     /**
-     * @param sceneName how the files that are saved are called, unless the artist says otherwise
-     * @param close     closes the window
-     * @param keysButton    makes keys of the way
+     * Creates the pane.
+     *
+     * @param sceneName default name of saved files
+     * @param close closes the window
+     * @param keysButton button that converts the path to keyframes
      */
     AnimationPane(LightAnimation animation, String sceneName, PathPrompt pathPrompt, Runnable close, Node keysButton) {
         this.animation = animation;
@@ -70,7 +72,8 @@ final class AnimationPane extends VBox {
                 bottom(close, keysButton));
         reasonUpdates.add(() -> pictures.widget().setDisabledReason(needsPath()));
         reasonUpdates
-                .add(() -> resolution.widget().setDisabledReason(reasonUnless(!animation.isRecording(), Messages.tr("it is recording"))));
+                .add(() -> resolution.widget()
+                        .setDisabledReason(reasonUnless(!animation.isRecording(), Messages.tr("recording is in progress"))));
         animation.recordingProperty().subscribe(_ -> updateStatus());
         animation.playingProperty().subscribe(_ -> updateStatus());
         animation.frameProperty().subscribe(_ -> showFrame());
@@ -80,15 +83,15 @@ final class AnimationPane extends VBox {
     private HBox transport() {
         return tools(
                 button("record", Messages.tr("Record"), MaterialDesignR.RECORD,
-                        Messages.tr("Records position and direction while you move the light"),
+                        Messages.tr("Record the light's position and direction while you move it"),
                         () -> animation.record(resolution.get()),
-                        () -> reasonUnless(!animation.isRecording(), Messages.tr("it is recording"))),
-                button("stop", Messages.tr("Stop"), MaterialDesignS.STOP, Messages.tr("Stops recording or playing"), animation::stop,
+                        () -> reasonUnless(!animation.isRecording(), Messages.tr("recording is in progress"))),
+                button("stop", Messages.tr("Stop"), MaterialDesignS.STOP, Messages.tr("Stop recording or playback"), animation::stop,
                         () -> reasonUnless(animation.isRecording() || animation.isPlaying(),
                                 Messages.tr("nothing is recording or playing"))),
                 button("play", Messages.tr("Play"), MaterialDesignP.PLAY,
-                        Messages.tr("Renders the picture again and again as the light moves"),
-                        animation::play, () -> animation.isPlaying() ? Optional.of(Messages.tr("it is playing")) : needsPath()));
+                        Messages.tr("Play the recorded motion"),
+                        animation::play, () -> animation.isPlaying() ? Optional.of(Messages.tr("playback is running")) : needsPath()));
     }
 
     private Node scrub() {
@@ -101,22 +104,22 @@ final class AnimationPane extends VBox {
                 animation.show((int) Math.rint(now.doubleValue()));
             }
         });
-        return withDisabledReason(scrub, Messages.tr("The frame that is shown"), this::needsPath);
+        return withDisabledReason(scrub, Messages.tr("Current frame"), this::needsPath);
     }
 
     private HBox files() {
         return tools(
                 button("save-animation", Messages.tr("Save…"), MaterialDesignC.CONTENT_SAVE_OUTLINE,
-                        Messages.tr("Save Animation: the path as a text file"),
+                        Messages.tr("Save the motion path as a text file"),
                         this::save, this::needsPath),
-                button("load-animation", Messages.tr("Load…"), MaterialDesignF.FOLDER_OPEN_OUTLINE,
-                        Messages.tr("Load Animation: a path from a file"),
+                button("load-animation", Messages.tr("Open…"), MaterialDesignF.FOLDER_OPEN_OUTLINE,
+                        Messages.tr("Open a motion path file"),
                         this::load, Optional::empty),
                 button("export", Messages.tr("Export…"), MaterialDesignI.IMAGE_MULTIPLE_OUTLINE,
-                        Messages.tr("Writes numbered PNG pictures to a folder"),
+                        Messages.tr("Export numbered PNG images to a folder"),
                         this::export, () -> export != null ? Optional.of(Messages.tr("an export is running")) : needsPath()),
                 button("cancel-export", Messages.tr("Cancel"), MaterialDesignC.CANCEL,
-                        Messages.tr("Stops the export; finished pictures stay"),
+                        Messages.tr("Cancel the export; saved images are kept"),
                         () -> export.cancel(false), () -> reasonUnless(export != null, Messages.tr("no export is running"))));
     }
 
@@ -124,7 +127,7 @@ final class AnimationPane extends VBox {
         Region gap = new Region();
         HBox.setHgrow(gap, Priority.ALWAYS);
         return tools(keysButton, gap,
-                button("close-animation", Messages.tr("Close"), MaterialDesignC.CLOSE, Messages.tr("Restores the scene as it was before"),
+                button("close-animation", Messages.tr("Close"), MaterialDesignC.CLOSE, Messages.tr("Close and restore the scene"),
                         close, Optional::empty));
     }
 
@@ -151,7 +154,7 @@ final class AnimationPane extends VBox {
     }
 
     private Optional<String> needsPath() {
-        return animation.isRecording() ? Optional.of(Messages.tr("it is recording"))
+        return animation.isRecording() ? Optional.of(Messages.tr("recording is in progress"))
                 : reasonUnless(animation.recorded().isPresent(), Messages.tr("nothing is recorded or loaded yet"));
     }
 
@@ -163,7 +166,7 @@ final class AnimationPane extends VBox {
         reasonUpdates.forEach(Runnable::run);
         status.setText(animation.isRecording() ? Messages.tr("Move {0} in the preview, then press Stop.", animation.light())
                 : animation.isPlaying() ? Messages.tr("Playing")
-                : animation.recorded().map(r -> Messages.tr("{0} keys over {1} frames", r.keyCount(), r.frameCount()))
+                : animation.recorded().map(r -> Messages.tr("{0} keyframes over {1} frames", r.keyCount(), r.frameCount()))
                         .orElse(Messages.tr("Press Record, then move {0} in the preview.", animation.light())));
     }
 
@@ -189,7 +192,7 @@ final class AnimationPane extends VBox {
     }
 
     private void save() {
-        pathPrompt.fileToSave(Messages.tr("Save Animation"), sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
+        pathPrompt.fileToSave(Messages.tr("Save Motion Path"), sceneName + "." + EXTENSION, EXTENSION).ifPresent(file -> {
             status.setText(Messages.tr("Saving …"));
             animation.save(file, () -> status.setText(Messages.tr("Saved to {0}", Quote.path(file))),
                     failure -> status.setText(Messages.tr("Not saved: {0}", ErrorMessage.of(failure))));
@@ -197,13 +200,13 @@ final class AnimationPane extends VBox {
     }
 
     private void load() {
-        pathPrompt.fileToOpen(Messages.tr("Load Animation"), EXTENSION).ifPresent(file -> {
+        pathPrompt.fileToOpen(Messages.tr("Open Motion Path"), EXTENSION).ifPresent(file -> {
             animation.load(file, failure -> status.setText(Messages.tr("Not loaded: {0}", ErrorMessage.of(failure))));
         });
     }
 
     private void export() {
-        pathPrompt.folder(Messages.tr("Export pictures to")).ifPresent(folder -> {
+        pathPrompt.folder(Messages.tr("Export Images To")).ifPresent(folder -> {
             animation.stop();
             ExportTask task = new ExportTask(animation.export(pictures.get()), folder, sceneName);
             export = task;
@@ -216,7 +219,7 @@ final class AnimationPane extends VBox {
         });
     }
 
-    /** The last pictures of an export that was canceled are told of after its end. */
+    /** An export may report its last images after it was canceled. */
     private void showProgress(ExportTask task, int written) {
         if (export == task) {
             status.setText(Messages.tr("Exporting: {0} of {1}", written, task.pictures()));
@@ -228,8 +231,8 @@ final class AnimationPane extends VBox {
             case READY, SCHEDULED, RUNNING -> {
                 return;
             }
-            case SUCCEEDED -> status.setText(Messages.tr("Exported {0} pictures to {1}", task.pictures(), task.folder()));
-            case CANCELLED -> status.setText(Messages.tr("Export canceled after {0} of {1} pictures", task.getValue(), task.pictures()));
+            case SUCCEEDED -> status.setText(Messages.tr("Exported {0} images to {1}", task.pictures(), task.folder()));
+            case CANCELLED -> status.setText(Messages.tr("Export canceled after {0} of {1} images", task.getValue(), task.pictures()));
             case FAILED -> status.setText(Messages.tr("Export failed: {0}", task.getException().getMessage()));
         }
         export = null;
@@ -238,7 +241,7 @@ final class AnimationPane extends VBox {
         reasonUpdates.forEach(Runnable::run);
     }
 
-    /** Stops an export that runs; finished pictures stay. */
+    /** Cancels a running export; finished images are kept. */
     void stopExport() {
         if (export != null) {
             export.cancel(false);

@@ -16,19 +16,19 @@ import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.WindowPlacement;
 
-/** Records and plays the way of the light that is selected when it opens (paper §3.7). */
+/** Window that records and plays the motion path of the light that is selected when it opens (paper §3.7). */
 public final class AnimationWindow extends Stage {
-    /** From the corner of the editor's window, pixels. */
+    /** Distance from the edge of the editor's window, pixels. */
     private static final double MARGIN = 16;
 
     private final LightAnimation animation;
 
-    /** Begins the animation; closing the window ends it. A light must be selected. */
+    /** Starts the animation; closing the window ends it. A light must be selected. */
     public AnimationWindow(EditorModel model, Window owner) {
         this(model, owner, PathPrompt.ofSystem(owner, model.fileImporter().folder()));
     }
 
-    /** Does the command that makes an animation of keys. */
+    /** Registers the command that converts keyframes to a motion path. */
     public static void registerCommands(EditorModel model, Supplier<Window> owner) {
         model.commands().setAction(Command.MAKE_ANIMATION, () -> new AnimationWindow(model, owner.get()).show());
         model.commands().setAction(Command.KEYS_TO_WAY,
@@ -38,7 +38,8 @@ public final class AnimationWindow extends Stage {
                             window.show();
                             window.animation.setRecorded(path);
                         }, () -> model.editor().message()
-                                .show(Messages.tr("A way has linear keys of place and direction at the same frames, evenly spaced"))));
+                                .show(Messages
+                                        .tr("Expected linear keyframes of position and direction at the same, evenly spaced frames"))));
     }
 
     AnimationWindow(EditorModel model, Window owner, PathPrompt pathPrompt) {
@@ -48,7 +49,7 @@ public final class AnimationWindow extends Stage {
             animation.convertToKeys();
             close();
         });
-        setTitle(Messages.tr("Animation of {0}", animation.light()));
+        setTitle(Messages.tr("Animate Light “{0}”", animation.light()));
         String name = model.editor().document().name().replaceFirst("\\.[^.]*$", "") + "-" + animation.light();
         AnimationPane pane = new AnimationPane(animation, name, pathPrompt, this::close,
                 CommandButton.titledButton(model.commands(), Command.WAY_TO_KEYS));
@@ -63,7 +64,7 @@ public final class AnimationWindow extends Stage {
         setScene(content);
         setResizable(false);
         setOnShown(_ -> {
-            // Over the properties, so that both pictures can be seen.
+            // Covers the properties, so that both pictures stay visible.
             setX(Math.max(owner.getX(), owner.getX() + owner.getWidth() - getWidth() - MARGIN));
             setY(Math.max(owner.getY(), owner.getY() + owner.getHeight() - getHeight() - MARGIN));
             WindowPlacement.fit(this);

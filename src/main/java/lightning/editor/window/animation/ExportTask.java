@@ -7,7 +7,7 @@ import javafx.concurrent.Task;
 import lightning.base.work.DedicatedThread;
 import lightning.editor.document.motion.MotionExport;
 
-/** Writes a motion path as numbered pictures on a thread of its own; its value is how many are written. */
+/** Exports a motion path as numbered images on a separate thread. Its value is the number of images written. */
 final class ExportTask extends Task<Integer> {
     private final MotionExport export;
     private final Path folder;
@@ -36,7 +36,7 @@ final class ExportTask extends Task<Integer> {
                 }
             });
         } catch (CancellationException e) {
-            // The task is canceled already, which says so.
+            // The task's state is already canceled.
             return export.pictureCount();
         }
         return export.pictureCount();
@@ -50,7 +50,7 @@ final class ExportTask extends Task<Integer> {
         return export.pictureCount();
     }
 
-    /** Begins. The thread must not be interrupted, which would break a file that is being written. */
+    /** Starts the thread. Never interrupt it: that would corrupt a file that is being written. */
     void start() {
         Thread thread = DedicatedThread.create("lightning-export", this);
         thread.start();

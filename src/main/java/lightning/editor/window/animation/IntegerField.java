@@ -7,7 +7,7 @@ import lightning.editor.window.widget.ArrowWidget;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.SceneLimits;
 
-/** A whole number from 1 that belongs to a window and no document. */
+/** Field for a positive integer that is part of a window and not of a document. */
 final class IntegerField {
     private final ArrowWidget widget;
     private int value;
@@ -21,7 +21,7 @@ final class IntegerField {
                 return Optional.of(e.getMessage());
             }
             if (rounded != Math.rint(rounded)) {
-                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", title, SceneLimits.format(rounded)));
+                return Optional.of(Messages.tr("{0}: expected a whole number, found {1}", title, SceneLimits.format(rounded)));
             }
             set((int) rounded);
             return Optional.empty();

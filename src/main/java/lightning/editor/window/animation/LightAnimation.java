@@ -22,7 +22,7 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 
-/** The animation of one light, from Make Animation to Close: what it does, without a window. */
+/** Animation of one light, from Make Animation to Close, without its window. */
 final class LightAnimation {
     private final EditorModel model;
     private final SceneEditor editor;
@@ -35,7 +35,7 @@ final class LightAnimation {
     private MotionRecorder recorder;
     private boolean isClosed;
 
-    /** Begins an animation of the selected light, which must be there. */
+    /** Starts an animation of the selected light, which must exist. */
     LightAnimation(EditorModel model) {
         this.model = model;
         editor = model.editor();
@@ -47,14 +47,16 @@ final class LightAnimation {
         recorded.addListener((_, _, now) -> model.workbench().setMotionRecorded(now != null));
     }
 
-    /** Takes another recorded shot of the light, and shows its begin. */
+    /** Replaces the recorded shot and shows its first frame. */
     void setRecorded(RecordedShot newShot) {
         stop();
         recorded.set(newShot);
         show(0);
     }
 
-    /** Ends, and adds what was recorded to the document's shot from the frame that is shown on; the message says why not. */
+    /**
+     * Closes the animation and adds the recorded shot to the document's shot, starting at the current frame. Shows a message if that fails.
+     */
     void convertToKeys() {
         RecordedShot recordedShot = recorded.get();
         close();
@@ -89,7 +91,7 @@ final class LightAnimation {
         return player.isPlaying();
     }
 
-    /** The shot recorded or loaded; null before. */
+    /** Returns the recorded or loaded shot; null before the first. */
     ReadOnlyObjectProperty<RecordedShot> recordedProperty() {
         return recorded.getReadOnlyProperty();
     }
@@ -98,12 +100,16 @@ final class LightAnimation {
         return Optional.ofNullable(recorded.get());
     }
 
-    /** The frame that is shown, from 0. */
+    /** Returns the current frame, from 0. */
     IntegerProperty frameProperty() {
         return frame;
     }
 
-    /** @param interval the resolution number: frames of the preview from one key to the next, 1…{@value RecordedShot#MAX_INTERVAL} */
+    /**
+     * Starts recording.
+     *
+     * @param interval preview frames per keyframe (the paper's resolution), 1…{@value RecordedShot#MAX_INTERVAL}
+     */
     void record(int interval) {
         stop();
         recorder = new MotionRecorder(interval);
@@ -118,7 +124,7 @@ final class LightAnimation {
         }
     }
 
-    /** From the begin if it stands at the end. */
+    /** Plays from the current frame; restarts at the last frame. */
     void play() {
         stop();
         if (recorded.get() != null) {
@@ -136,7 +142,7 @@ final class LightAnimation {
         }
     }
 
-    /** Shows one frame of what was recorded; returns false if there is nothing to show. */
+    /** Shows one recorded frame. Returns false if there is nothing to show. */
     boolean show(int number) {
         frame.set(number);
         boolean canShow = recorded.get() != null && editor.scene().light(light).isPresent();
@@ -151,9 +157,9 @@ final class LightAnimation {
     }
 
     /**
-     * Writes what was recorded.
+     * Saves the recorded shot.
      *
-     * @param onFailure hears why the file could not be written
+     * @param onFailure called if the file cannot be written
      */
     void save(Path file, Runnable onSaved, Consumer<Throwable> onFailure) {
         RecordedShot shot = recorded.get();
@@ -164,9 +170,9 @@ final class LightAnimation {
     }
 
     /**
-     * Takes a recorded shot from a file.
+     * Loads a motion path file as the recorded shot.
      *
-     * @param onFailure hears why it cannot be read or is no motion path; nothing changes then
+     * @param onFailure called if the file cannot be read or is not a motion path; the animation stays unchanged
      */
     void load(Path file, Consumer<Throwable> onFailure) {
         model.files().runConcurrently(() -> MotionPathFile.load(file, light), loaded -> {
@@ -176,12 +182,12 @@ final class LightAnimation {
         }, onFailure);
     }
 
-    /** The pictures of what was recorded. */
+    /** Creates an export of the recorded shot. */
     MotionExport export(int pictures) {
         return new MotionExport(editor.scene(), recorded.get(), pictures, model.picture().viewProperty().get().forOutput());
     }
 
-    /** Restores the scene as it was. */
+    /** Restores the scene as it was before the animation. */
     void close() {
         if (isClosed) {
             return;

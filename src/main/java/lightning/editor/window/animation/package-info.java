@@ -1,4 +1,2 @@
-/**
- * The animation of one light: record, play, scrub, export.
- */
+/** Animation of one light: recording, playback, scrubbing and export. */
 package lightning.editor.window.animation;

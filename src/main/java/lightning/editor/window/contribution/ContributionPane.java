@@ -42,11 +42,11 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 
 /**
- * Which lights matter: the share of each in the picture, in a part of it and in the pixel under the mouse, and what would be another
- * without it. What nobody sees is switched off by one click, and the new picture is held against the old one.
+ * Contribution of each light to the picture, to a region and to the pixel under the mouse, and the impact of removing it. One click
+ * switches off all lights that change no displayed pixel, then compares the new picture with the old one.
  */
 public final class ContributionPane extends VBox {
-    /** While edits come faster than that, nothing is asked. */
+    /** Delay after an edit before the contributions are computed; a faster edit restarts it. */
     private static final Duration SETTLE_DELAY = Duration.millis(300);
 
     private final EditorModel model;
@@ -57,9 +57,9 @@ public final class ContributionPane extends VBox {
     private final TableView<LightContribution> table = new TableView<>();
     private final Label summary = new Label("…");
     private final Label comparisonLabel = new Label();
-    /** In the place of the lights; empty while nothing is known of them. */
+    /** Placeholder of the table; empty until the first result. */
     private final Label placeholder = new Label();
-    private final Label regionText = new Label(Messages.tr("Region: the whole picture"));
+    private final Label regionText = new Label(Messages.tr("Region: whole frame"));
     private final DisabledReason switchOffReason;
     private final PauseTransition settleTimer = new PauseTransition(SETTLE_DELAY);
     private Map<String, Double> sharesAtPointer = Map.of();
@@ -67,7 +67,7 @@ public final class ContributionPane extends VBox {
     private LightContributions shown;
     private Scene shownScene;
     private Frame lastFrame;
-    /** What was switched off, and the picture before; null where nothing is to be proved. */
+    /** Pending comparison after lights were switched off; null if there is none. */
     private Comparison pendingComparison;
 
     private record Comparison(Scene scene, Film oldFilm, int lightCount) {}
@@ -90,16 +90,16 @@ public final class ContributionPane extends VBox {
         offButton.setOnAction(_ -> switchOff());
         var offBox = new StackPane(offButton);
         switchOffReason = new DisabledReason(offBox, offButton,
-                Messages.tr("Switch off the lights that change no displayed pixel, in one step to undo"));
-        switchOffReason.set(Optional.of(Messages.tr("nothing is known yet")));
+                Messages.tr("Switch off all lights that change no displayed pixel"));
+        switchOffReason.set(Optional.of(Messages.tr("no results yet")));
         var head = new HBox(summary, offBox);
         head.getStyleClass().add("mixer-tools");
         var regionButton = new Button(Messages.tr("Region…"));
         regionButton.setId("contribution-region");
-        regionButton.setTooltip(new Tooltip(Messages.tr("Drag a frame in the traced picture")));
+        regionButton.setTooltip(new Tooltip(Messages.tr("Drag a rectangle in the rendered image")));
         regionButton.setMinWidth(Region.USE_PREF_SIZE);
         regionButton.setOnAction(_ -> pickRegion());
-        var wholeButton = new Button(Messages.tr("Whole Picture"));
+        var wholeButton = new Button(Messages.tr("Whole Frame"));
         wholeButton.setId("contribution-whole");
         wholeButton.setMinWidth(Region.USE_PREF_SIZE);
         wholeButton.setOnAction(_ -> setRegion(Optional.empty()));
@@ -119,16 +119,17 @@ public final class ContributionPane extends VBox {
 
     private void fillTable() {
         table.setId("contribution-table");
-        table.setAccessibleText(Messages.tr("lights and what they give"));
+        table.setAccessibleText(Messages.tr("light contributions"));
         table.setPlaceholder(placeholder);
         table.setColumnResizePolicy(TableView.CONSTRAINED_RESIZE_POLICY_FLEX_LAST_COLUMN);
         table.getColumns().setAll(List.of(
                 column(Messages.tr("Light"), LightContribution::light, Function.identity(), 130),
                 column(Messages.tr("Picture"), LightContribution::imageShare, PercentText::format, 80),
                 column(Messages.tr("Region"), LightContribution::regionShare, PercentText::format, 80),
-                column(Messages.tr("Pointer"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
+                column(Messages.tr("Cursor"), c -> sharesAtPointer.getOrDefault(c.light(), Double.NaN),
                         p -> p.isNaN() ? "–" : PercentText.format(p), 80),
-                column(Messages.tr("Without it"), c -> c.shines() ? c.changeWhenOff().changedPixels() : -1L, Object::toString, 240)));
+                column(Messages.tr("Impact If Removed"), c -> c.shines() ? c.changeWhenOff().changedPixels() : -1L, Object::toString,
+                        240)));
         ((TableColumn<LightContribution, Long>) table.getColumns().get(4)).setCellFactory(_ -> new TableCell<>() {
             @Override
             protected void updateItem(Long item, boolean empty) {
@@ -164,30 +165,30 @@ public final class ContributionPane extends VBox {
         return column;
     }
 
-    /** What the picture would be without a light. */
+    /** Describes how the picture would change without a light. */
     static String changeText(LightContribution contribution) {
         LightContribution.FilmChange change = contribution.changeWhenOff();
-        return !contribution.shines() ? Messages.tr("does not shine") : change.isNone() ? Messages.tr("equal in every bit")
+        return !contribution.shines() ? Messages.tr("off or black") : change.isNone() ? Messages.tr("bit-identical")
                 : change.isInvisible()
-                        ? String.format(Messages.locale(), Messages.tr("looks the same, off by %.1e at most"), change.maxDifference())
+                        ? String.format(Messages.locale(), Messages.tr("not visible (difference at most %.1e)"), change.maxDifference())
                 : String.format(Messages.locale(), Messages.tr("%,d pixels change"), change.changedPixels());
     }
 
-    /** Follows the picture. */
+    /** Starts to observe the picture. */
     private Subscription subscribe() {
         return Subscription.combine(picture.renderStateProperty().subscribe(state -> updateFrame(state.frame())),
                 picture.viewProperty().subscribe(_ -> restart()), model.picturePointer().pixelProperty().subscribe(this::showPixel),
                 this::close);
     }
 
-    /** Gives up what is asked, and ends its threads until the window opens again. */
+    /** Cancels the queries and ends their threads until the window opens again. */
     private void close() {
         settleTimer.stop();
         lightQuery.close();
         pixelQuery.close();
         lastFrame = null;
-        PicturePointer.RegionRequest ask = model.picturePointer().regionRequestProperty().get();
-        if (ask != null) {
+        PicturePointer.RegionRequest request = model.picturePointer().regionRequestProperty().get();
+        if (request != null) {
             model.picturePointer().regionRequestProperty().set(null);
         }
     }
@@ -201,7 +202,7 @@ public final class ContributionPane extends VBox {
     }
 
     private void restart() {
-        summary.setText(Messages.tr("Asking all lights …"));
+        summary.setText(Messages.tr("Computing light contributions …"));
         lightQuery.cancel();
         settleTimer.playFromStart();
     }
@@ -228,16 +229,16 @@ public final class ContributionPane extends VBox {
         table.getSortOrder().setAll(order);
         table.sort();
         int idle = shown.idleLights().size();
-        summary.setText(idle == 0 ? Messages.tr("Every light that shines changes some pixel")
+        summary.setText(idle == 0 ? Messages.tr("All lights contribute")
                 : Messages.count(idle, "1 light changes no displayed pixel: {1}", "{0} lights together change no displayed pixel: {1}",
                         idle,
                         String.join(", ", shown.idleLights())));
-        switchOffReason.set(idle == 0 ? Optional.of(Messages.tr("every light that shines changes some pixel")) : Optional.empty());
+        switchOffReason.set(idle == 0 ? Optional.of(Messages.tr("all lights contribute")) : Optional.empty());
     }
 
     private void pickRegion() {
         model.picturePointer().regionRequestProperty()
-                .set(new PicturePointer.RegionRequest(Messages.tr("Drag a frame around what to ask about"),
+                .set(new PicturePointer.RegionRequest(Messages.tr("Drag a rectangle around the region to measure"),
                         part -> setRegion(Optional.of(part))));
     }
 
@@ -247,7 +248,7 @@ public final class ContributionPane extends VBox {
                 Messages.tr("Region: {0}", newRegion
                         .map(r -> Messages.tr("{0} × {1} pixels at {2}, {3}", r.right() - r.left(), r.bottom() - r.top(), r.left(),
                                 r.top()))
-                        .orElse(Messages.tr("the whole picture"))));
+                        .orElse(Messages.tr("whole frame"))));
         restart();
     }
 
@@ -279,21 +280,21 @@ public final class ContributionPane extends VBox {
     private void switchOff() {
         Frame frame = picture.frame();
         if (shown == null || frame == null || !editor.scene().rig().equals(shownScene.rig())) {
-            editor.message().show(Messages.tr("The scene was edited since; press Go first"));
+            editor.message().show(Messages.tr("The image is out of date; render first (F5)"));
             return;
         }
         List<String> idle = shown.idleLights();
         if (editor.editOrReport(scene -> EditOutcome.of(() -> LightContributions.switchOff(scene, idle))).isEmpty()) {
             pendingComparison = new Comparison(editor.scene(), frame.film(), idle.size());
-            comparisonLabel.setText(Messages.tr("Switched off; comparing the new picture …"));
-            switchOffReason.set(Optional.of(Messages.tr("it is being compared")));
+            comparisonLabel.setText(Messages.tr("Switched off; comparing images …"));
+            switchOffReason.set(Optional.of(Messages.tr("comparison in progress")));
             if (!editor.liveProperty().get()) {
                 editor.go();
             }
         }
     }
 
-    /** Holds the picture after lights were switched off against the one before. */
+    /** Compares the picture with the one before the lights were switched off. */
     private void compare(Frame frame) {
         Comparison comparison = pendingComparison;
         if (comparison == null) {
@@ -311,11 +312,11 @@ public final class ContributionPane extends VBox {
 
     static String comparisonText(int lights, LightContribution.FilmChange change) {
         String prefix = Messages.count(lights, "Switched off 1 light: ", "Switched off {0} lights: ", lights);
-        return prefix + (change.isNone() ? Messages.tr("the new picture is equal to the old one in every bit.")
+        return prefix + (change.isNone() ? Messages.tr("the new image is bit-identical to the old one.")
                 : change.isInvisible() ? String.format(Messages.locale(),
-                        Messages.tr("every pixel is displayed as before; %,d linear values differ, by %.2e at most."),
+                        Messages.tr("no displayed pixel changed; %,d linear values differ by at most %.2e."),
                         change.changedValues(),
                         change.maxDifference())
-                : String.format(Messages.locale(), Messages.tr("%,d pixels are displayed in another color."), change.changedPixels()));
+                : String.format(Messages.locale(), Messages.tr("%,d displayed pixels changed."), change.changedPixels()));
     }
 }

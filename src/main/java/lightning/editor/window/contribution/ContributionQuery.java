@@ -11,8 +11,8 @@ import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 
 /**
- * Answers questions about the picture on a thread of its own, which exists from the first question until the pane closes; a newer question
- * stops an older. Belongs to the window's thread.
+ * Runs queries about the picture on a thread of its own, which exists from the first query until the pane closes. A new query cancels the
+ * previous one. Confined to the window's thread.
  */
 final class ContributionQuery implements AutoCloseable {
     private final Executor windowExecutor;
@@ -22,8 +22,10 @@ final class ContributionQuery implements AutoCloseable {
     private final AtomicReference<Object> latest = new AtomicReference<>();
 
     /**
-     * @param windowExecutor runs tasks in turn on the window's thread
-     * @param name   of the thread
+     * Creates an instance without a thread.
+     *
+     * @param windowExecutor runs tasks in order on the window's thread
+     * @param name name of the thread
      */
     ContributionQuery(Executor windowExecutor, String name) {
         this.windowExecutor = windowExecutor;
@@ -31,11 +33,11 @@ final class ContributionQuery implements AutoCloseable {
     }
 
     /**
-     * Asks.
+     * Starts a query.
      *
-     * @param query stops where its progress asks for it; empty where there is none
-     * @param onResult  on the window's thread, unless a newer question came
-     * @param onFailure likewise, where it failed
+     * @param query stops when its progress requests it; empty if there is no result
+     * @param onResult receives the result on the window's thread, unless a newer query was started
+     * @param onFailure receives a failure on the window's thread, unless a newer query was started
      */
     <T> void submit(Function<Progress, Optional<T>> query, Consumer<T> onResult, Consumer<Throwable> onFailure) {
         var token = new Object();
@@ -51,7 +53,7 @@ final class ContributionQuery implements AutoCloseable {
             try {
                 query.apply(progress).ifPresent(result -> deliver(token, () -> onResult.accept(result)));
             } catch (CancellationException e) {
-                // A newer question is asked.
+                // A newer query is running.
             } catch (RuntimeException | OutOfMemoryError e) {
                 deliver(token, () -> onFailure.accept(e));
             }
@@ -66,12 +68,12 @@ final class ContributionQuery implements AutoCloseable {
         });
     }
 
-    /** Stops what is being asked. */
+    /** Cancels the current query. */
     void cancel() {
         latest.set(new Object());
     }
 
-    /** Stops what is being asked and ends the thread; a later question starts another. */
+    /** Cancels the current query and ends the thread; a later query starts another. */
     @Override
     public void close() {
         cancel();

@@ -1,4 +1,2 @@
-/**
- * Which lights matter to the picture, to a part of it, and to a pixel.
- */
+/** Contribution of each light to the picture, to a region and to a pixel. */
 package lightning.editor.window.contribution;

@@ -20,7 +20,7 @@ import lightning.render.image.ViewTransform;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
-/** A cue in the gallery: its picture, its name, and what can be done with it. */
+/** Card of a look in the gallery: thumbnail, name and actions. */
 final class CueCard extends VBox {
     private static final int WIDTH = 176;
     private static final int HEIGHT = 99;
@@ -29,7 +29,7 @@ final class CueCard extends VBox {
     private final ToggleButton a = new ToggleButton("A");
     private final ToggleButton b = new ToggleButton("B");
 
-    /** What a card asks for. */
+    /** Actions of a card. */
     interface Callbacks {
         void restore(Cue cue);
 
@@ -42,7 +42,11 @@ final class CueCard extends VBox {
         void chooseB(Cue cue);
     }
 
-    /** @param thumbnail the cue's picture as {@link #thumbnail} makes it; null for none */
+    /**
+     * Creates a card.
+     *
+     * @param thumbnail thumbnail from {@link #thumbnail}; null if there is none
+     */
     CueCard(Cue cue, CueThumbnail thumbnail, Callbacks callbacks) {
         setId("cue-" + cue.name());
         getStyleClass().add("cue-card");
@@ -57,7 +61,7 @@ final class CueCard extends VBox {
         }
         name.setId("cue-name-" + cue.name());
         name.setText(cue.name());
-        name.setAccessibleText(Messages.tr("name of the cue {0}", cue.name()));
+        name.setAccessibleText(Messages.tr("name of look {0}", cue.name()));
         name.setOnAction(_ -> callbacks.rename(cue, name.getText().strip()));
         name.addEventHandler(KeyEvent.KEY_PRESSED, e -> {
             if (e.getCode() == KeyCode.ESCAPE && !name.getText().equals(cue.name())) {
@@ -70,21 +74,21 @@ final class CueCard extends VBox {
                 name.setText(cue.name());
             }
         });
-        var restore = new Button(Messages.tr("Restore"));
+        var restore = new Button(Messages.tr("Apply"));
         restore.setId("cue-restore-" + cue.name());
-        restore.setTooltip(new Tooltip(Messages.tr("Light the scene so; can be undone")));
+        restore.setTooltip(new Tooltip(Messages.tr("Apply this look to the scene")));
         restore.setOnAction(_ -> callbacks.restore(cue));
         a.setId("cue-a-" + cue.name());
-        a.setTooltip(new Tooltip(Messages.tr("Compare and blend from this cue")));
+        a.setTooltip(new Tooltip(Messages.tr("Use this look as A")));
         a.setAccessibleText(Messages.tr("{0} as A", cue.name()));
         a.setOnAction(_ -> callbacks.chooseA(cue));
         b.setId("cue-b-" + cue.name());
-        b.setTooltip(new Tooltip(Messages.tr("Compare with and blend to this cue")));
+        b.setTooltip(new Tooltip(Messages.tr("Use this look as B")));
         b.setAccessibleText(Messages.tr("{0} as B", cue.name()));
         b.setOnAction(_ -> callbacks.chooseB(cue));
         var remove = new Button("", new FontIcon(MaterialDesignT.TRASH_CAN_OUTLINE));
         remove.setId("cue-remove-" + cue.name());
-        remove.setAccessibleText(Messages.tr("remove the cue {0}", cue.name()));
+        remove.setAccessibleText(Messages.tr("remove look {0}", cue.name()));
         remove.setTooltip(new Tooltip(Messages.tr("Remove")));
         remove.setOnAction(_ -> callbacks.remove(cue));
         for (var control : new ButtonBase[] {restore, a, b}) {
@@ -103,12 +107,12 @@ final class CueCard extends VBox {
         }
     }
 
-    /** A cue's picture as large as a card has it. */
+    /** Thumbnail of a look at the size of a card: {@code int[width * height]}, opaque. */
     record CueThumbnail(int width, int height, int[] pixels) {
-        // An array in a record: written once by its maker, never after.
+        // Immutable by convention: the array is written only before construction.
     }
 
-    /** Each pixel is the one of the picture in its middle. */
+    /** Downscales a film by nearest-neighbor sampling at pixel centers. */
     static CueThumbnail thumbnail(Film film) {
         double shrink = Math.max(1, Math.max((double) film.width() / WIDTH, (double) film.height() / HEIGHT));
         int width = (int) Math.max(1, film.width() / shrink);

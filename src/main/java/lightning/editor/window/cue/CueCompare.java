@@ -18,13 +18,13 @@ import lightning.render.image.DifferenceImage;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** The pictures of two cues: A over the left part of B, one or the other, or where they differ. */
+/** Comparison of two looks' pictures: A over the left part of B, one at a time, or their difference. */
 final class CueCompare extends BorderPane {
-    /** How they are seen. */
+    /** Mode of the comparison. */
     enum CompareMode {
-        WIPE(Messages.key("Wipe"), Messages.key("A at the left, B at the right; drag in the picture")),
-        FLIP(Messages.key("Flip"), Messages.key("One picture at a time; a click in the picture shows the other")),
-        DIFFERENCE(Messages.key("Difference"), Messages.key("Where they differ, and how much: black where they are equal"));
+        WIPE(Messages.key("Wipe"), Messages.key("A on the left, B on the right; drag to wipe")),
+        FLIP(Messages.key("Flip"), Messages.key("Shows one image at a time; click to switch")),
+        DIFFERENCE(Messages.key("Difference"), Messages.key("Absolute difference (black: identical)"));
 
         private final String title;
         private final String help;
@@ -86,7 +86,7 @@ final class CueCompare extends BorderPane {
         }
     }
 
-    /** Compares the pictures of two cues; that of one alone is shown. */
+    /** Compares the pictures of two looks; shows the picture if only one is given. */
     void show(Optional<Cue> first, Optional<Cue> second) {
         a = first;
         b = second;
@@ -99,7 +99,7 @@ final class CueCompare extends BorderPane {
         Optional<Film> left = a.flatMap(Cue::picture);
         Optional<Film> right = b.flatMap(Cue::picture);
         if (left.isEmpty() || right.isEmpty()) {
-            note.setText(Messages.tr("Choose two cues, A and B, to compare their pictures"));
+            note.setText(Messages.tr("Choose two looks, A and B, to compare"));
             left.or(() -> right).ifPresentOrElse(this::showFilm, picture::clear);
             return;
         }
@@ -108,7 +108,7 @@ final class CueCompare extends BorderPane {
         boolean sameSize = first.width() == second.width() && first.height() == second.height();
         note.setText(
                 sameSize ? ""
-                        : Messages.tr("The pictures differ in size: {0} × {1} and {2} × {3}", first.width(), first.height(), second.width(),
+                        : Messages.tr("The images differ in size: {0} × {1} and {2} × {3}", first.width(), first.height(), second.width(),
                                 second.height()));
         switch (mode) {
             case WIPE -> {
@@ -125,8 +125,8 @@ final class CueCompare extends BorderPane {
             case DIFFERENCE -> {
                 if (sameSize) {
                     showFilm(DifferenceImage.of(first, second));
-                    note.setText(Difference.of(first, second).isNone() ? Messages.tr("The pictures are equal")
-                            : Messages.tr("Black is equal, pale differs most"));
+                    note.setText(Difference.of(first, second).isNone() ? Messages.tr("The images are identical")
+                            : Messages.tr("Black: identical; bright: largest difference"));
                 } else {
                     showFilm(second);
                 }

@@ -40,7 +40,7 @@ import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 import lightning.scene.Stage;
 
-/** The cues of the open scene: keeps how it is lit with its picture, restores, compares and blends. */
+/** Gallery of the open scene's saved looks (cues): saves, applies, compares and blends them. */
 public final class CuePane extends VBox {
     private static final double PERCENT = 100;
 
@@ -51,7 +51,7 @@ public final class CuePane extends VBox {
     private final DisabledReason saveReason;
     private final FlowPane gallery = new FlowPane();
     private final Label message = new Label();
-    private final Button restoreButton = new Button(Messages.tr("Bring Back"));
+    private final Button restoreButton = new Button(Messages.tr("Undo Remove"));
     private final CueCompare compare = new CueCompare();
     private final Slider blend = new Slider(0, PERCENT, 0);
     private final DisabledReason blendReason;
@@ -64,7 +64,7 @@ public final class CuePane extends VBox {
     private Object gesture;
     private boolean isUpdating;
 
-    /** A cue and its picture at the size of its card, or null. */
+    /** Saved look with its thumbnail, which is null if there is no picture. */
     private record CueEntry(Cue cue, CueCard.CueThumbnail thumbnail) {}
 
     public CuePane(SceneEditor editor, TracedPicture picture, FileThread files) {
@@ -74,9 +74,9 @@ public final class CuePane extends VBox {
         setId("cues");
         getStyleClass().add("cues");
         name.setId("cue-new-name");
-        name.setPromptText(Messages.tr("Name of a new cue"));
-        name.setAccessibleText(Messages.tr("name of a new cue"));
-        var saveButton = new Button(Messages.tr("Keep Cue"));
+        name.setPromptText(Messages.tr("Look name"));
+        name.setAccessibleText(Messages.tr("look name"));
+        var saveButton = new Button(Messages.tr("Save Look"));
         saveButton.setId("cue-keep");
         saveButton.getStyleClass().add("accent");
         saveButton.setOnAction(_ -> saveCue());
@@ -84,7 +84,7 @@ public final class CuePane extends VBox {
         name.setOnAction(_ -> saveButton.fire());
         var saveBox = new StackPane(saveButton);
         saveReason = new DisabledReason(saveBox, saveButton,
-                Messages.tr("Keep how the scene is lit now, with its picture, in a folder beside the scene"));
+                Messages.tr("Save the lighting and a thumbnail in the scene's folder"));
         message.setId("cue-message");
         message.getStyleClass().add("pane-note");
         message.setMaxWidth(Double.MAX_VALUE);
@@ -96,8 +96,8 @@ public final class CuePane extends VBox {
         var tools = new HBox(name, saveBox, message, restoreButton);
         tools.getStyleClass().add("mixer-tools");
         blend.setId("cue-blend");
-        blend.setAccessibleText(Messages.tr("blend from A to B, per cent"));
-        blend.setTooltip(new Tooltip(Messages.tr("Light the scene between A and B; each drag is one step to undo")));
+        blend.setAccessibleText(Messages.tr("blend from A to B in percent"));
+        blend.setTooltip(new Tooltip(Messages.tr("Blend the lighting from A to B")));
         blend.setOnMousePressed(_ -> gesture = new Object());
         blend.setOnMouseReleased(_ -> gesture = null);
         blend.valueProperty().subscribe(v -> blendTo(v.doubleValue() / PERCENT));
@@ -121,7 +121,7 @@ public final class CuePane extends VBox {
         VisibilityListener.attach(this, this::subscribe);
     }
 
-    /** Lists the cues and follows the editor. */
+    /** Lists the looks and starts to observe the editor. */
     private Subscription subscribe() {
         return Subscription.combine(editor.documentProperty().subscribe(_ -> loadCues()),
                 editor.editorStateProperty().subscribe(state -> saveReason.set(saveDisabledReason(state))),
@@ -129,8 +129,8 @@ public final class CuePane extends VBox {
     }
 
     private static Optional<String> saveDisabledReason(EditorState state) {
-        return state.animating() ? Optional.of(Messages.tr("an animation is open; close it first"))
-                : state.frame().isEmpty() ? Optional.of(Messages.tr("there is no picture yet")) : state.pendingMessage();
+        return state.animating() ? Optional.of(Messages.tr("close the open animation first"))
+                : state.frame().isEmpty() ? Optional.of(Messages.tr("nothing is rendered yet")) : state.pendingMessage();
     }
 
     private CueFolder folder() {
@@ -170,7 +170,7 @@ public final class CuePane extends VBox {
         gallery.getChildren().setAll(cards.values());
         if (cues.isEmpty()) {
             var empty = new Label(
-                    Messages.tr("No cues yet. A cue keeps how the scene is lit now, with its picture, in {0}.",
+                    Messages.tr("No looks yet. Saved looks appear here and are stored in {0}.",
                             folder().path().getFileName()));
             empty.getStyleClass().add("pane-note");
             gallery.getChildren().add(empty);
@@ -190,7 +190,7 @@ public final class CuePane extends VBox {
         cards.forEach((cueName, card) -> card.show(cueName.equals(a), cueName.equals(b)));
         compare.show(findCue(a), findCue(b));
         boolean hasBoth = lighting(a).isPresent() && lighting(b).isPresent();
-        blendReason.set(hasBoth ? Optional.empty() : Optional.of(Messages.tr("choose two cues, A and B")));
+        blendReason.set(hasBoth ? Optional.empty() : Optional.of(Messages.tr("choose two looks, A and B")));
         isUpdating = true;
         blend.setValue(0);
         percent.setText("0 %");
@@ -205,7 +205,7 @@ public final class CuePane extends VBox {
             return;
         }
         if (findCue(cueName).isPresent()) {
-            showMessage(Messages.tr("There is a cue {0} already; remove it first, or choose another name", Quote.of(cueName)));
+            showMessage(Messages.tr("The name {0} is already in use", Quote.of(cueName)));
             return;
         }
         CueFolder folder = folder();
@@ -217,7 +217,7 @@ public final class CuePane extends VBox {
             folder.save(cueName, lighting, film, view);
             return cueName;
         }, savedName -> {
-            showMessage(Messages.tr("Kept {0}", Quote.of(savedName)));
+            showMessage(Messages.tr("Saved {0}", Quote.of(savedName)));
             name.clear();
             loadCues();
         });
@@ -236,7 +236,7 @@ public final class CuePane extends VBox {
         });
     }
 
-    /** Edits the document and shows it in the traced picture. */
+    /** Applies a lighting to the document and renders it immediately. */
     private void applyLighting(Lighting lighting, Object gesture) {
         editor.edit(lighting::applyTo, gesture).ifPresentOrElse(this::showMessage, () -> {
             showMessage("");
@@ -258,7 +258,7 @@ public final class CuePane extends VBox {
         }));
     }
 
-    /** What the cards ask for. */
+    /** Handles the actions of the cards. */
     private final class CardCallbacks implements CueCard.Callbacks {
         @Override
         public void restore(Cue cue) {

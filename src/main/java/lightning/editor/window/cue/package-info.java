@@ -1,4 +1,2 @@
-/**
- * The gallery of cues: how a scene was lit, to be restored, compared and blended.
- */
+/** Gallery of saved looks (cues), which can be applied, compared and blended. */
 package lightning.editor.window.cue;

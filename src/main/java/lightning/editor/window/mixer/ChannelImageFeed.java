@@ -8,9 +8,9 @@ import lightning.editor.window.model.PaneUpdater;
 import lightning.render.image.ViewTransform;
 import lightning.render.relight.LightThumbnails;
 
-/** Makes the strips' pictures. */
+/** Computes the thumbnails of the mixer's strips. */
 final class ChannelImageFeed implements AutoCloseable {
-    /** Of a strip's picture, pixels. */
+    /** Width of a strip's thumbnail, pixels. */
     static final int WIDTH = 88;
     static final int HEIGHT = 60;
 
@@ -19,9 +19,11 @@ final class ChannelImageFeed implements AutoCloseable {
     private volatile ViewTransform view = ViewTransform.DEFAULT;
 
     /**
-     * @param viewProperty  how linear light becomes display pixels
-     * @param windowExecutor runs tasks in turn on the window's thread
-     * @param listener  on the window's thread
+     * Creates a feed without a thread.
+     *
+     * @param viewProperty view transform from linear light to display pixels
+     * @param windowExecutor runs tasks in order on the window's thread
+     * @param listener receives the thumbnails on the window's thread
      */
     ChannelImageFeed(Workbench workbench, ObjectProperty<ViewTransform> viewProperty, Executor windowExecutor,
             Consumer<ChannelImages> listener) {
@@ -30,13 +32,13 @@ final class ChannelImageFeed implements AutoCloseable {
                 .map(cache -> LightThumbnails.of(cache, WIDTH, HEIGHT)).map(shares -> ChannelImages.of(shares, view)), listener);
     }
 
-    /** The traced picture is another, or it is shown in another way. */
+    /** Computes the thumbnails again, after the traced picture or its view transform changed. */
     void refresh() {
         view = viewProperty.get().forOutput();
         feed.request();
     }
 
-    /** Ends its thread until the next look. */
+    /** Ends the thread; the next refresh starts another. */
     @Override
     public void close() {
         feed.close();

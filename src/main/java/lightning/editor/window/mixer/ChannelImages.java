@@ -11,26 +11,27 @@ import lightning.render.relight.LightThumbnails;
 import lightning.scene.Scene;
 
 /**
- * A small picture of what each channel gives to the traced picture, and how much of its light that is.
+ * Thumbnails of each channel's contribution to the traced picture, and the channels' shares of its light.
  *
- * @param scene    what the traced picture shows
- * @param images all of its channels
- * @param master    the traced picture itself
+ * @param scene scene of the traced picture
+ * @param images thumbnail of each channel
+ * @param master thumbnail of the traced picture itself
  */
 record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, ChannelImage master) {
 
     /**
-     * Of one channel.
+     * Thumbnail of one channel.
      *
-     * @param width  pixels; likewise {@code height}
+     * @param width pixels
+     * @param height pixels
      * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
-     * @param fraction   its part of the picture's mean luminance, 0…1; 0 of a black picture
+     * @param fraction share of the picture's mean luminance, 0…1; 0 for a black picture
      */
     record ChannelImage(int width, int height, int[] pixels, double fraction) {
-        // An array in a record: written once by its maker, never after.
+        // Immutable by convention: the array is written only before construction.
     }
 
-    /** Makes the pictures as the display shows light; takes a while. */
+    /** Creates the thumbnails through the view transform. Takes too long for the window's thread. */
     static ChannelImages of(LightThumbnails shares, ViewTransform view) {
         double totalBrightness = LightThumbnails.brightness(shares.image());
         Map<MixerChannel, ChannelImage> images = new HashMap<>();
@@ -55,9 +56,9 @@ record ChannelImages(Scene scene, Map<MixerChannel, ChannelImage> images, Channe
     }
 
     /**
-     * Of a channel of the scene as it is now: a light or bank that was renamed since is the one at its place.
+     * Returns the thumbnail of a channel of the current scene. A light or light group that was renamed since is matched by its index.
      *
-     * @param newScene the edited scene, which has the channel
+     * @param newScene edited scene, which contains the channel
      */
     Optional<ChannelImage> of(MixerChannel channel, Scene newScene) {
         ChannelImage image = images.get(channel);

@@ -18,7 +18,7 @@ import lightning.editor.window.widget.ColorTheme;
 import lightning.editor.window.widget.NumberSetting;
 import lightning.scene.SceneLimits;
 
-/** The color of a strip, below its chip until the mouse goes elsewhere. All strips that are selected with it get the same. */
+/** Color picker below a strip's color chip; closes when the user clicks elsewhere. Sets the color of all selected strips. */
 final class ColorPopup {
     private static final double WIDTH = 300;
 
@@ -32,7 +32,8 @@ final class ColorPopup {
         this.channel = channel;
         maxValue = channel instanceof MixerChannel.OfLightGroup ? 1 : SceneLimits.MAX_LIGHT_COLOR;
         sliders = channel instanceof MixerChannel.OfLightGroup
-                ? ColorSliders.forSurface(channel.title(), Messages.tr("The gel, a factor of its lights' colors"), 1, new Target())
+                ? ColorSliders.forSurface(channel.title(), Messages.tr("Gel: multiplies the color of every light in the group"), 1,
+                        new Target())
                 : new ColorSliders(new Target());
     }
 

@@ -12,16 +12,16 @@ import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.Region;
 
 /**
- * A fader in stops. A drag moves it, ten times finer with Shift, and Escape takes the drag back; a double click sets 0 stops; the up
- * and down keys go a tenth of a stop, a hundredth with Shift, and Page Up and Page Down one stop. At its lower end it is dark.
+ * Fader in stops. A drag moves it, ten times finer with Shift; Escape cancels the drag. A double-click sets 0 stops. The up and down keys
+ * move it by 0.1 stops, or 0.01 with Shift; Page Up and Page Down by one stop. Its lower end can mean no light.
  */
 final class Fader extends Region {
     private static final double CAP_HEIGHT = 16;
     private static final double FINE_FACTOR = 0.1;
     private static final double KEY_STEP = 0.1;
-    /** Pixels from the press: less is a hand that shakes in a double click. */
+    /** Minimum distance of a drag from the press, pixels. Ignores small movements during a double-click. */
     private static final double DRAG_THRESHOLD = 3;
-    /** Stops that a drag sets are whole hundredths. */
+    /** Resolution of a drag: hundredths of a stop. */
     private static final double STEPS_PER_STOP = 100;
 
     private final double range;
@@ -32,28 +32,35 @@ final class Fader extends Region {
     private final Region cap = new Region();
     private final DoubleProperty stops = new SimpleDoubleProperty();
     private Object gesture;
-    /** Whether the last press became a drag: a press soon after it is no double click. */
+    /** True if the last press became a drag: a press soon after it is not a double-click. */
     private boolean isDrag;
     private double pressedY;
     private double startStops;
     private double dragStops;
     private double lastY;
 
-    /** What the fader moves. */
+    /** Receives the fader's values. */
     interface Callbacks {
-        /** @param gesture a new object for each drag; null for a step of its own */
+        /**
+         * Sets a value.
+         *
+         * @param stops value in stops
+         * @param gesture one object for all moves of a drag; null for a single step
+         */
         void move(double stops, Object gesture);
 
-        /** A drag begins, of which the next moves with this gesture are. */
+        /** Starts a drag; the next moves with a gesture belong to it. */
         void startDrag();
 
-        /** The drag is over. */
+        /** Ends the drag. */
         void endDrag();
     }
 
     /**
-     * @param range   stops up and down from 0
-     * @param canTurnOff whether the lower end is no light at all
+     * Creates a fader at 0 stops.
+     *
+     * @param range maximum distance from 0 in both directions, stops
+     * @param canTurnOff true if the lower end means no light
      */
     Fader(String title, double range, boolean canTurnOff, Callbacks callbacks) {
         this.range = range;
@@ -76,17 +83,17 @@ final class Fader extends Region {
         stops.subscribe(_ -> requestLayout());
     }
 
-    /** Shows a value; −∞ is dark. */
+    /** Shows a value in stops; −∞ for no light. */
     void show(double v) {
         stops.set(v);
     }
 
-    /** What is shown, stops. */
+    /** Returns the shown value, stops. */
     double stops() {
         return stops.get();
     }
 
-    /** Where the middle of the cap is for so many stops, pixels from the top. */
+    /** Returns the center of the cap for a value in stops, pixels from the top. */
     double capY(double v) {
         double fraction = (Math.clamp(v, -range, range) + range) / (2 * range);
         return CAP_HEIGHT / 2 + (1 - fraction) * (getHeight() - CAP_HEIGHT);

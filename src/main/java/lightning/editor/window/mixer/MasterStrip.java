@@ -10,10 +10,7 @@ import lightning.editor.document.StepRange;
 import lightning.editor.window.widget.NumberField;
 import lightning.editor.window.widget.NumberSetting;
 
-/**
- * Makes all that shines brighter or darker. The scene keeps it in the lights' own intensities, so that the fader stands at 0 again
- * when it is let go.
- */
+/** Master fader for all lights and the environment. Changes the lights' own intensities, so the fader returns to 0 when it is released. */
 final class MasterStrip extends VBox {
     private static final double RANGE = 5;
 
@@ -32,10 +29,10 @@ final class MasterStrip extends VBox {
         fader.setId("fader-master");
         stops = new NumberField(Messages.tr("master stops"), NumberSetting.of("stops", new StepRange(0.1, -100, 100), model::setMaster));
         stops.setId("stops-master");
-        stops.setTooltip(new Tooltip(Messages.tr("Stops to add to all lights and the environment")));
+        stops.setTooltip(new Tooltip(Messages.tr("Exposure offset for all lights and the environment, in stops")));
         stops.show(0);
         VBox.setVgrow(fader, Priority.ALWAYS);
-        var note = new Label(Messages.tr("stops, all lights"));
+        var note = new Label(Messages.tr("master (stops)"));
         note.getStyleClass().add("part");
         getChildren().addAll(name, thumbnail, fader, stops, note);
     }

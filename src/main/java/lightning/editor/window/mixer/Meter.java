@@ -2,7 +2,7 @@ package lightning.editor.window.mixer;
 
 import javafx.scene.layout.Region;
 
-/** A bar that is as high as a strip's part of the picture's light. */
+/** Level meter of a strip's share of the picture's light. */
 final class Meter extends Region {
     private static final double WIDTH = 6;
 
@@ -19,7 +19,11 @@ final class Meter extends Region {
         setMouseTransparent(true);
     }
 
-    /** @param v 0…1 */
+    /**
+     * Shows a share.
+     *
+     * @param v share, 0…1
+     */
     void show(double v) {
         level = v;
         requestLayout();

@@ -20,15 +20,15 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * What the strips of the mixer have in common: which are selected, whether an edit of several is relative, and the edits. An
- * edit is shown in the traced picture at once, with or without Live.
+ * Shared state of the mixer's strips: the selection, the relative mode, and the edits. An edit is rendered immediately, with or without
+ * Live.
  */
 final class MixerModel {
     private final SceneEditor editor;
     private final BooleanProperty relative = new SimpleBooleanProperty(true);
     private final ReadOnlyObjectWrapper<Set<MixerChannel>> selected = new ReadOnlyObjectWrapper<>(Set.of());
     private MixerChannel anchor;
-    /** The scene before the drag that goes on; null while none does. */
+    /** Scene before the current drag; null without a drag. */
     private Scene sceneBeforeDrag;
 
     MixerModel(SceneEditor editor) {
@@ -39,7 +39,7 @@ final class MixerModel {
         return editor;
     }
 
-    /** Whether an edit of several strips keeps their ratios; else all get the same value. */
+    /** Returns the relative mode: true keeps the ratios of several selected strips, false sets them to the same value. */
     BooleanProperty relativeProperty() {
         return relative;
     }
@@ -52,13 +52,13 @@ final class MixerModel {
         return selected.get().contains(channel);
     }
 
-    /** Selects one alone; in the editor too, where it is a light. */
+    /** Selects one channel only; a light also becomes the editor's selection. */
     void select(MixerChannel channel) {
         anchor = channel;
         setSelected(List.of(channel));
     }
 
-    /** Adds one to those that are selected, or takes it from them. */
+    /** Adds a channel to the selection, or removes it. */
     void toggle(MixerChannel channel) {
         Set<MixerChannel> channels = new LinkedHashSet<>(selected.get());
         if (!channels.remove(channel)) {
@@ -68,14 +68,14 @@ final class MixerModel {
         setSelected(channels);
     }
 
-    /** Selects all from the one selected last to this one. */
+    /** Selects the range from the last selected channel to this one. */
     void selectRange(MixerChannel channel, List<MixerChannel> shown) {
         int from = Math.max(0, shown.indexOf(anchor));
         int to = shown.indexOf(channel);
         setSelected(shown.subList(Math.min(from, to), Math.max(from, to) + 1));
     }
 
-    /** Selects these alone. */
+    /** Replaces the selection. */
     void setSelected(Iterable<MixerChannel> channels) {
         Set<MixerChannel> newSelection = new LinkedHashSet<>();
         channels.forEach(newSelection::add);
@@ -85,14 +85,17 @@ final class MixerModel {
         }
     }
 
-    /** Another light is selected in the editor: it alone here too, unless several are. */
+    /** Follows the editor's light selection, unless several strips are selected. */
     void followSelection(Light light) {
         if (selected.get().size() <= 1) {
             selected.set(Set.of(new MixerChannel.OfLight(light.name())));
         }
     }
 
-    /** Those that an edit of a strip's is of: all selected ones where it is among them; else it is selected alone. */
+    /**
+     * Returns the channels that an edit of a strip changes: the whole selection if it contains the strip. Otherwise selects the strip
+     * alone.
+     */
     private Set<MixerChannel> editedChannels(MixerChannel channel) {
         if (!isSelected(channel)) {
             select(channel);
@@ -100,13 +103,13 @@ final class MixerModel {
         return selected.get();
     }
 
-    /** A drag begins: relative edits go from what is there now. */
+    /** Starts a drag of a strip: relative edits refer to the current scene. */
     void beginDrag(MixerChannel channel) {
         editedChannels(channel);
         sceneBeforeDrag = editor.scene();
     }
 
-    /** As {@link #beginDrag(MixerChannel)}, of all. */
+    /** Starts a drag of the master; see {@link #beginDrag(MixerChannel)}. */
     void beginDrag() {
         sceneBeforeDrag = editor.scene();
     }
@@ -119,35 +122,35 @@ final class MixerModel {
         return sceneBeforeDrag == null ? editor.scene() : sceneBeforeDrag;
     }
 
-    /** Sets the intensity of a strip, and that of the others selected with it: relative or the same. */
+    /** Sets the intensity of a strip and of those selected with it, relative or absolute. */
     Optional<String> setIntensity(MixerChannel channel, double intensity, Object gesture) {
         Set<MixerChannel> channels = editedChannels(channel);
-        Scene from = baseScene();
-        double oldIntensity = channel.intensity(from);
+        Scene startScene = baseScene();
+        double oldIntensity = channel.intensity(startScene);
         if (!relative.get() || channels.size() == 1) {
             return edit(scene -> MixerEdits.setIntensity(scene, channels, intensity), gesture);
         }
         if (oldIntensity == 0) {
             return report(
-                    Optional.of(Messages.tr("{0} is dark, and no factor makes it brighter: choose Absolute, or begin at another strip",
+                    Optional.of(Messages.tr("{0} is at 0, so it cannot be scaled. Choose Absolute, or drag another strip",
                             channel.title())));
         }
-        return edit(scene -> MixerEdits.scaleIntensity(scene, from, channels, intensity / oldIntensity), gesture);
+        return edit(scene -> MixerEdits.scaleIntensity(scene, startScene, channels, intensity / oldIntensity), gesture);
     }
 
-    /** Makes everything brighter by so many stops. */
+    /** Makes all lights and the environment brighter by a number of stops. */
     Optional<String> setMaster(double stops, Object gesture) {
-        Scene from = baseScene();
-        return edit(scene -> MixerEdits.scaleAll(scene, from, Math.pow(2, stops)), gesture);
+        Scene startScene = baseScene();
+        return edit(scene -> MixerEdits.scaleAll(scene, startScene, Math.pow(2, stops)), gesture);
     }
 
-    /** Any edit of a strip and of the others selected with it. */
+    /** Edits a strip and those selected with it. */
     Optional<String> editSelected(MixerChannel channel, BiFunction<Scene, MixerChannel, Scene> edit, Object gesture) {
         Set<MixerChannel> channels = editedChannels(channel);
         return edit(scene -> MixerEdits.editEach(scene, channels, edit), gesture);
     }
 
-    /** Any edit; it is in the traced picture as soon as that can be. */
+    /** Applies an edit and renders it immediately. */
     Optional<String> edit(Function<Scene, EditOutcome> edit, Object gesture) {
         Optional<String> refusal = editor.editOrReport(edit, gesture);
         if (refusal.isEmpty()) {
@@ -156,7 +159,7 @@ final class MixerModel {
         return refusal;
     }
 
-    /** Says why a text is no value; nothing for an empty reason. */
+    /** Shows why an input is invalid; does nothing for an empty reason. */
     void reportRefusal(String refusal) {
         report(Optional.of(refusal).filter(reason -> !reason.isEmpty()));
     }

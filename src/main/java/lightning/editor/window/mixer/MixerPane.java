@@ -33,8 +33,8 @@ import lightning.editor.window.widget.VisibilityListener;
 import lightning.scene.Scene;
 
 /**
- * The light mixer: a strip for each light, each bank and the environment, in the order of the scene, and a master. A click on a strip's
- * head selects it, with Ctrl more, with Shift all between; a drag of the head puts the light to another place.
+ * Light mixer: a strip for each light, each light group and the environment, in the order of the scene, and a master. A click on a strip's
+ * header selects it; Ctrl adds to the selection, Shift selects a range. Dragging the header reorders the lights.
  */
 public final class MixerPane extends VBox {
     private final SceneEditor editor;
@@ -42,7 +42,7 @@ public final class MixerPane extends VBox {
     private final Executor windowExecutor;
     private final MixerModel model;
     private final ChannelImageFeed feed;
-    /** In the order of the scene; those that are still to be made have no strip. */
+    /** Channels in the order of the scene. Their strips may not be created yet. */
     private List<MixerChannel> channels = List.of();
     private final Map<MixerChannel, MixerStrip> strips = new HashMap<>();
     private final TimeSlicedTask stripBuilder = new TimeSlicedTask(this::buildNextStrip);
@@ -54,7 +54,11 @@ public final class MixerPane extends VBox {
     private ChannelImages images;
     private Frame lastFrame;
 
-    /** @param windowExecutor runs tasks in turn on the window's thread */
+    /**
+     * Creates the pane without strips.
+     *
+     * @param windowExecutor runs tasks in order on the window's thread
+     */
     public MixerPane(SceneEditor editor, TracedPicture picture, Workbench workbench, Executor windowExecutor) {
         this.editor = editor;
         this.picture = picture;
@@ -79,9 +83,9 @@ public final class MixerPane extends VBox {
         VisibilityListener.attach(this, this::subscribe);
     }
 
-    /** Follows the scene and the picture. */
+    /** Starts to observe the scene and the picture. */
     private Subscription subscribe() {
-        // The keyboard is at a fader, and not in the search; what scrolls is in the window only when that has its looks.
+        // Focuses a fader rather than the search field. Deferred, because the scroll pane adds its content only when it is styled.
         windowExecutor.execute(() -> shownStrips().stream().findFirst().ifPresent(strip -> strip.fader().requestFocus()));
         return Subscription.combine(editor.sceneProperty().subscribe(this::show),
                 picture.renderStateProperty().subscribe(state -> updateFrame(state.frame())),
@@ -96,16 +100,16 @@ public final class MixerPane extends VBox {
     private Node toolBar() {
         search.setId("mixer-search");
         search.setPromptText(Messages.tr("Search"));
-        search.setAccessibleText(Messages.tr("search strips by name or type"));
+        search.setAccessibleText(Messages.tr("search lights by name or type"));
         search.textProperty().subscribe(_ -> updateStrips());
         filter.setId("mixer-filter");
-        filter.setAccessibleText(Messages.tr("which strips are shown"));
+        filter.setAccessibleText(Messages.tr("filter strips"));
         filter.getItems().setAll(StripFilter.values());
         filter.setValue(StripFilter.ALL);
         filter.valueProperty().subscribe(_ -> updateStrips());
         var mode = new ToggleGroup();
-        var relative = toggle("relative", Messages.tr("Relative"), Messages.tr("Several strips change by the same factor"), mode);
-        var absolute = toggle("absolute", Messages.tr("Absolute"), Messages.tr("Several strips get the same value"), mode);
+        var relative = toggle("relative", Messages.tr("Relative"), Messages.tr("Scale all selected strips by the same factor"), mode);
+        var absolute = toggle("absolute", Messages.tr("Absolute"), Messages.tr("Set all selected strips to the same value"), mode);
         relative.setSelected(true);
         mode.selectedToggleProperty().addListener((_, before, now) -> {
             if (now == null) {
@@ -163,7 +167,9 @@ public final class MixerPane extends VBox {
         stripBuilder.start();
     }
 
-    /** Makes the strip of the first channel that has none: with many lights all together would hold up the window. */
+    /**
+     * Creates the strip of the first channel without one. Creating all strips together would block the window for scenes with many lights.
+     */
     private boolean buildNextStrip() {
         Optional<MixerChannel> next = channels.stream().filter(channel -> !strips.containsKey(channel)).findFirst();
         next.ifPresent(channel -> {
@@ -198,7 +204,7 @@ public final class MixerPane extends VBox {
         strips.forEach((channel, strip) -> strip.setSelected(model.isSelected(channel)));
     }
 
-    /** The strips that are seen, from the left. */
+    /** Returns the visible strips from left to right. */
     private List<MixerStrip> shownStrips() {
         return row.getChildren().stream().map(MixerStrip.class::cast).toList();
     }
@@ -215,7 +221,7 @@ public final class MixerPane extends VBox {
         count.setText(found.size() == channels.size() ? "" : Messages.tr("{0} of {1} strips", found.size(), channels.size()));
     }
 
-    /** A strip that is put in again would take on its looks anew. */
+    /** Changes only the strips that differ: a strip that is removed and added again would be styled again. */
     private void setStrips(List<MixerStrip> visible) {
         List<Node> children = row.getChildren();
         children.retainAll(visible);

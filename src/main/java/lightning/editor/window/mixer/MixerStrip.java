@@ -26,9 +26,9 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignI;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignT;
 
-/** One strip of the board: a light, a bank or the environment, with its picture, its part, its fader and its switches. */
+/** Strip of the mixer for a light, a light group or the environment: thumbnail, share, fader and switches. */
 final class MixerStrip extends VBox {
-    /** Stops up and down that a fader goes; numbers go farther. */
+    /** Range of the fader in both directions, stops. The number field accepts larger values. */
     private static final double FADER_RANGE = 10;
     private static final double MIN_STOPS = -1000;
     private static final PseudoClass SELECTED = PseudoClass.getPseudoClass("chosen");
@@ -59,7 +59,7 @@ final class MixerStrip extends VBox {
         getStyleClass().add("strip");
         thumbnail = new Thumbnail(id);
         name.setText(id);
-        // Names of one kind differ at their ends.
+        // Similar names often differ only at their ends.
         name.setTextOverrun(OverrunStyle.CENTER_ELLIPSIS);
         name.setWrapText(true);
         name.setTooltip(new Tooltip(id));
@@ -76,7 +76,7 @@ final class MixerStrip extends VBox {
                         (v, gesture) -> setIntensity(MixerEdits.intensityOfStops(v), gesture)));
         stops.setId("stops-" + id);
         var stopsRow = row(Messages.tr("stops"), stops);
-        stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Stops: 0 is intensity 1, one more is twice the light"));
+        stopsReason = new DisabledReason(stopsRow, stops, Messages.tr("Intensity in stops (0 = intensity 1, +1 = twice as bright)"));
         intensity = new NumberField(Messages.tr("{0} intensity", id),
                 NumberSetting.of("intensity", new StepRange(0.1, 0, channel.maxIntensity()), this::setIntensity));
         intensity.setId("intensity-" + id);
@@ -85,12 +85,12 @@ final class MixerStrip extends VBox {
         intensity.setTooltip(new Tooltip(Messages.tr("Intensity")));
         solo.setId("solo-" + id);
         solo.setAccessibleText(Messages.tr("{0} solo", id));
-        solo.setTooltip(new Tooltip(Messages.tr("Solo: only lights that are solo shine")));
+        solo.setTooltip(new Tooltip(Messages.tr("Solo")));
         solo.getStyleClass().add("solo");
         solo.setOnAction(_ -> toggleSolo());
         mute.setId("mute-" + id);
         mute.setAccessibleText(Messages.tr("{0} mute", id));
-        mute.setTooltip(new Tooltip(Messages.tr("Mute: switch it off")));
+        mute.setTooltip(new Tooltip(Messages.tr("Mute")));
         mute.getStyleClass().add("mute");
         mute.setOnAction(_ -> toggleMute());
         color.setId("color-" + id);
@@ -120,7 +120,7 @@ final class MixerStrip extends VBox {
         return row;
     }
 
-    /** The fader, by the mouse and the keys. */
+    /** Applies the fader's values. */
     private final class FaderCallbacks implements Fader.Callbacks {
         @Override
         public void startDrag() {
@@ -162,12 +162,12 @@ final class MixerStrip extends VBox {
         return channel;
     }
 
-    /** What takes the mouse for selecting and dragging. */
+    /** Returns the header, which handles selection and dragging. */
     HBox head() {
         return head;
     }
 
-    /** Shows what the channel is in a scene. */
+    /** Shows the channel's state in a scene. */
     void show(Scene scene) {
         Ikon icon = switch (channel) {
             case MixerChannel.OfLight(String light) -> LightTypes.icon(scene.light(light).orElseThrow().type());
@@ -205,7 +205,7 @@ final class MixerStrip extends VBox {
         pseudoClassStateChanged(SELECTED, on);
     }
 
-    /** Whether a strip that is dragged would come before this one. */
+    /** Marks the strip as the one before which a dragged strip would be dropped. */
     void setDropTarget(boolean on) {
         pseudoClassStateChanged(DROP_TARGET, on);
     }

@@ -11,9 +11,9 @@ import lightning.editor.document.MixerChannel;
 import lightning.editor.document.MixerEdits;
 import lightning.scene.Scene;
 
-/** The mouse on the heads of strips: a click selects, a drag puts a light to another place of the scene's order. */
+/** Mouse handler of the strips' headers: a click selects, a drag reorders the lights of the scene. */
 final class StripDrag {
-    /** A hand that clicks moves a little, pixels. */
+    /** Maximum movement of a click, pixels. */
     private static final double CLICK_TOLERANCE = 5;
 
     private final MixerModel model;
@@ -22,7 +22,11 @@ final class StripDrag {
     private double pressX;
     private boolean dragging;
 
-    /** @param shownStrips the strips that are seen, from the left */
+    /**
+     * Creates the handler.
+     *
+     * @param shownStrips returns the visible strips from left to right
+     */
     StripDrag(MixerModel model, Supplier<List<MixerStrip>> shownStrips) {
         this.model = model;
         this.shownStrips = shownStrips;
@@ -59,12 +63,12 @@ final class StripDrag {
         }
     }
 
-    /** The strip that a dragged one would come before; empty at the end. */
+    /** Returns the strip before which a dragged one would be dropped; empty at the end. */
     private Optional<MixerStrip> nextStrip(double x) {
         return shownStrips.get().stream().filter(s -> s.localToScene(s.getBoundsInLocal()).getCenterX() > x).findFirst();
     }
 
-    /** Where it would be dropped: a bank comes before a bank, or behind all. */
+    /** Returns the drop target. A light group can be dropped only before a light group or at the end. */
     private Optional<MixerStrip> dropTarget(MixerChannel dragged, double x) {
         return dragged instanceof MixerChannel.OfLightGroup
                 ? shownStrips.get().stream().filter(s -> s.channel() instanceof MixerChannel.OfLightGroup)
@@ -108,7 +112,7 @@ final class StripDrag {
         }
         List<MixerStrip> strips = shownStrips.get();
         int index = next.map(strips::indexOf).orElse(strips.size());
-        // Behind the last strip before that is of a light or a bank.
+        // Drop after the last preceding strip of a light or light group.
         for (int i = index - 1; i >= 0; i--) {
             switch (strips.get(i).channel()) {
                 case MixerChannel.OfLight(String name) -> {
@@ -118,7 +122,7 @@ final class StripDrag {
                     return MixerEdits.moveToEnd(scene, light, bank);
                 }
                 case MixerChannel.OfEnvironment _ -> {
-                    // It stands behind all lights.
+                    // The environment's strip is after all lights.
                 }
             }
         }

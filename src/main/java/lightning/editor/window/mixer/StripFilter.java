@@ -7,11 +7,11 @@ import lightning.editor.window.widget.LightTypes;
 import lightning.scene.Light;
 import lightning.scene.Scene;
 
-/** Which strips of the board are seen. */
+/** Filter of the mixer's strips. */
 enum StripFilter {
-    ALL(Messages.key("All")), SHINING(Messages.key("Shining")), DARK(Messages.key("Dark")), SOLO(Messages.key("Solo")),
+    ALL(Messages.key("All")), SHINING(Messages.key("Active")), DARK(Messages.key("Inactive")), SOLO(Messages.key("Solo")),
     MUTED(Messages.key("Muted")),
-    LIGHT_GROUPS(Messages.key("Banks"));
+    LIGHT_GROUPS(Messages.key("Light groups"));
 
     private final String title;
 
@@ -35,11 +35,11 @@ enum StripFilter {
         };
     }
 
-    /** Whether a strip's name, its bank's or its type has the words. */
+    /** Returns true if a strip's name, light group and type contain all words of the query, ignoring case. */
     static boolean matches(String query, MixerChannel channel, Scene scene) {
         String title = channel.title() + switch (channel) {
             case MixerChannel.OfLight(String name) -> scene.light(name).map(StripFilter::searchText).orElse("");
-            case MixerChannel.OfLightGroup _ -> Messages.tr(" bank");
+            case MixerChannel.OfLightGroup _ -> Messages.tr(" light group");
             case MixerChannel.OfEnvironment _ -> "";
         };
         String text = title.toLowerCase(Locale.ROOT);

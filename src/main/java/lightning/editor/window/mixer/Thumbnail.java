@@ -9,7 +9,7 @@ import javafx.scene.layout.VBox;
 import lightning.editor.window.widget.PercentText;
 import lightning.editor.window.widget.PixelImage;
 
-/** What a strip gives to the picture: the picture of it, and its part in per cent. */
+/** Thumbnail of a strip's contribution to the picture, with its share in percent. */
 final class Thumbnail extends VBox {
     private final ImageView image = new ImageView();
     private final Label percentage = new Label("–");
@@ -29,7 +29,7 @@ final class Thumbnail extends VBox {
 
     void show(Optional<ChannelImages.ChannelImage> channelImage) {
         channelImage.ifPresentOrElse(p -> {
-            // A picture that is another object is drawn anew, and an edit of one light leaves most pictures as they are.
+            // The toolkit redraws every new image, but an edit of one light changes only few thumbnails.
             if (!Arrays.equals(p.pixels(), pixels)) {
                 pixels = p.pixels();
                 image.setImage(PixelImage.of(p.width(), p.height(), pixels));

@@ -1,4 +1,2 @@
-/**
- * The light mixer: a board with a strip for each light and bank of the scene.
- */
+/** Light mixer with a strip for each light and light group of the scene. */
 package lightning.editor.window.mixer;

@@ -18,14 +18,14 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * The lights' wireframes over the preview (paper §3.2): yellow the selected one, faint those that do not shine. The selected
- * light, which is the one that is edited, has a canvas of its own with the marks of the selected shape. Each is drawn again only where
- * something on it or the view is another, since the window then draws the preview under it again too.
+ * Wireframes of the lights over the preview (paper §3.2): yellow for the selected light, faint for lights that are off. The selected light
+ * and the marks of the selected shape have a separate canvas. Each canvas is redrawn only if its content or the view changed, since a
+ * change also redraws the preview below it.
  */
 final class GizmoLayer extends Pane {
     private static final double HANDLE_EDGE = 4;
     private static final double DOT_SIZE = 4;
-    /** The sides of the arrow at the border, pixels, and half the angle of its tip, radians. */
+    /** Length of the sides of a border arrow, pixels. Half the angle of its tip is {@link #ARROW_HALF_ANGLE}, radians. */
     private static final double ARROW_LENGTH = 15;
     private static final double ARROW_HALF_ANGLE = Math.toRadians(26);
 
@@ -37,24 +37,28 @@ final class GizmoLayer extends Pane {
     private SelectedDrawing drawnSelection;
     private int gizmosDrawn;
 
-    /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
+    /**
+     * View in which the wireframes are drawn.
+     *
+     * @param size scale of the wireframes; the markers at the border are not scaled
+     */
     private record View(PreviewCamera camera, Viewport canvas, double size) {}
 
     /**
-     * What is selected in place of a light.
+     * Marks of a selected shape or group.
      *
-     * @param box     what marks a group
-     * @param handles of a shape or a group, over all else
+     * @param box wireframe around a group
+     * @param handles handles of a shape or group, drawn on top
      */
     record Marks(List<LightGizmo.Stroke> box, Optional<NodeGizmo> handles) {
         static final Marks NONE = new Marks(List.of(), Optional.empty());
     }
 
     /**
-     * All that the canvas of the selected shows.
+     * Content of the canvas of the selection.
      *
-     * @param lines    of the selected light, in the scene; none where none is selected
-     * @param position its own; null where none is
+     * @param lines wireframe of the selected light in scene space; empty if no light is selected
+     * @param position position of the selected light; null if no light is selected
      */
     private record SelectedDrawing(View view, List<LightGizmo.Segment> lines, Vec3 position, Marks marks) {}
 
@@ -63,7 +67,11 @@ final class GizmoLayer extends Pane {
         getChildren().addAll(others, selected);
     }
 
-    /** @param size what multiplies the wireframes' normal size; the markers at the border stay as they are */
+    /**
+     * Redraws the canvases that changed.
+     *
+     * @param size scale of the wireframes; the markers at the border are not scaled
+     */
     void draw(Scene scene, Light selectedLight, Marks marks, PreviewCamera camera, Viewport canvas, double size) {
         View view = new View(camera, canvas, size);
         List<Light> shiningNow = new ArrayList<>();
@@ -101,7 +109,7 @@ final class GizmoLayer extends Pane {
         return g;
     }
 
-    /** How many gizmos were drawn since the start. */
+    /** Returns the number of gizmos drawn since the start, for tests. */
     int gizmosDrawn() {
         return gizmosDrawn;
     }

@@ -9,18 +9,18 @@ import lightning.editor.document.Viewport;
 import lightning.scene.Light;
 
 /**
- * An arrow at the border of the preview that points to a light out of view, which can be taken there as the light itself.
+ * Arrow at the border of the preview that points to a light outside the view. It can be dragged like the light itself.
  *
- * @param tip    its tip, pixels of the canvas
- * @param angle where it points to, radians, clockwise from right
+ * @param tip tip of the arrow, pixels of the canvas
+ * @param angle direction of the arrow, radians, clockwise from right
  */
 record LightMarker(Light light, Viewport.Pixel tip, double angle) {
-    /** From the border, pixels. */
+    /** Distance from the border, pixels. */
     private static final double INSET = 10;
     private static final double TOLERANCE = 14;
     private static final double FIRST_DISTANCE = 4;
 
-    /** The markers of all lights that are out of view. */
+    /** Returns the markers of all lights outside the view. */
     static List<LightMarker> of(List<Light> lights, PreviewCamera view, Viewport canvas) {
         List<LightMarker> markers = new ArrayList<>();
         for (Light light : lights) {
@@ -38,7 +38,7 @@ record LightMarker(Light light, Viewport.Pixel tip, double angle) {
         }
         Vec3 direction = light.position().minus(view.camera().from());
         if (direction.maxAbs() == 0) {
-            // Seen through the light itself there is no way to it.
+            // The view looks through this light, so no direction leads to it.
             return Optional.empty();
         }
         double angle = Math.atan2(-direction.dot(view.up()), direction.dot(view.right()));
@@ -49,7 +49,7 @@ record LightMarker(Light light, Viewport.Pixel tip, double angle) {
                 canvas.height() / 2 + distance * Math.sin(angle)), angle));
     }
 
-    /** The light whose marker is under a place. */
+    /** Returns the light whose marker is at a point. */
     static Optional<Light> pick(List<Light> lights, PreviewCamera view, Viewport canvas, Viewport.Pixel point) {
         LightMarker best = null;
         for (LightMarker marker : of(lights, view, canvas)) {
@@ -62,9 +62,8 @@ record LightMarker(Light light, Viewport.Pixel tip, double angle) {
     }
 
     /**
-     * What is seen of a scene first: the view from farther away, until all those lights are in it that are from at most
-     * {@value #FIRST_DISTANCE} times the distance. One that is still farther out keeps its marker, for its sake the scene
-     * would become too small to work in.
+     * Returns the initial view of a scene: moves back until it shows all lights that a view from at most {@value #FIRST_DISTANCE} times the
+     * distance can show. Lights farther out keep their markers, because framing them would make the scene too small.
      */
     static PreviewCamera firstView(List<Light> lights, PreviewCamera view, Viewport canvas) {
         List<Light> nearLights = lights.stream().filter(light -> {
@@ -74,7 +73,7 @@ record LightMarker(Light light, Viewport.Pixel tip, double angle) {
         return frameLights(nearLights, view, canvas);
     }
 
-    /** The view from farther away, until every light is in it; as it is where all are. */
+    /** Returns the view moved back until it shows all lights; unchanged if it already does. */
     static PreviewCamera frameLights(List<Light> lights, PreviewCamera view, Viewport canvas) {
         if (of(lights, view, canvas).isEmpty()) {
             return view;

@@ -33,11 +33,11 @@ import lightning.editor.window.widget.PixelImage;
 import lightning.scene.NodeGroup;
 import lightning.scene.effects.ViewEffects;
 
-/** The drawn preview with the lights' wireframes over it; takes the mouse and the keyboard. */
+/** Canvas of the preview with the lights' wireframes on top; handles mouse and keyboard. */
 public final class PreviewCanvas extends Region implements AutoCloseable {
-    /** The camera rests when it did not move for so long. */
+    /** Time without a movement after which the camera counts as resting. */
     private static final Duration REST_DELAY = Duration.millis(120);
-    /** What a turn of the wheel is as a drag that zooms. */
+    /** Zoom drag that corresponds to a wheel movement, pixels per unit. */
     private static final double WHEEL_FACTOR = 0.5;
 
     private final EditorModel model;
@@ -56,7 +56,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
     private final PauseTransition restTimer = new PauseTransition(REST_DELAY);
     private final ObjectProperty<CanvasSize> size = new SimpleObjectProperty<>(CanvasSize.PICTURE_ASPECT);
     private boolean isCameraMoving;
-    /** Whether a scene was opened and is not laid out yet. */
+    /** True if a scene was opened and its initial view is not set yet. */
     private boolean needsFirstView;
 
     PreviewCanvas(EditorModel model) {
@@ -73,7 +73,7 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         setId("preview-canvas");
         setFocusTraversable(true);
         setAccessibleRole(AccessibleRole.IMAGE_VIEW);
-        setAccessibleText(Messages.tr("Preview of the scene with its lights"));
+        setAccessibleText(Messages.tr("Preview of the scene and its lights"));
         getChildren().addAll(image, gizmos);
         editor.documentProperty().subscribe(_ -> needsFirstView = true);
         editor.sceneProperty().subscribe(_ -> requestLayout());
@@ -96,12 +96,12 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         addHandlers();
     }
 
-    /** Whether nothing is drawn yet. */
+    /** Returns true while nothing has been drawn. */
     ObservableBooleanValue emptyProperty() {
         return image.imageProperty().isNull();
     }
 
-    /** How large the preview is drawn. */
+    /** Returns the resolution of the preview. */
     ObjectProperty<CanvasSize> sizeProperty() {
         return size;
     }
@@ -143,22 +143,22 @@ public final class PreviewCanvas extends Region implements AutoCloseable {
         return image.getLayoutY();
     }
 
-    /** Goes back with the camera until all lights are in view. */
+    /** Moves the camera back until it shows all lights. */
     void frameLights() {
         camera.set(LightMarker.frameLights(editor.scene().lights(), camera.get(), mouse.canvas()));
     }
 
-    /** Where a place of the canvas is on the screen. */
+    /** Returns the screen position of a point of the canvas. */
     public Point2D toScreen(Viewport.Pixel point) {
         return gizmos.localToScreen(point.x(), point.y());
     }
 
-    /** The canvas in this region, pixels of the window. */
+    /** Returns the area of the canvas in this region, pixels. */
     public Viewport viewport() {
         return mouse.canvas();
     }
 
-    /** Lays out, and wishes for a picture of what there is now. */
+    /** Lays out the canvas and requests a new picture. */
     @Override
     protected void layoutChildren() {
         if (getWidth() < 1 || getHeight() < 1) {

@@ -15,13 +15,12 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Light;
 
 /**
- * The keyboard in the preview: arrows rotate the selected light, with Control they move it in the viewing plane, Page
- * Up and Down move it along the view; arrows with Shift zoom and pan the camera, with Shift and Control they turn it;
- * the square brackets select the light before and after, X, Y and Z are the three views,
- * A goes back until all lights are in view, G hides the gizmos and shows them again.
+ * Keyboard handler of the preview. Arrows rotate the selected light; with Control they move it in the view plane, and Page Up and Down move
+ * it along the view axis. With Shift, arrows zoom and pan the camera; with Shift and Control they rotate it. Square brackets select the
+ * previous and next light. X, Y and Z set the three views, A frames all lights, and G toggles the light handles.
  */
 final class PreviewKeys {
-    /** One press of a key is a drag of so many pixels. */
+    /** Drag distance that corresponds to one key press, pixels. */
     private static final double STEP = 8;
 
     private final SceneEditor editor;
@@ -37,7 +36,7 @@ final class PreviewKeys {
         this.mouse = mouse;
     }
 
-    /** A key that is held is one step to undo. */
+    /** Ends the current undo step: a held key is one step. */
     void handleRelease() {
         gesture = new Object();
     }

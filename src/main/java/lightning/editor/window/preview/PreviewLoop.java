@@ -17,24 +17,25 @@ import lightning.scene.Scene;
 import lightning.scene.effects.ViewEffects;
 
 /**
- * Draws the preview on a thread of its own, the newest wish each time: the engine without shadows and mirrors. A light's edit
- * is an update of the sharp picture; while the camera moves, a coarser picture comes at once and the sharp one when the camera
- * rests. Render space stays where it is meanwhile, so that no shape and no box is moved.
+ * Renders the preview on a separate thread, always the newest request, without shadows and reflections. An edit of a light updates the
+ * sharp picture. While the camera moves, coarser pictures follow immediately, and a sharp one when it rests. The origin of render space
+ * stays fixed meanwhile, so that no shape or bounding box has to be transformed again.
  */
 final class PreviewLoop implements AutoCloseable {
     private static final RenderOptions OPTIONS = RenderOptions.DEFAULT.withView(ViewEffects.PREVIEW);
-    /** How long a moving picture may take; its coarseness follows what the last one took. */
+    /** Target time of a picture while the camera moves, milliseconds. The resolution adapts to the last picture's time. */
     private static final double TARGET_MS = 25;
     private static final int COARSEST = 8;
     private static final long JOIN_TIMEOUT_MS = 10_000;
 
     /**
-     * What is to be drawn.
+     * Request for a picture.
      *
-     * @param width pixels; likewise {@code height}
-     * @param effects which effects are shown
-     * @param isMoving whether a better wish follows soon
-     * @param knownGeometry  what is known elsewhere of the scene's shapes; null where nothing is
+     * @param width pixels
+     * @param height pixels
+     * @param effects visible effects
+     * @param isMoving true if another request will follow soon
+     * @param knownGeometry geometry of the scene from another renderer; null if there is none
      */
     record Request(Scene scene, PreviewCamera camera, int width, int height, ViewTransform view, ViewEffects effects, boolean isMoving,
             Geometry knownGeometry) {
@@ -48,7 +49,7 @@ final class PreviewLoop implements AutoCloseable {
         }
     }
 
-    /** A drawn picture: {@code int[width * height]}, opaque. */
+    /** Rendered picture: {@code int[width * height]}, opaque. */
     record Picture(Request request, int width, int height, int[] pixels, double milliseconds) {
         boolean isSharp() {
             return width == request.width() && height == request.height();
@@ -61,12 +62,17 @@ final class PreviewLoop implements AutoCloseable {
     private final Renderer sharp = new Renderer(OPTIONS);
     private final Renderer coarse = new Renderer(OPTIONS);
     private int coarseness = 2;
-    /** What the preview was drawn with last; null before the first. */
+    /** Geometry of the last picture; null before the first. */
     private Geometry lastGeometry;
     private Request latest;
     private boolean closed;
 
-    /** @param onPicture hears on the drawing thread; likewise {@code onFailure} */
+    /**
+     * Starts the thread.
+     *
+     * @param onPicture called on the rendering thread
+     * @param onFailure called on the rendering thread
+     */
     PreviewLoop(Consumer<Picture> onPicture, Consumer<Throwable> onFailure) {
         this.onPicture = onPicture;
         this.onFailure = onFailure;
@@ -115,13 +121,13 @@ final class PreviewLoop implements AutoCloseable {
             Vec3 origin = geometry != null && geometry.canServeEye(request.scene(), request.eye()) ? geometry.origin() : request.eye();
             draw(request, origin, sharp.plan(request.sceneAt(1, origin)));
         } catch (CancellationException e) {
-            // The newer wish is next.
+            // The next iteration renders the newer request.
         } catch (RuntimeException | OutOfMemoryError e) {
             onFailure.accept(e);
         }
     }
 
-    /** The traced picture's shapes serve while the eye is not far from them, and else those of the preview that was drawn last. */
+    /** Returns the geometry of the traced picture if it can serve the preview's eye, otherwise that of the last preview. */
     private Geometry sharedGeometry(Request request) {
         return request.knownGeometry() != null && request.knownGeometry().canServeEye(request.scene(), request.eye())
                 || lastGeometry == null ? request.knownGeometry() : lastGeometry;
@@ -153,7 +159,7 @@ final class PreviewLoop implements AutoCloseable {
         }
     }
 
-    /** A sharp picture is given up for a newer wish. */
+    /** Cancels a sharp picture when a newer request arrives. */
     private final class OutdatedCheck implements Progress {
         @Override
         public void report(int done, int total) {}

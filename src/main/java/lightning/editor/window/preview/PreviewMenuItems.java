@@ -8,11 +8,15 @@ import lightning.editor.window.command.CommandMenuItems;
 import lightning.editor.window.model.GizmoSize;
 import lightning.editor.window.model.PreviewSettings;
 
-/** The choices of how the preview looks. */
+/** Menu items of the preview's display options. */
 public final class PreviewMenuItems {
     private PreviewMenuItems() {}
 
-    /** @param items make the menu's items */
+    /**
+     * Creates the items.
+     *
+     * @param items creates the single items
+     */
     public static List<MenuItem> of(PreviewSettings settings, CommandMenuItems items) {
         return List.of(items.item(Command.HIDE_GIZMOS), sizes(settings, items), items.item(Command.GLOWING_TEXTURES));
     }

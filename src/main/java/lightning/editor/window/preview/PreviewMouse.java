@@ -18,14 +18,14 @@ import lightning.editor.window.model.SceneSelection;
 import lightning.scene.Light;
 
 /**
- * What a drag in the preview does (paper §3.2, §3.6), free of the toolkit's events: the left button rotates the light
- * under the mouse, with Ctrl about what it aims at, the middle one moves it along the view, the right one in the viewing plane; a handle of the selected shape is taken
- * with the left one; with Shift any button moves the camera.
+ * Mouse drags in the preview (paper §3.2, §3.6), independent of the toolkit's events. The left button rotates the light under the mouse, or
+ * orbits it around its target with Ctrl; the middle button moves it along the view axis, the right button in the view plane. The left
+ * button also drags a handle of the selected shape. With Shift, every button moves the camera.
  */
 final class PreviewMouse {
-    /** How near a click must come to a gizmo, pixels. */
+    /** Maximum distance of a click from a gizmo, pixels. */
     private static final double TOLERANCE = 8;
-    /** How far a drag goes before it is told whether it is vertical, pixels. */
+    /** Distance after which a camera drag counts as vertical or horizontal, pixels. */
     private static final double DECISION_DISTANCE = 4;
 
     private final SceneEditor editor;
@@ -35,7 +35,7 @@ final class PreviewMouse {
     private Viewport canvas = new Viewport(1, 1);
     private Object gesture;
     private Light startLight;
-    /** What a click selects that does not become a drag; null where that is what the press selected. */
+    /** Light that a click without a drag selects; null if it is the light that the press selected. */
     private Light nextLight;
     private LightDrag lightDrag;
     private PreviewCamera startCamera;
@@ -60,7 +60,7 @@ final class PreviewMouse {
         return canvas;
     }
 
-    /** The lights whose gizmos, or whose markers at the border, are under a place of the canvas; the nearest first, none while they are hidden. */
+    /** Returns the lights whose gizmos or border markers are at a point of the canvas, nearest first. Empty while the gizmos are hidden. */
     List<Light> lightsAt(double x, double y) {
         if (settings.gizmosHiddenProperty().get()) {
             return List.of();
@@ -82,13 +82,16 @@ final class PreviewMouse {
         return hits;
     }
 
-    /** The handles of the selected shape or group; empty where none is selected, while they are hidden, or where it is behind the eye. */
+    /**
+     * Returns the handles of the selected shape or group. Empty if none is selected, the handles are hidden, or the selection is behind the
+     * camera.
+     */
     Optional<NodeGizmo> handles() {
         return settings.gizmosHiddenProperty().get() ? Optional.empty()
                 : selection.node().flatMap(n -> NodeGizmo.of(editor.scene(), n, camera.get(), canvas));
     }
 
-    /** Whether a drag from a place takes a light or a handle. */
+    /** Returns true if a drag from this point would move a light or a handle. */
     boolean canGrab(double x, double y) {
         return !lightsAt(x, y).isEmpty() || handles().flatMap(g -> pick(g, x, y)).isPresent();
     }
@@ -97,7 +100,11 @@ final class PreviewMouse {
         return nodeGizmo.pick(camera.get(), canvas, new Viewport.Pixel(x, y), TOLERANCE);
     }
 
-    /** @param shift moves the camera, whatever is taken */
+    /**
+     * Starts a drag.
+     *
+     * @param shift true to move the camera, whatever is at the point
+     */
     void press(double x, double y, LightDrag dragKind, boolean shift) {
         pressX = x;
         pressY = y;
@@ -117,7 +124,7 @@ final class PreviewMouse {
             return;
         }
         Light selected = selection.light();
-        // The selected light is taken again where others lie over it; a click without a drag goes on to them.
+        // The selected light has priority over lights above it; a click without a drag cycles through them.
         boolean hitsSelected = hits.contains(selected);
         nextLight = hitsSelected ? hits.get((hits.indexOf(selected) + 1) % hits.size()) : null;
         startLight = hitsSelected ? selected : hits.getFirst();

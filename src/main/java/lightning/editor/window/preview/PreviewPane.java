@@ -17,7 +17,7 @@ import lightning.editor.window.model.PreviewSettings;
 import lightning.editor.window.model.SceneEditor;
 import lightning.editor.window.widget.PaneHeader;
 
-/** The interactive preview: every light in real time, and the place where lights are taken by hand. */
+/** Interactive preview of all lights in real time, in which lights are moved with the mouse. */
 public final class PreviewPane extends BorderPane implements AutoCloseable {
     private final PreviewSettings settings;
     private final CommandRegistry commands;
@@ -43,7 +43,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         setTop(header());
         setCenter(stage);
         var hint =
-                new Label(Messages.tr("Left: rotate · Ctrl: orbit · Middle or Alt: along the view · Right: in the plane · Shift: camera"));
+                new Label(Messages.tr("Left drag: rotate · Ctrl: orbit · Middle or Alt: dolly · Right: move · Shift: camera"));
         hint.getStyleClass().add("pane-footer");
         hint.setMaxWidth(Double.MAX_VALUE);
         hint.setWrapText(true);
@@ -58,7 +58,7 @@ public final class PreviewPane extends BorderPane implements AutoCloseable {
         var sizes = new MenuButton(Messages.tr(canvas.sizeProperty().get().title()));
         sizes.setId("preview-size");
         sizes.getStyleClass().add("flat");
-        sizes.setTooltip(new Tooltip(Messages.tr("Size of the preview's canvas")));
+        sizes.setTooltip(new Tooltip(Messages.tr("Preview resolution")));
         sizes.getItems().setAll(SizeMenu.previewSizeItems(commands, canvas.sizeProperty()));
         canvas.sizeProperty().subscribe(v -> sizes.setText(Messages.tr(v.title())));
         return new PaneHeader(Messages.tr("Preview"), sizes, CommandButton.viewButton(commands, Command.VIEW_ALL, Messages.tr("All")),

@@ -11,28 +11,28 @@ import lightning.scene.Stage;
 import lightning.scene.World;
 
 /**
- * The scene as the preview traces it, which has neither mirrors nor shadows: what would be black without the one has a color, and what
- * would burn out without the other is dimmed.
+ * Converts a scene for the preview, which has neither reflections nor shadows: adds diffuse color to materials that would be black without
+ * reflections, and dims environments that would overexpose the picture without shadows.
  */
 final class PreviewScene {
-    /** How much of a metal stays one: all else scatters its color, in place of what it would mirror. */
+    /** Remaining metalness of a metal. The rest becomes diffuse, in place of its reflections. */
     private static final double METAL_FACTOR = 0.4;
-    /** Which part of what a mirror would show it scatters. */
+    /** Share of a mirror's reflection color that becomes diffuse. */
     private static final double REFLECTION_FACTOR = 0.5;
 
-    /** What white paper in an environment stays below, about. */
+    /** Approximate upper limit of a white diffuse surface's brightness in an environment. */
     private static final double MAX_WHITE = 0.9;
 
     private Stage stage;
     private Stage previewStage;
     private List<EnvironmentLight> environmentLights = List.of();
-    /** What white paper shines with under these, where it is turned to the most light. */
+    /** Maximum brightness of a white diffuse surface lit by these lights, over the orientations toward each light. */
     private double maxBrightness;
 
     Scene of(Scene scene) {
         if (scene.stage() != stage) {
             stage = scene.stage();
-            // A list that is equal leaves the stage as it is, and with it all that is known of it.
+            // withMaterials returns the same stage for an equal list, so that caches stay valid.
             previewStage = stage.withMaterials(stage.materials().stream().map(PreviewScene::scatterReflections).toList());
         }
         World world = scene.world();
@@ -52,8 +52,8 @@ final class PreviewScene {
     }
 
     /**
-     * A world whose environment leaves white paper below 1. Nothing shades its lamps here: what lets a little of them through a window
-     * would be lit by all.
+     * Dims the environment so that white diffuse surfaces stay below 1. Without shadows, an interior that a window lights sparsely would
+     * receive light from the whole environment.
      */
     private World dim(World world, Environment environment) {
         List<EnvironmentLight> newLights = environment.map().lights(world.lightCount());

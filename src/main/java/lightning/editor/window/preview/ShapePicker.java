@@ -12,7 +12,7 @@ import lightning.editor.window.command.ShapeMenu;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.Scene;
 
-/** Finds the shape under the mouse in the preview, beside the window's thread, and offers what to do with it. */
+/** Finds the shape under the mouse in the preview on a background thread, and opens its menu or selects it. */
 final class ShapePicker {
     private final SceneEditor editor;
     private final ObjectProperty<PreviewCamera> camera;
@@ -21,7 +21,11 @@ final class ShapePicker {
     private final ShapeMenu menu;
     private volatile ScenePicker picker;
 
-    /** @param windowExecutor runs tasks in turn on the window's thread */
+    /**
+     * Creates the picker.
+     *
+     * @param windowExecutor runs tasks in order on the window's thread
+     */
     ShapePicker(SceneEditor editor, ShapeMenu menu, ObjectProperty<PreviewCamera> camera, Executor windowExecutor, Node canvas) {
         this.editor = editor;
         this.menu = menu;
@@ -31,15 +35,16 @@ final class ShapePicker {
     }
 
     /**
-     * Opens the menu of the shape at a place; nothing where there is none.
+     * Opens the menu of the shape at a point; does nothing if there is none.
      *
-     * @param x of the screen, pixels; likewise {@code y}
+     * @param x screen position, pixels
+     * @param y screen position, pixels
      */
     void showMenu(Viewport viewport, Viewport.Pixel point, double x, double y) {
         find(viewport, point, shape -> menu.show(canvas, shape, x, y));
     }
 
-    /** Selects the shape at a place; nothing where there is none. */
+    /** Selects the shape at a point; does nothing if there is none. */
     void select(Viewport viewport, Viewport.Pixel point) {
         find(viewport, point, editor.selection()::selectNode);
     }

@@ -1,4 +1,2 @@
-/**
- * The drawn preview, in which lights are taken by hand.
- */
+/** Interactive preview, in which lights are moved with the mouse. */
 package lightning.editor.window.preview;

@@ -23,11 +23,11 @@ import lightning.shot.FrameState;
 import lightning.shot.ShotRevision;
 
 /**
- * Small pictures of the frames of a shot that are seen, which follow every edit: the frame that is looked at first. Belongs to the window's
- * thread; the work is done on others.
+ * Thumbnails of the visible frames of a shot, updated after every edit, the current frame first. Confined to the window's thread;
+ * background threads do the work.
  */
 final class FilmStrip implements AutoCloseable {
-    /** Of a picture, pixels. */
+    /** Maximum height of a thumbnail, pixels. */
     static final int HEIGHT = 72;
     private static final int MAX_WIDTH = 256;
 
@@ -36,9 +36,9 @@ final class FilmStrip implements AutoCloseable {
     private final Executor windowExecutor;
     private final Runnable onChanged;
     private final Map<Integer, Thumbnail> thumbnails = new ConcurrentHashMap<>();
-    /** By frame, which of its films could not be had: that is told by the next. */
+    /** For each frame, the film version that could not be fetched; only a newer version is fetched again. */
     private final Map<Integer, Long> failedVersions = new ConcurrentHashMap<>();
-    /** A film may be on a machine that has fallen silent: other frames do not wait for it. */
+    /** One thread per request: a film may be on a host that does not respond, and must not delay other frames. */
     private final ExecutorService thumbnailThreads = DedicatedThread.virtualThreadExecutor("lightning-strip");
     private final Set<Integer> busyFrames = ConcurrentHashMap.newKeySet();
     private final ExecutorService fetcher = DedicatedThread.sequentialExecutor("lightning-strip-film");
@@ -50,25 +50,25 @@ final class FilmStrip implements AutoCloseable {
     private AnimatedScene shownScene;
 
     /**
-     * A picture as the display shows it.
+     * Thumbnail of a frame in display colors.
      *
-     * @param film   what it was made of
-     * @param version which film of its frame that is
-     * @param view   how it is shown
+     * @param film film from which it was created
+     * @param version version of the film
+     * @param view view transform of the pixels
      * @param pixels {@code int[width * height]}, opaque 0xFFRRGGBB
      */
     record Thumbnail(Film film, long version, ViewTransform view, int[] pixels) {
-        // An array in a record: written once by its maker, never after.
+        // Immutable by convention: the array is written only before construction.
     }
 
     /**
-     * Begins nothing before {@link #show}.
+     * Creates the film strip; work starts with {@link #show}.
      *
-     * @param frames  closed with this
-     * @param status    hears of them
-     * @param windowExecutor  runs tasks in turn on the window's thread
-     * @param onChanged called there after pictures or states changed
-     * @param onMessage    gets there what else is to be told
+     * @param frames source of the frames; closed with this object
+     * @param status receives the events of the frames
+     * @param windowExecutor runs tasks in order on the window's thread
+     * @param onChanged called on the window's thread after thumbnails or states changed
+     * @param onMessage receives other messages on the window's thread
      */
     FilmStrip(FilmStripFrames frames, FilmStripStatus status, ViewTransform view, Executor windowExecutor, Runnable onChanged,
             Consumer<String> onMessage) {
@@ -83,7 +83,7 @@ final class FilmStrip implements AutoCloseable {
         }, message -> windowExecutor.execute(() -> onMessage.accept(message)));
     }
 
-    /** The scene as a picture of the strip. */
+    /** Returns the scene at the size of a thumbnail. */
     static Scene thumbnailScene(Scene scene) {
         PictureSettings picture = scene.picture();
         Downscale small = Downscale.fit(picture.width(), picture.height(), MAX_WIDTH, HEIGHT);
@@ -101,14 +101,14 @@ final class FilmStrip implements AutoCloseable {
         }
     }
 
-    /** Brings all frames to a scene, which has a shot of the same frames. */
+    /** Updates all frames to a scene. Its shot must have the same frames. */
     void show(AnimatedScene scene, int frame) {
         if (scene != shownScene) {
             shownScene = scene;
             status.edit(new ShotRevision(frames.frameScene(scene.base()), scene.shot().orElseThrow()));
             notifyChanged();
         }
-        // Others are told, which may wait for them.
+        // Runs in the background: a remote host may block this call.
         execute(focusThread, () -> frames.shot().focus(frame));
     }
 
@@ -116,17 +116,17 @@ final class FilmStrip implements AutoCloseable {
         try {
             thread.execute(task);
         } catch (RejectedExecutionException e) {
-            // Closed meanwhile.
+            // The film strip was closed.
         }
     }
 
-    /** Shows the pictures in another way. */
+    /** Changes the view transform of the thumbnails. */
     void setView(ViewTransform v) {
         view = v;
         updateThumbnails();
     }
 
-    /** Which frames are seen, those first whose pictures are wanted first; of others none are kept. */
+    /** Sets the visible frames in order of priority. Drops the thumbnails of all others. */
     void setVisibleFrames(List<Integer> newFrames) {
         if (!newFrames.equals(visibleFrames)) {
             visibleFrames = List.copyOf(newFrames);
@@ -139,7 +139,7 @@ final class FilmStrip implements AutoCloseable {
         visibleFrames.forEach(this::startThumbnail);
     }
 
-    /** Has a frame's picture made, unless that is being done. */
+    /** Starts to create a frame's thumbnail unless that is already running. */
     private void startThumbnail(int frame) {
         if (needsUpdate(frame) && busyFrames.add(frame)) {
             execute(thumbnailThreads, () -> {
@@ -151,7 +151,7 @@ final class FilmStrip implements AutoCloseable {
                 } finally {
                     busyFrames.remove(frame);
                 }
-                // What came while the last was put away.
+                // A new version may have arrived after the loop ended and before the frame was removed.
                 startThumbnail(frame);
             });
         }
@@ -162,7 +162,7 @@ final class FilmStrip implements AutoCloseable {
         return !closed && visibleFrames.contains(frame) && (isOutdated(frame, thumbnail) || thumbnail != null && thumbnail.view != view);
     }
 
-    /** Whether there is a newer film that can be had. */
+    /** Returns true if a newer film version exists that has not failed. */
     private boolean isOutdated(int frame, Thumbnail thumbnail) {
         long version = status.version(frame);
         return version != (thumbnail == null ? 0 : thumbnail.version) && version != failedVersions.getOrDefault(frame, 0L);
@@ -191,9 +191,11 @@ final class FilmStrip implements AutoCloseable {
     }
 
     /**
-     * Has the film of a frame at its full size brought, one after the other: it is given on another thread, or nothing is where it is gone.
+     * Fetches the full-size film of a frame on a background thread, one request after the other. Does not call the consumer if the film no
+     * longer exists.
      *
-     * @param isNeeded whether it still is, when its turn has come
+     * @param isNeeded checked when the request starts; if false, the request is skipped
+     * @param consumer receives the film on the background thread
      */
     void fetch(int frame, BooleanSupplier isNeeded, Consumer<Film> consumer) {
         execute(fetcher, () -> {
@@ -203,7 +205,7 @@ final class FilmStrip implements AutoCloseable {
         });
     }
 
-    /** Whether it is of a shot's frames. */
+    /** Returns true if the shot has the same frame range. */
     boolean matches(Shot shot) {
         return frames.shot().first() == shot.first() && frames.shot().last() == shot.last();
     }
@@ -220,19 +222,19 @@ final class FilmStrip implements AutoCloseable {
         return Optional.ofNullable(thumbnails.get(frame));
     }
 
-    /** What there is of a frame; one is current whose film is, though its picture may be on the way. */
+    /** Returns the state of a frame. A frame is current if its film is, even if its thumbnail is still being created. */
     FrameState state(int frame) {
         FrameState state = frames.shot().state(frame);
         return state == FrameState.CURRENT && !status.isCurrent(frame) ? FrameState.STALE : state;
     }
 
-    /** Whether the picture of a frame shows the newest edit. */
+    /** Returns true if the thumbnail of a frame shows the newest edit. */
     boolean isUpToDate(int frame) {
         Thumbnail thumbnail = thumbnails.get(frame);
         return thumbnail != null && thumbnail.version == status.version(frame) && state(frame) == FrameState.CURRENT;
     }
 
-    /** How many frames are in a state. */
+    /** Returns the number of frames in a state. */
     int count(FrameState state) {
         int count = 0;
         for (int frame = frames.shot().first(); frame <= frames.shot().last(); frame++) {
@@ -241,7 +243,7 @@ final class FilmStrip implements AutoCloseable {
         return count;
     }
 
-    /** Returns at once; what is under way ends on a thread of its own. */
+    /** Returns immediately; a separate thread closes the frames. */
     @Override
     public void close() {
         closed = true;

@@ -4,20 +4,20 @@ import java.util.OptionalInt;
 import lightning.scene.Scene;
 import lightning.shot.ShotRelighter;
 
-/** Where the frames of a film strip are kept. */
+/** Source of a film strip's frames: this process or other machines. */
 interface FilmStripFrames extends AutoCloseable {
     ShotRelighter shot();
 
-    /** A scene as its frames are kept. */
+    /** Returns the scene at the size at which frames are rendered. */
     Scene frameScene(Scene scene);
 
-    /** How many other machines hold them; empty where they are kept here. */
+    /** Returns the number of connected machines; empty if the frames are rendered locally. */
     OptionalInt machineCount();
 
-    /** Whether the large picture is worked at. */
+    /** Sets whether the main picture is being rendered, which has priority. */
     void setPictureBusy(boolean v);
 
-    /** Drops all; may wait for what is under way. */
+    /** Drops all frames. May block until running work stops. */
     @Override
     void close();
 }

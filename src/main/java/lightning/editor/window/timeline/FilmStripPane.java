@@ -30,7 +30,7 @@ import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
 
-/** The film strip below the keys: frames as small pictures, as many as have room; a click goes to the frame. Nothing is kept before it is asked. */
+/** Film strip below the keyframes, with as many thumbnails as fit. A click goes to the frame. Caches no frames until the user starts it. */
 final class FilmStripPane extends StackPane implements AutoCloseable {
     static final double HEIGHT = 64;
     private static final PseudoClass STALE = PseudoClass.getPseudoClass("stale");
@@ -38,7 +38,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
     private static final PseudoClass CURRENT = PseudoClass.getPseudoClass("here");
     private static final double MEGABYTE = 1e6;
-    /** The width of what is told while no machine is there, pixels. */
+    /** Width of the status message while no machine is connected, pixels. */
     private static final double MESSAGE_WIDTH = 420;
 
     private final EditorModel model;
@@ -47,19 +47,19 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private final Pane slots = new Pane();
     private final Label cost = new Label();
     private final Label progress = new Label();
-    private final Button localButton = new Button(Messages.tr("Keep Here Again"));
-    /** Below the names, beside the pictures. */
+    private final Button localButton = new Button(Messages.tr("Render Locally"));
+    /** Status, below the track names and left of the thumbnails. */
     private final VBox statusBox = new VBox();
     private final HBox question;
-    private final Button startButton = new Button(Messages.tr("Keep the Frames"));
-    private final Button remoteButton = new Button(Messages.tr("On Other Machines…"));
+    private final Button startButton = new Button(Messages.tr("Cache Frames"));
+    private final Button remoteButton = new Button(Messages.tr("Render on Other Machines…"));
     private final List<Slot> visibleSlots = new ArrayList<>();
     private final Subscription subscription;
     private final RemoteFramePreview remotePreview;
     private MachinesWindow machinesWindow;
     private FilmStrip strip;
 
-    /** One picture, at its place. */
+    /** Thumbnail at its position. */
     private static final class Slot extends StackPane {
         private final ImageView image = new ImageView();
         private final Label number = new Label();
@@ -141,7 +141,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
                 editor.message()::show);
     }
 
-    /** Empty where no frames are kept. */
+    /** Returns the film strip; empty if no frames are cached. */
     Optional<FilmStrip> strip() {
         return Optional.ofNullable(strip);
     }
@@ -150,7 +150,10 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         return model.fileImporter().folder();
     }
 
-    /** Shows a film in the large picture until that is rendered here, unless something else is rendered or only a part is shown. */
+    /**
+     * Shows a remote film in the main picture until the local render is ready. Does nothing if another scene is being rendered or only a
+     * region is shown.
+     */
     private void showRemoteFilm(Film film, Scene scene) {
         if (editor.editorStateProperty().get().sceneInProgress().filter(s -> s == scene).isPresent()
                 && model.pictureDisplay().isFullPicture()) {
@@ -178,7 +181,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
         update(editor.editorStateProperty().get());
     }
 
-    /** Lets go of all frames, and hears no more. */
+    /** Drops all frames and stops observing. */
     @Override
     public void close() {
         subscription.unsubscribe();
@@ -199,7 +202,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private void update(EditorState state) {
         Optional<Shot> shot = state.shotFrame().map(m -> m.shot());
         if (strip != null && (shot.filter(strip::matches).isEmpty() || !isSameFolder())) {
-            // Other frames take other room: that is asked anew.
+            // Other frames need a different amount of memory, which the user must confirm again.
             closeStrip();
         }
         if (strip != null && !editor.isAnimating()) {
@@ -215,7 +218,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     }
 
     private boolean isSameFolder() {
-        return !(strip.frames() instanceof RemoteFrames far) || far.folder().equals(folder());
+        return !(strip.frames() instanceof RemoteFrames remote) || remote.folder().equals(folder());
     }
 
     private void stripChanged() {
@@ -231,9 +234,9 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
 
     private void showCost(Shot shot) {
         long bytes = LocalFrames.maxBytes(editor.document().content().base(), shot);
-        cost.setText(Messages.tr("The strip keeps {0} small frames and relights them after each edit: at most {1} MB of memory.",
+        cost.setText(Messages.tr("Caches {0} thumbnails and relights them after each edit (up to {1} MB).",
                 (long) shot.last() - shot.first() + 1, Math.max(1, Math.round(bytes / MEGABYTE)))
-                + (fitsInMemory(shot) ? "" : " " + Messages.tr("That is more than there is for it.")));
+                + (fitsInMemory(shot) ? "" : " " + Messages.tr("Not enough memory.")));
         startButton.setDisable(!fitsInMemory(shot));
     }
 
@@ -268,16 +271,16 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
     private void showStatus(String text, boolean isRemote) {
         progress.setText(text);
         progress.setVisible(!text.isEmpty());
-        // Where nobody makes any, what is told may lie over the pictures.
+        // Without machines there are no new thumbnails, so the message may cover them.
         statusBox.setMaxWidth(isRemote && strip.frames().machineCount().orElseThrow() == 0 ? MESSAGE_WIDTH : TrackCell.NAME_WIDTH);
         localButton.setVisible(isRemote);
         localButton.setManaged(isRemote);
     }
 
     /**
-     * A frame and where its picture begins.
+     * Frame and the position of its thumbnail.
      *
-     * @param x pixels behind the names
+     * @param x left edge, pixels from the end of the track names
      */
     private record SlotPosition(int frame, double x) {}
 
@@ -290,7 +293,7 @@ final class FilmStripPane extends StackPane implements AutoCloseable {
                 .sorted((a, b) -> Integer.compare(Math.abs(a - currentFrame), Math.abs(b - currentFrame))).toList();
     }
 
-    /** Those that have room beside each other, each about its frame, from the first of the shot that is seen on. */
+    /** Returns the thumbnails that fit without overlap, each centered at its frame, from the first visible frame. */
     private static List<SlotPosition> slotPositions(Shot shot, FrameScale scale, double width) {
         List<SlotPosition> positions = new ArrayList<>();
         double freeX = 0;

@@ -13,24 +13,26 @@ import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
 
-/** What is heard of the frames of a strip, on whatever threads it comes. */
+/** Thread-safe status of a film strip's frames, from the events of a shot. */
 final class FilmStripStatus implements ShotListener {
-    /** By frame, how many films it has had. */
+    /** For each frame, the number of films received. */
     private final Map<Integer, Long> versions = new HashMap<>();
     private final Map<Integer, String> problems = new HashMap<>();
-    /** Frames whose film of the newest edit was not heard of. */
+    /** Frames without a film of the newest edit. */
     private final Set<Integer> pendingFrames = new HashSet<>();
     private ShotRelighter shot;
     private Runnable listener = () -> {};
     private Consumer<String> messageReceiver = _ -> {};
-    /** What was to be told before anybody followed. */
+    /** Message that arrived before {@link #connect}. */
     private Optional<String> firstMessage = Optional.empty();
     private boolean hasLostMachine;
 
     /**
-     * @param newShot        the shot whose news these are
-     * @param onUpdate      called after news
-     * @param onMessage  gets what else is to be told
+     * Starts to forward events.
+     *
+     * @param newShot shot whose events these are
+     * @param onUpdate called after each event
+     * @param onMessage receives other messages
      */
     synchronized void connect(ShotRelighter newShot, Runnable onUpdate, Consumer<String> onMessage) {
         shot = newShot;
@@ -39,7 +41,7 @@ final class FilmStripStatus implements ShotListener {
         firstMessage.ifPresent(onMessage);
     }
 
-    /** Wants all frames to show a take. */
+    /** Requests all frames of a new revision. */
     synchronized void edit(ShotRevision take) {
         for (int frame = shot.first(); frame <= shot.last(); frame++) {
             pendingFrames.add(frame);
@@ -52,7 +54,7 @@ final class FilmStripStatus implements ShotListener {
     public void frameUpdated(FrameUpdate update, FrameState state) {
         synchronized (this) {
             versions.merge(update.frame(), 1L, Long::sum);
-            // A newer edit may have come since the state was seen.
+            // A newer edit may have arrived after the host computed this state.
             if (shot != null && shot.state(update.frame()) == FrameState.CURRENT) {
                 pendingFrames.remove(update.frame());
             }
@@ -76,7 +78,7 @@ final class FilmStripStatus implements ShotListener {
     @Override
     public void hostLost(HostLostException problem) {
         synchronized (this) {
-            // Others may have traced its frames before this is heard.
+            // Other nodes may have rendered its frames before this event arrives.
             hasLostMachine = shot == null || !shot.isIdle();
         }
         notifyListener();
@@ -90,7 +92,7 @@ final class FilmStripStatus implements ShotListener {
         notifyListener();
     }
 
-    /** A sentence for the artist. */
+    /** Reports a message to the user. */
     void reportMessage(String message) {
         Consumer<String> receiver;
         synchronized (this) {
@@ -108,22 +110,22 @@ final class FilmStripStatus implements ShotListener {
         callback.run();
     }
 
-    /** How many films a frame has had. */
+    /** Returns the number of films that a frame has received. */
     synchronized long version(int frame) {
         return versions.getOrDefault(frame, 0L);
     }
 
-    /** Whether the film of a frame is that of the newest edit. */
+    /** Returns true if the film of a frame shows the newest edit. */
     synchronized boolean isCurrent(int frame) {
         return !pendingFrames.contains(frame) && shot.state(frame) == FrameState.CURRENT;
     }
 
-    /** Why a frame cannot show the newest edit. */
+    /** Returns the reason why a frame cannot show the newest edit; empty if there is none. */
     synchronized Optional<String> problem(int frame) {
         return Optional.ofNullable(problems.get(frame));
     }
 
-    /** Whether a machine was lost whose frames are not all there again. */
+    /** Returns true if a machine was lost and its frames have not all been rendered again. */
     synchronized boolean hasLostMachine() {
         return hasLostMachine;
     }

@@ -7,11 +7,11 @@ import lightning.base.text.Messages;
 import lightning.scene.shot.Shot;
 import lightning.shot.FrameState;
 
-/** What is told of a film strip's frames. */
+/** Status texts of a film strip. */
 final class FilmStripText {
     private FilmStripText() {}
 
-    /** How far all are, and who keeps them; empty where they are here and all is done. */
+    /** Describes the progress and the machines; empty if all frames are current and local. */
     static String status(FilmStrip strip, Shot shot) {
         int frameCount = shot.last() - shot.first() + 1;
         int current = strip.count(FrameState.CURRENT);
@@ -22,31 +22,31 @@ final class FilmStripText {
         }
         List<String> parts = new ArrayList<>();
         machines.ifPresent(count -> parts.add(count == 0 ? noMachineText(strip)
-                : Messages.count(count, "{0} machine", "{0} machines", count)));
+                : Messages.count(count, "{0} node", "{0} nodes", count)));
         parts.add(Messages.tr("{0} of {1} frames", current, frameCount));
         if (failed > 0) {
             parts.add(Messages.tr("{0} failed", failed));
         }
         if (strip.status().hasLostMachine() && machines.orElse(0) > 0) {
-            parts.add(Messages.tr("a machine is gone, others trace its frames"));
+            parts.add(Messages.tr("lost a node; its frames are being rendered on other nodes"));
         }
         return String.join(", ", parts);
     }
 
     private static String noMachineText(FilmStrip strip) {
-        String hosts = strip.frames() instanceof RemoteFrames far ? far.hosts() : "";
-        return strip.status().hasLostMachine() ? Messages.tr("all machines are gone; one that comes goes on")
-                : Messages.tr("no machine answers at {0}: none is there yet, or it has another certificate", hosts);
+        String hosts = strip.frames() instanceof RemoteFrames remote ? remote.hosts() : "";
+        return strip.status().hasLostMachine() ? Messages.tr("all nodes lost; rendering resumes when a node connects")
+                : Messages.tr("no node responds at {0}: it may not be running, or its certificate differs", hosts);
     }
 
-    /** One frame, for who does not see it. */
+    /** Returns the accessible text of one frame. */
     static String frameText(FilmStrip strip, int frame) {
         String name = Messages.tr("frame {0}", frame);
         return switch (strip.state(frame)) {
             case CURRENT -> name;
-            case STALE -> Messages.tr("{0}, before the newest edit", name);
-            case MISSING -> Messages.tr("{0}, not there yet", name);
-            case FAILED -> Messages.tr("{0} cannot be made: {1}", name, strip.status().problem(frame).orElse(""));
+            case STALE -> Messages.tr("{0}, out of date", name);
+            case MISSING -> Messages.tr("{0}, not rendered yet", name);
+            case FAILED -> Messages.tr("{0} failed: {1}", name, strip.status().problem(frame).orElse(""));
         };
     }
 }

@@ -7,20 +7,20 @@ import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 
 /**
- * Where frames stand in a row.
+ * Linear scale from frames to horizontal positions in a row.
  *
- * @param from  the frame at the left, which may lie between two
- * @param to    the frame at the right, beyond {@code from}
+ * @param from frame at the left edge; may be fractional
+ * @param to frame at the right edge, greater than {@code from}
  * @param width pixels
  */
 record FrameScale(double from, double to, double width) {
-    /** Left and right of the outermost frames, pixels: half a key and a little. */
+    /** Margin left and right of the outermost frames, pixels: half a keyframe mark plus a gap. */
     private static final double MARGIN = 12;
     private static final double MIN_SPAN = 4;
-    /** From number to number, pixels. */
+    /** Minimum distance between two frame numbers, pixels. */
     private static final double LABEL_SPACING = 52;
 
-    /** All frames of a shot, and all of its keys. */
+    /** Returns the scale that shows all frames and all keyframes of a shot. */
     static FrameScale of(Shot shot, double width) {
         int first = shot.first();
         int last = shot.last();
@@ -49,7 +49,7 @@ record FrameScale(double from, double to, double width) {
         return x >= 0 && x <= width;
     }
 
-    /** Nearer or farther about a place, and never beyond the whole. */
+    /** Zooms about a position. Never shows more than the full scale. */
     FrameScale zoom(double factor, double x, FrameScale fullScale) {
         double center = from + (x - MARGIN) / pixelsPerFrame();
         double span = Math.clamp((to - from) / factor, Math.min(MIN_SPAN, fullScale.to - fullScale.from), fullScale.to - fullScale.from);
@@ -57,7 +57,7 @@ record FrameScale(double from, double to, double width) {
         return new FrameScale(start, start + span, width).clampTo(fullScale);
     }
 
-    /** Moved along. */
+    /** Moves the visible range within the full scale. */
     FrameScale pan(double pixels, FrameScale fullScale) {
         double frames = pixels / pixelsPerFrame();
         return new FrameScale(from + frames, to + frames, width).clampTo(fullScale);
@@ -69,7 +69,7 @@ record FrameScale(double from, double to, double width) {
         return new FrameScale(start, start + span, fullScale.width);
     }
 
-    /** The frames that have a number, 1, 2 or 5 times a power of ten apart. */
+    /** Returns the frames that have a number. Their spacing is 1, 2 or 5 times a power of ten. */
     List<Integer> labeledFrames() {
         double minStep = LABEL_SPACING / pixelsPerFrame();
         long step = 1;

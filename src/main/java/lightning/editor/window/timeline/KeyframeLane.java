@@ -13,21 +13,25 @@ import lightning.editor.document.KeyId;
 import lightning.scene.shot.Keyframe;
 import lightning.scene.shot.Track;
 
-/** The keys of a line at their frames. Those that would hide each other are one. */
+/** Keyframe marks of a row. Overlapping keyframes share one mark. */
 final class KeyframeLane extends Pane {
     private static final PseudoClass CHOSEN = PseudoClass.getPseudoClass("chosen");
     private static final double KEY_SIZE = 10;
-    /** Keys nearer than this are drawn once, pixels. */
+    /** Minimum distance of two marks, pixels; closer keyframes share a mark. */
     private static final double MIN_DISTANCE = 2;
 
     KeyframeLane() {
         getStyleClass().add("lane");
     }
 
-    /** The key that a node stands for. */
+    /** Keyframes of a mark, stored with its node. */
     record KeyMark(List<KeyId> keys) {}
 
-    /** @param height of the line, pixels */
+    /**
+     * Shows a row's keyframes.
+     *
+     * @param height height of the row, pixels
+     */
     void show(TimelineRow row, FrameScale scale, Set<KeyId> chosen, double height) {
         List<Region> marks = new ArrayList<>();
         Set<Long> occupied = new HashSet<>();

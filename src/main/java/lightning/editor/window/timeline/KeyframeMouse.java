@@ -18,8 +18,8 @@ import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.TrackTarget;
 
 /**
- * The mouse among the lines: a press chooses a key, with Ctrl one more, and a drag moves all that are chosen; on a name it chooses all keys of
- * the line and selects what has them; two clicks beside a key make one.
+ * Mouse handler of the timeline's rows. A press selects a keyframe, Ctrl adds to the selection, and a drag moves all selected keyframes. A
+ * press on a name selects all keyframes of the row and their object. A double-click on an empty position adds a keyframe.
  */
 final class KeyframeMouse {
     private final TimelineModel timeline;
@@ -29,7 +29,11 @@ final class KeyframeMouse {
     private final KeySelection keyChoice;
     private Drag drag;
 
-    /** @param keys where they were when it began */
+    /**
+     * Drag in progress.
+     *
+     * @param keys keyframes at their start positions
+     */
     private record Drag(AnimatedScene startContent, Set<KeyId> keys, double x, Object gesture) {}
 
     private KeyframeMouse(TimelineModel timeline, ListView<TimelineRow> rows, Workbench workbench) {
@@ -102,12 +106,12 @@ final class KeyframeMouse {
             case LIGHT -> editor.selection().selectLight(target.name());
             case NODE -> workbench.select(new Selection.OfNode(target.name()));
             case CAMERA, LIGHT_GROUP -> {
-                // Neither can be selected.
+                // The timeline does not select these.
             }
         }
     }
 
-    /** A key that says what is there at that frame, which is shown. */
+    /** Adds keyframes with the current values at a frame and shows that frame. */
     private void addKeyframe(TimelineRow row, int frame) {
         editor.showFrame(frame);
         editor.document().shotFrame().ifPresent(now -> editor.editShotOrReport(scene -> {

@@ -14,9 +14,9 @@ import lightning.shot.ShotListener;
 import lightning.shot.ShotRelighter;
 
 /**
- * Small frames in this process, which give way to the large picture wherever that is worked at.
+ * Thumbnail-size frames rendered in this process. Rendering of the main picture has priority.
  *
- * @param pictureBusy whether it is
+ * @param pictureBusy true while the main picture is being rendered
  */
 record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements FilmStripFrames {
     static LocalFrames of(Shot shot, Scene scene, ShotListener listener) {
@@ -31,7 +31,7 @@ record LocalFrames(ShotRelighter shot, AtomicBoolean pictureBusy) implements Fil
         return RenderOptions.DEFAULT.withReflections(ReflectionMode.CURRENT);
     }
 
-    /** The most bytes that the pictures of a shot take with all that they are relit from. */
+    /** Returns the maximum memory of a shot's thumbnails and their relighting caches, bytes. */
     static long maxBytes(Scene scene, Shot shot) {
         Scene small = FilmStrip.thumbnailScene(scene);
         PictureSettings picture = small.picture();

@@ -19,17 +19,17 @@ import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.Shot;
 import lightning.shot.cluster.HostPort;
 
-/** Where the other machines are, and the file that lets this one take part. */
+/** Addresses of the render nodes, and the certificate file for joining them. */
 final class MachinesPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
     private final RenderMachines choice;
     private final TextField hosts = new TextField();
     private final TextField certificate = new TextField();
-    private final Button joinButton = new Button(Messages.tr("Keep the Frames There"));
+    private final Button joinButton = new Button(Messages.tr("Render on These Machines"));
     private final Label status = new Label();
     private Consumer<RemoteFrames> onJoined = _ -> {};
-    /** Of what was begun last: whoever is of another time comes too late. */
+    /** Number of the latest attempt; results of earlier ones are discarded. */
     private int attempt;
 
     MachinesPane(SceneEditor editor, FileThread files, RenderMachines choice, PathPrompt pathPrompt) {
@@ -38,8 +38,8 @@ final class MachinesPane extends VBox {
         this.choice = choice;
         setId("machines");
         getStyleClass().add("shot-export");
-        var about = new Label(Messages.tr("Nodes on these machines hold the frames at their full size. The scene and its files go to them, "
-                + "encrypted; who has the certificate takes part, and nobody else."));
+        var about = new Label(Messages.tr("Render nodes on these machines cache the frames at full size. "
+                + "The scene and its files are sent encrypted. Only nodes with this certificate can join."));
         about.getStyleClass().add("pane-note");
         about.setWrapText(true);
         about.setMinHeight(USE_PREF_SIZE);
@@ -53,7 +53,7 @@ final class MachinesPane extends VBox {
         var browse = new Button(Messages.tr("Browse…"));
         browse.setId("machines-browse");
         browse.setMinWidth(USE_PREF_SIZE);
-        browse.setOnAction(_ -> pathPrompt.fileToOpen(Messages.tr("Certificate of the Machines"), "p12")
+        browse.setOnAction(_ -> pathPrompt.fileToOpen(Messages.tr("Certificate of the Render Nodes"), "p12")
                 .ifPresent(file -> certificate.setText(file.toString())));
         joinButton.setId("machines-begin");
         joinButton.getStyleClass().add("accent");
@@ -78,7 +78,11 @@ final class MachinesPane extends VBox {
         return label;
     }
 
-    /** @param listener gets the frames on these machines, on the window's thread; they are its own from then on */
+    /**
+     * Sets the listener for a successful connection.
+     *
+     * @param listener receives the remote frames on the window's thread and must close them
+     */
     void setOnJoined(Consumer<RemoteFrames> listener) {
         onJoined = listener;
     }
@@ -97,7 +101,8 @@ final class MachinesPane extends VBox {
             return;
         }
         if (certificate.getText().isBlank()) {
-            status.setText(Messages.tr("Name the certificate that all machines have; “lightning node --make-certificate FILE” makes one"));
+            status.setText(Messages
+                    .tr("Choose the render nodes' shared certificate. Create one with “lightning node --make-certificate FILE”."));
             certificate.requestFocus();
             return;
         }
@@ -107,7 +112,7 @@ final class MachinesPane extends VBox {
         Path folder = editor.document().file().toAbsolutePath().getParent();
         String file = choice.certificateProperty().get();
         joinButton.setDisable(true);
-        status.setText(Messages.tr("Asking for the machines…"));
+        status.setText(Messages.tr("Connecting…"));
         int thisAttempt = ++attempt;
         files.runConcurrently(() -> RemoteFrames.join(hostsText, machines, Path.of(file), folder, shot), frames -> {
             if (thisAttempt == attempt) {
@@ -124,7 +129,7 @@ final class MachinesPane extends VBox {
         });
     }
 
-    /** Nobody waits any more for what was begun. */
+    /** Discards the result of a running attempt. */
     void cancel() {
         attempt++;
     }

@@ -11,9 +11,9 @@ import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
 
 /**
- * A keeper of frames that rests, between two tiles, as long as something else is more urgent.
+ * Frame host that pauses between two tiles while more urgent work runs.
  *
- * @param shouldPause asked on the keeper's threads
+ * @param shouldPause called on the host's threads
  */
 record PausingFrameHost(FrameHost host, BooleanSupplier shouldPause) implements FrameHost {
     private static final long PAUSE_MS = 5;

@@ -13,8 +13,8 @@ import lightning.editor.window.model.TracedPicture;
 import lightning.scene.shot.AnimatedScene;
 
 /**
- * Plays the shot in real time, again and again: whenever the picture of a frame is there, the frame that is due is next, and those between
- * are left out. It ends when anything is edited.
+ * Plays the shot in real time, in a loop. When a frame's picture is ready, the frame that is due is rendered next and the frames between
+ * are dropped. Any edit stops it.
  */
 public final class Playback {
     private static final double NS_PER_SECOND = 1e9;
@@ -28,7 +28,7 @@ public final class Playback {
     private long countStartNs;
     private int shownFrames;
 
-    /** Says what Play Shot does. */
+    /** Registers Play Shot. */
     public Playback(SceneEditor editor, TracedPicture picture, CommandRegistry commands) {
         this.editor = editor;
         player = new FramePlayer(editor, picture, () -> editor.document().content() != content || editor.isAnimating(), this::showDue);
@@ -44,7 +44,7 @@ public final class Playback {
         }
     }
 
-    /** How many frames of a second are shown; empty while nothing plays. */
+    /** Returns the achieved frame rate as text; empty while playback is stopped. */
     ReadOnlyStringProperty frameRateProperty() {
         return frameRate.getReadOnlyProperty();
     }
@@ -74,7 +74,7 @@ public final class Playback {
             shownFrames++;
         }
         if (now - countStartNs > NS_PER_SECOND) {
-            frameRate.set(Messages.tr("{0} of {1} frames a second",
+            frameRate.set(Messages.tr("{0} of {1} fps",
                     DecimalNumber.format(Math.rint(shownFrames * NS_PER_SECOND / (now - countStartNs))),
                     DecimalNumber.format(moment.shot().rate())));
             countStartNs = now;

@@ -8,19 +8,24 @@ import lightning.render.image.Film;
 import lightning.scene.Scene;
 import lightning.shot.FrameState;
 
-/** Shows a frame that the artist goes to in the large picture as another machine has it, while this one makes it. On the window's thread. */
+/**
+ * Shows the current frame in the main picture as rendered on another machine, until this machine has rendered it. Confined to the window's
+ * thread.
+ */
 final class RemoteFramePreview {
     private final SceneEditor editor;
     private final Executor windowExecutor;
     private final BiConsumer<Film, Scene> display;
     private int frame = -1;
-    /** The scene of the frame gone to, until its picture is there; null then. */
+    /** Scene of the current frame until its picture is ready; then null. */
     private volatile Scene pendingScene;
     private Scene requestedScene;
 
     /**
-     * @param windowExecutor runs tasks in turn on the window's thread
-     * @param display   gets the film of a scene, on the window's thread
+     * Creates a preview without a frame.
+     *
+     * @param windowExecutor runs tasks in order on the window's thread
+     * @param display receives a scene's film on the window's thread
      */
     RemoteFramePreview(SceneEditor editor, Executor windowExecutor, BiConsumer<Film, Scene> display) {
         this.editor = editor;

@@ -12,18 +12,18 @@ import lightning.shot.cluster.JoinException;
 import lightning.shot.cluster.NodeConfig;
 
 /**
- * Frames of the picture's full size on other machines.
+ * Full-size frames rendered on other machines.
  *
- * @param hosts  what the artist typed for them
- * @param folder the folder of the scene file
- * @param status   hears of the frames
+ * @param hosts addresses as the user typed them
+ * @param folder folder of the scene file
+ * @param status receives the events of the frames
  */
 record RemoteFrames(String hosts, Path folder, DistributedShot distributedShot, FilmStripStatus status) implements FilmStripFrames {
     /**
-     * Takes part in a cluster; may take seconds.
+     * Joins a cluster; may take seconds.
      *
-     * @param certificate the file that all its machines have
-     * @throws JoinException if this machine cannot; a sentence
+     * @param certificate certificate file shared by all machines of the cluster
+     * @throws JoinException if this machine cannot join; its message is a sentence
      */
     static RemoteFrames join(String hostsText, List<HostPort> hosts, Path certificate, Path folder, Shot shot) throws JoinException {
         var status = new FilmStripStatus();
@@ -50,7 +50,7 @@ record RemoteFrames(String hosts, Path folder, DistributedShot distributedShot, 
 
     @Override
     public void setPictureBusy(boolean v) {
-        // Others work there.
+        // Remote frames use no processor of this machine, so they never pause.
     }
 
     @Override

@@ -11,7 +11,7 @@ import javafx.scene.layout.Region;
 import lightning.base.text.Messages;
 import lightning.scene.shot.Shot;
 
-/** The numbers of the frames; a press or a drag shows that frame. */
+/** Ruler with frame numbers; a press or a drag shows the frame at that position. */
 final class Ruler extends Pane {
     static final double HEIGHT = 22;
     private static final double TICK = 5;

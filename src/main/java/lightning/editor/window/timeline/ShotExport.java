@@ -21,13 +21,13 @@ import lightning.shot.movie.MovieFormat;
 import lightning.shot.movie.MovieWriter;
 
 /**
- * Frames on their way to files, whatever is edited meanwhile.
+ * Export of frames to files, from a snapshot of the scene.
  *
- * @param target   a folder for numbered pictures, a file for a film
- * @param name what pictures are called before their number
+ * @param target folder of numbered images, or a video file
+ * @param name prefix of the numbered images' file names
  */
 record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, ViewTransform view, Path target, String name) {
-    /** Hears how many frames are there. */
+    /** Receives the number of frames written. */
     interface Listener {
         void framesWritten(int frames);
     }
@@ -36,9 +36,9 @@ record ShotExport(AnimatedScene scene, int first, int last, ShotFormat format, V
         return last - first + 1;
     }
 
-    /** Writes all; waits until they are there. Pictures that are finished stay where it is canceled, a film does not. */
+    /** Writes all frames; blocks until done. Canceling keeps finished images, but no video. */
     void write(Progress progress, Listener listener) throws IOException {
-        // What cannot be is told before the first is begun.
+        // Checks all frames first, so that invalid keyframes fail before the first render.
         try {
             IntStream.rangeClosed(first, last).forEach(scene::sceneAt);
         } catch (IllegalArgumentException e) {

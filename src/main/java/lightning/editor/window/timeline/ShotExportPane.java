@@ -31,7 +31,7 @@ import lightning.scene.SceneLimits;
 import lightning.scene.shot.Shot;
 import lightning.shot.movie.Ffmpeg;
 
-/** Which frames of the shot become what files, and how far that is. */
+/** Settings and progress of exporting a shot. */
 final class ShotExportPane extends VBox {
     private final SceneEditor editor;
     private final FileThread files;
@@ -63,7 +63,7 @@ final class ShotExportPane extends VBox {
         firstFrame = shot.first();
         lastFrame = shot.last();
         format.setId("shot-kind");
-        format.setAccessibleText(Messages.tr("kind of files"));
+        format.setAccessibleText(Messages.tr("file format"));
         format.getItems().setAll(ShotFormat.values());
         format.setValue(ShotFormat.PNG);
         first = field("first", Messages.key("first frame"), v -> firstFrame = v);
@@ -77,7 +77,7 @@ final class ShotExportPane extends VBox {
         export.getStyleClass().add("accent");
         export.setOnAction(_ -> chooseTarget());
         var exportBox = new StackPane(export);
-        exportReason = new DisabledReason(exportBox, export, Messages.tr("Asks where, and renders all frames"));
+        exportReason = new DisabledReason(exportBox, export, Messages.tr("Choose where to save, then render all frames"));
         cancel.setId("shot-cancel");
         cancel.setDisable(true);
         cancel.setOnAction(_ -> cancelExport());
@@ -111,7 +111,7 @@ final class ShotExportPane extends VBox {
     private NumberField field(String id, String title, Setter setter) {
         var field = new NumberField(title, NumberSetting.of(title, new StepRange(1, 0, Shot.MAX_FRAME), (v, _) -> {
             if (v != Math.rint(v) || v < 0 || v > Shot.MAX_FRAME) {
-                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", Messages.tr(title), SceneLimits.format(v)));
+                return Optional.of(Messages.tr("{0}: expected a whole number, found {1}", Messages.tr(title), SceneLimits.format(v)));
             }
             setter.set((int) v);
             show();
@@ -130,12 +130,12 @@ final class ShotExportPane extends VBox {
     private void update() {
         ViewTransform view = viewProperty.get().forOutput();
         boolean film = format.getValue().movie().isPresent();
-        String viewText = format.getValue() == ShotFormat.EXR ? Messages.tr("Every linear value in full.")
-                : Messages.tr("As the picture is shown: {0}.", view.description());
-        about.setText(film ? viewText + " " + Messages.tr("A film has an even size; an odd one gets one more column or row.")
-                : viewText + " " + Messages.tr("Pictures of the same names are replaced."));
+        String viewText = format.getValue() == ShotFormat.EXR ? Messages.tr("Saves linear values without a view transform.")
+                : Messages.tr("Uses the view transform: {0}.", view.description());
+        about.setText(film ? viewText + " " + Messages.tr("Video needs an even size: an odd width or height grows by one pixel.")
+                : viewText + " " + Messages.tr("Existing files are overwritten."));
         exportReason.set(task != null ? Optional.of(Messages.tr("an export is running"))
-                : lastFrame < firstFrame ? Optional.of(Messages.tr("the first frame is behind the last one"))
+                : lastFrame < firstFrame ? Optional.of(Messages.tr("the first frame must not be after the last one"))
                 : film && !hasFfmpeg ? Optional.of(Ffmpeg.missingMessage()) : Optional.empty());
         if (task == null && film && !hasFfmpeg) {
             status.setText(ErrorMessage.of(new IOException(Ffmpeg.missingMessage())));
@@ -146,18 +146,18 @@ final class ShotExportPane extends VBox {
         String name = JenFile.stem(editor.document().name());
         ShotFormat chosen = format.getValue();
         if (chosen.movie().isEmpty()) {
-            pathPrompt.folder(Messages.tr("Export pictures to")).ifPresent(folder -> startExport(folder, name));
+            pathPrompt.folder(Messages.tr("Export Images To")).ifPresent(folder -> startExport(folder, name));
         } else {
             pathPrompt.fileToSave(Messages.tr("Export Shot"), name + chosen.extension(), chosen.extension().substring(1))
                     .ifPresent(file -> {
                         if (file.getFileName().toString().endsWith(chosen.extension())) {
                             startExport(file, name);
                         } else {
-                            // The system asked about the name as it was typed only.
+                            // The file dialog asked about overwriting only for the name without this extension.
                             Path named = file.resolveSibling(file.getFileName() + chosen.extension());
                             files.runConcurrently(() -> Files.exists(named), exists -> {
                                 if (exists) {
-                                    status.setText(Messages.tr("{0} is there already; choose it by its whole name",
+                                    status.setText(Messages.tr("{0} already exists; choose it by its full name",
                                             Quote.path(named.getFileName())));
                                 } else {
                                     startExport(named, name);
@@ -195,8 +195,8 @@ final class ShotExportPane extends VBox {
                 return;
             }
             case SUCCEEDED -> status.setText(Messages.tr("Exported {0} frames to {1}", export.frames(), Quote.path(export.target())));
-            case CANCELLED -> status.setText(export.format().movie().isPresent() ? Messages.tr("Canceled; no film was written")
-                    : Messages.tr("Canceled; {0} of {1} pictures are written", running.getValue(), export.frames()));
+            case CANCELLED -> status.setText(export.format().movie().isPresent() ? Messages.tr("Canceled; no video saved")
+                    : Messages.tr("Canceled; {0} of {1} images saved", running.getValue(), export.frames()));
             case FAILED -> status.setText(Messages.tr("Not exported: {0}", ErrorMessage.of(running.getException())));
         }
         task = null;
@@ -206,7 +206,7 @@ final class ShotExportPane extends VBox {
         update();
     }
 
-    /** Stops an export that runs; finished pictures stay. */
+    /** Cancels a running export; finished images are kept. */
     void cancelExport() {
         if (task != null) {
             task.cancel(false);

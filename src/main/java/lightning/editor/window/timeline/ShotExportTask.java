@@ -6,7 +6,7 @@ import javafx.concurrent.Task;
 import lightning.base.work.DedicatedThread;
 import lightning.base.work.Progress;
 
-/** Writes a shot on a thread of its own; its value is how many frames are written. */
+/** Exports a shot on a separate thread. Its value is the number of frames written. */
 final class ShotExportTask extends Task<Integer> {
     private final ShotExport export;
     private int written;
@@ -36,7 +36,7 @@ final class ShotExportTask extends Task<Integer> {
                 updateProgress(frames, export.frames());
             });
         } catch (CancellationException e) {
-            // The task is canceled already, which says so.
+            // The task's state is already canceled.
             return written;
         }
         return export.frames();
@@ -46,7 +46,7 @@ final class ShotExportTask extends Task<Integer> {
         return export;
     }
 
-    /** Begins. The thread must not be interrupted, which would break a file that is being written. */
+    /** Starts the thread. Never interrupt it: that would corrupt a file that is being written. */
     void start() {
         DedicatedThread.create("lightning-shot-export", this).start();
     }

@@ -8,12 +8,12 @@ import lightning.editor.window.model.CommandRegistry;
 import lightning.editor.window.model.EditorModel;
 import lightning.editor.window.widget.PanelWindow;
 
-/** Asks what the shot shall be exported as. */
+/** Dialog for exporting the shot. */
 public final class ShotExportWindow extends PanelWindow {
     private static final double WIDTH = 460;
     private static final double HEIGHT = 260;
 
-    /** The scene must have a shot. */
+    /** Creates the window. The scene must have a shot. */
     public ShotExportWindow(EditorModel model, Window owner) {
         this(model.commands(), owner, new ShotExportPane(model.editor(), model.files(), model.picture().viewProperty(),
                 PathPrompt.ofSystem(owner, model.fileImporter().folder())));

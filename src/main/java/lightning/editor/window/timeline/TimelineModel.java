@@ -9,14 +9,14 @@ import lightning.editor.window.model.KeySelection;
 import lightning.editor.window.model.SceneEditor;
 import lightning.scene.shot.Shot;
 
-/** What the parts of the timeline share: the shot, and where its frames stand. */
+/** Shared state of the timeline's parts: the shot and the scale of its frames. */
 final class TimelineModel {
     private final SceneEditor editor;
     private final KeySelection keyChoice;
     private final ObjectProperty<Shot> shot = new SimpleObjectProperty<>();
     private final ReadOnlyObjectWrapper<FrameScale> scale = new ReadOnlyObjectWrapper<>(FrameScale.of(Shot.DEFAULT, 1));
     private double width = 1;
-    /** Whether all frames are seen, however many they are. */
+    /** True if the view is fit to all frames. */
     private boolean showsAll = true;
     private boolean isDragging;
 
@@ -29,12 +29,12 @@ final class TimelineModel {
         return editor;
     }
 
-    /** Which keys are chosen. */
+    /** Returns the selected keyframes. */
     KeySelection keyChoice() {
         return keyChoice;
     }
 
-    /** Null where the scene has none. */
+    /** Returns the shot; null if the scene has none. */
     ReadOnlyObjectProperty<Shot> shotProperty() {
         return shot;
     }
@@ -55,13 +55,17 @@ final class TimelineModel {
         }
     }
 
-    /** @param v of the lines beside the names, pixels */
+    /**
+     * Sets the width of the lanes.
+     *
+     * @param v width without the names, pixels
+     */
     void setWidth(double v) {
         width = v;
         updateScale();
     }
 
-    /** While keys are dragged the frames stay where they are; afterwards those that came into the timeline are seen. */
+    /** Freezes the scale while keyframes are dragged. Afterwards, the scale includes frames beyond its earlier range. */
     void setDragging(boolean v) {
         isDragging = v;
         updateScale();

@@ -37,12 +37,12 @@ import lightning.scene.SceneLimits;
 import lightning.scene.shot.AnimatedScene;
 import lightning.scene.shot.Shot;
 
-/** The keys of the shot over its frames, the frame that is shown, and what is done with both. */
+/** Timeline of the shot: keyframes, the current frame and their commands. */
 public final class TimelinePane extends BorderPane implements AutoCloseable {
-    /** Room for the bar that scrolls the lines, pixels. */
+    /** Width of the vertical scroll bar, pixels. */
     private static final double SCROLLBAR_WIDTH = 16;
     private static final double ZOOM_STEP = 1.2;
-    /** Tools, numbers and a few lines, pixels. */
+    /** Minimum height: tools, frame numbers and a few rows, pixels. */
     private static final double MIN_HEIGHT = 156;
 
     private final EditorModel model;
@@ -101,7 +101,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** Ends what runs for it. */
+    /** Closes the film strip and its threads. */
     @Override
     public void close() {
         showStrip(false);
@@ -116,7 +116,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
                 new Separator(Orientation.VERTICAL));
         add(bar, Command.SET_KEY, Command.DELETE_KEYS, Command.LINEAR_KEYS, Command.SMOOTH_KEYS, Command.STEPPED_KEYS);
         bar.getChildren().addAll(new Separator(Orientation.VERTICAL), labeled(Messages.tr("from"), first), labeled(Messages.tr("to"), last),
-                labeled(Messages.tr("a second"), rate),
+                labeled(Messages.tr("fps"), rate),
                 new Separator(Orientation.VERTICAL), CommandButton.iconButton(commands, Command.FILM_STRIP), note);
         return bar;
     }
@@ -140,7 +140,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
         return field(title, new StepRange(1, min, max), (v, gesture) -> {
             double value = gesture == null ? v : Math.rint(v);
             if (value != Math.rint(value)) {
-                return Optional.of(Messages.tr("{0} must be a whole number, was {1}", Messages.tr(title), SceneLimits.format(value)));
+                return Optional.of(Messages.tr("{0}: expected a whole number, found {1}", Messages.tr(title), SceneLimits.format(value)));
             }
             try {
                 SceneLimits.checkRange(Messages.tr(title), value, min, max);
@@ -215,7 +215,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
     }
 
     private Region emptyNote() {
-        var text = new Label(Messages.tr("The scene has no shot: nothing of it moves"));
+        var text = new Label(Messages.tr("No shot: the scene is not animated"));
         text.getStyleClass().add("pane-note");
         var box = new HBox(text, CommandButton.titledButton(commands, Command.NEW_SHOT));
         box.getStyleClass().add("no-shot");
@@ -237,12 +237,12 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
             commands.run(command);
             event.consume();
         } else if (plain && (event.getCode() == KeyCode.UP || event.getCode() == KeyCode.DOWN)) {
-            // Nothing is selected among the lines.
+            // No row can be selected.
             event.consume();
         }
     }
 
-    /** With Ctrl frames come nearer, with Shift they go along; else the lines scroll. */
+    /** Zooms with Ctrl, pans with Shift; otherwise the rows scroll. */
     private void scroll(ScrollEvent event) {
         double delta = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
         if (event.isShortcutDown()) {
@@ -276,7 +276,7 @@ public final class TimelinePane extends BorderPane implements AutoCloseable {
             } else {
                 List<String> oldIds = rows.getItems().stream().map(TimelinePane::rowId).toList();
                 rows.getItems().setAll(newRows);
-                // What came is seen.
+                // Scroll to the row that was added.
                 newRows.stream().filter(r -> oldShot != null && !oldIds.contains(rowId(r))).reduce((_, row) -> row)
                         .ifPresent(row -> rows.scrollTo(Math.max(0, newRows.indexOf(row) - 1)));
             }

@@ -6,18 +6,18 @@ import lightning.scene.shot.Shot;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** One line of the timeline: what has keys, and below it each of its attributes. */
+/** Row of the timeline: an animated object, or below it one of its attributes. */
 sealed interface TimelineRow {
-    /** What has keys. */
+    /** Returns the animated object. */
     TrackTarget target();
 
-    /** The keys in the line. */
+    /** Returns the tracks whose keyframes the row shows. */
     List<Track> tracks();
 
-    /** Of a thing; in its line are the keys of all of its attributes. */
+    /** Row of an object, with the keyframes of all of its attributes. */
     record ObjectRow(TrackTarget target, List<Track> tracks) implements TimelineRow {}
 
-    /** Of one attribute. */
+    /** Row of one attribute. */
     record TrackRow(Track track) implements TimelineRow {
         @Override
         public TrackTarget target() {

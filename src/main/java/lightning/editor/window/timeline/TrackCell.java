@@ -5,9 +5,9 @@ import javafx.scene.control.ListCell;
 import javafx.scene.layout.HBox;
 import lightning.base.text.Messages;
 
-/** A line of the timeline: a name, and keys beside it. */
+/** Row of the timeline: a name and its keyframes. */
 final class TrackCell extends ListCell<TimelineRow> {
-    /** Of names, pixels. */
+    /** Width of the names, pixels. */
     static final double NAME_WIDTH = 150;
     static final double HEIGHT = 20;
 
@@ -41,7 +41,7 @@ final class TrackCell extends ListCell<TimelineRow> {
                 case TimelineRow.ObjectRow t -> TrackNames.name(t.target());
                 case TimelineRow.TrackRow t -> TrackNames.attribute(t.track());
             });
-            name.setAccessibleText(Messages.tr("keys of {0}", name.getText()));
+            name.setAccessibleText(Messages.tr("keyframes of {0}", name.getText()));
             if (row instanceof TimelineRow.ObjectRow) {
                 getStyleClass().add("thing");
             }

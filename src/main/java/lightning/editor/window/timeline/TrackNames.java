@@ -10,7 +10,7 @@ import lightning.scene.shot.ShotDiff;
 import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 
-/** How the timeline calls what has keys. */
+/** Names of tracks and animated objects. */
 final class TrackNames {
     private TrackNames() {}
 
@@ -18,7 +18,7 @@ final class TrackNames {
         return ShotDiff.name(target);
     }
 
-    /** {@code key: intensity}. */
+    /** Returns the name of a track, such as {@code key: intensity}. */
     static String name(Track track) {
         return name(track.target()) + ": " + attribute(track);
     }

@@ -1,4 +1,2 @@
-/**
- * The timeline: the keys of a shot over its frames, and the frame that is shown.
- */
+/** Timeline: the keyframes of a shot, the current frame, and the film strip. */
 package lightning.editor.window.timeline;

@@ -3,7 +3,7 @@ package lightning.editor.window.traced;
 import javafx.scene.control.Label;
 import lightning.editor.window.widget.DelayedMessage;
 
-/** What a picture does not show, written on it; there only while there is something to say, and not for a moment. */
+/** Badge over the picture that says what the picture does not show. Appears only for a message that applies longer than a moment. */
 final class Badge extends Label {
     private final DelayedMessage message;
 
@@ -18,12 +18,12 @@ final class Badge extends Label {
         });
     }
 
-    /** What there is to say now; empty for nothing. */
+    /** Sets the message; an empty text hides the badge after a delay. */
     void setMessage(String text) {
         message.set(text);
     }
 
-    /** The same where the window's thread may have no time to say it later. */
+    /** Sets the message without a delay, for when the window's thread may be too busy to show it later. */
     void setMessageImmediately(String text) {
         message.setImmediately(text);
     }

@@ -20,12 +20,12 @@ import lightning.scene.SceneLimits;
 import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignB;
 
-/** The brightness of the view in stops, as a slider and a number. It is no part of the scene. */
+/** Exposure of the view in stops, as a slider and a number field. Not part of the scene. */
 final class ExposureControl extends HBox {
     private static final double MAX_STOPS = 8;
     private static final StepRange STEPS = new StepRange(0.1, -MAX_STOPS, MAX_STOPS);
     private static final double KEY_STOPS = 0.25;
-    /** So that a pixel is not much more than a tenth of a stop. */
+    /** Width of the slider's track, pixels: one pixel is about a tenth of a stop. */
     private static final double TRACK_WIDTH = 136;
 
     private final ObjectProperty<ViewTransform> view;
@@ -46,7 +46,7 @@ final class ExposureControl extends HBox {
                 slider.setValue(0);
             }
         });
-        // What is dragged comes in tenths; what is typed stays as it is.
+        // Dragging sets tenths of a stop; typed values keep all digits.
         slider.valueProperty().subscribe(v -> {
             if (!isUpdating) {
                 set(Math.rint(v.doubleValue() / STEPS.step()) / Math.rint(1 / STEPS.step()));
@@ -55,7 +55,7 @@ final class ExposureControl extends HBox {
         var stops =
                 new NumberField(Messages.tr("Exposure in stops"), NumberSetting.of("exposure", STEPS, NumberUnit.STOPS, (v, _) -> set(v)));
         stops.setId("exposure-stops");
-        Tooltip.install(this, new Tooltip(Messages.tr("Exposure of the view in stops; double-click for 0.\nNo part of the scene.")));
+        Tooltip.install(this, new Tooltip(Messages.tr("Exposure of the view in stops (double-click to reset).\nNot saved in the scene.")));
         setAlignment(Pos.CENTER);
         setSpacing(4);
         getChildren().setAll(List.<Node>of(new FontIcon(MaterialDesignB.BRIGHTNESS_6), slider, stops));

@@ -8,9 +8,13 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
 
-/** What colors in the traced picture say, in a row over it, while they are there. */
+/** Row of labeled colors over the traced picture, visible while these colors are used. */
 class Legend extends HBox {
-    /** @param accessibleText for who does not see it */
+    /**
+     * Creates an empty legend.
+     *
+     * @param accessibleText text for screen readers
+     */
     Legend(String id, String accessibleText, ObservableValue<Boolean> visible) {
         setId(id);
         getStyleClass().add("legend");
@@ -23,10 +27,10 @@ class Legend extends HBox {
     }
 
     /**
-     * Adds what one color says.
+     * Adds a labeled color.
      *
-     * @param rgb  0xRRGGBB
-     * @param dark whether white words are read on it better than black ones
+     * @param rgb 0xRRGGBB
+     * @param dark true for white text, false for black text
      */
     final void add(String text, int rgb, boolean dark) {
         var label = new Label(text);

@@ -21,48 +21,56 @@ import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
 
 /**
- * Places the selected light by what it does in the traced picture: a press does it there, a drag goes on with it from surface to surface.
- * Then a ring about the place stays, whose drag takes the light nearer or farther; it goes with the next edit that is not its own.
+ * Places the selected light by its effect in the traced picture: a press or a drag sets the effect's position on a surface. Afterwards a
+ * ring around the position changes the light's distance when dragged. The next other edit removes the ring.
  */
 final class LightPlacer {
-    /** The ring's radius, pixels. */
+    /** Radius of the ring, pixels. */
     static final double RING_RADIUS = 40;
 
-    private static final String NO_SURFACE = Messages.key("There is nothing there; click a shape");
+    private static final String NO_SURFACE = Messages.key("No object here");
 
     private final SceneEditor editor;
     private final ReadOnlyStringWrapper prompt = new ReadOnlyStringWrapper("");
     private Tool tool;
     private Drag drag;
-    /** Of the drag: what makes it one step, and the light before it. */
+    /** Identifies the current drag as one undo step. */
     private Object gesture;
     private Light startLight;
     private Ring ring;
 
-    /** What the next press is for. */
+    /** Tool for the next press. */
     private sealed interface Tool {
-        /** It does that, wherever it is. */
+        /** Places the light for a goal. */
         record PlacementTool(Goal act) implements Tool {}
 
-        /** It takes what throws a shadow, or a shadow. */
+        /** Selects a shadow or its caster. */
         record ShadowTool() implements Tool {}
     }
 
-    /** What is under the mouse while the button is down. */
+    /** Drag in progress. */
     private sealed interface Drag {
-        /** @param picker finds surfaces of the picture that is shown */
+        /**
+         * Drag of the effect's position.
+         *
+         * @param picker finds surfaces of the displayed picture
+         */
         record PlacementDrag(LightPlacement placing, ScenePicker picker) implements Drag {}
 
-        /** @param startHit where the shadow, or what throws it, was taken */
+        /**
+         * Drag of a shadow or its caster.
+         *
+         * @param startHit surface point of the press
+         */
         record ShadowDrag(Light startLight, ScenePicker.SurfaceHit startHit, ScenePicker picker) implements Drag {}
 
         record DistanceDrag(Ring ring, Viewport.Pixel start) implements Drag {}
     }
 
     /**
-     * A placed light.
+     * Placed light with its ring.
      *
-     * @param light as it is now
+     * @param light light as placed, including its current distance
      */
     private record Ring(LightPlacement placing, ScenePicker.SurfaceHit hit, Light light) {}
 
@@ -75,19 +83,20 @@ final class LightPlacer {
         });
     }
 
-    /** Does the commands that place a light. */
+    /** Creates the placer and registers the commands that place a light. */
     static LightPlacer register(SceneEditor editor, CommandRegistry commands) {
         var placer = new LightPlacer(editor);
         commands.setAction(Command.AIM,
-                () -> placer.selectTool(Messages.tr("Click where the light should shine to, or drag its pool"), new Goal.Pool()));
+                () -> placer.selectTool(Messages.tr("Click where the light should aim, or drag the spot"), new Goal.Pool()));
         commands.setAction(Command.PLACE_HIGHLIGHT,
-                () -> placer.selectTool(Messages.tr("Click where the highlight should be, or drag it there"), new Goal.Highlight()));
+                () -> placer.selectTool(Messages.tr("Click or drag where the highlight should be"), new Goal.Highlight()));
         commands.setAction(Command.PLACE_DIFFUSE,
-                () -> placer.selectTool(Messages.tr("Click what the light should shine straight onto, or drag"), new Goal.Diffuse()));
+                () -> placer.selectTool(Messages.tr("Click or drag on the surface that should face the light"), new Goal.Diffuse()));
         commands.setAction(Command.PLACE_RIM,
-                () -> placer.selectTool(Messages.tr("Click where the rim of light should begin, or drag"), new Goal.Rim()));
+                () -> placer.selectTool(Messages.tr("Click or drag where the rim should start"), new Goal.Rim()));
         commands.setAction(Command.PLACE_SHADOW,
-                () -> placer.selectTool(new Tool.ShadowTool(), Messages.tr("Drag a shadow or what throws it, or click what throws it")));
+                () -> placer.selectTool(new Tool.ShadowTool(),
+                        Messages.tr("Drag a shadow or the object that casts it, or click that object")));
         return placer;
     }
 
@@ -102,11 +111,11 @@ final class LightPlacer {
     }
 
     /**
-     * Where the mouse is.
+     * Position of the mouse.
      *
-     * @param pixel  of the picture; empty beside it
-     * @param canvas the size of the whole picture as it is shown
-     * @param position     on that
+     * @param pixel pixel of the picture; empty outside it
+     * @param canvas size of the whole picture as displayed
+     * @param position position on the canvas
      */
     record Pointer(Optional<PictureView.Pixel> pixel, Viewport canvas, Viewport.Pixel position) {
         Optional<ScenePicker.SurfaceHit> pick(ScenePicker picker) {
@@ -114,43 +123,47 @@ final class LightPlacer {
         }
     }
 
-    /** What the artist shall do; empty where no tool is taken. */
+    /** Returns the instructions for the current tool; empty without a tool. */
     ReadOnlyStringProperty promptProperty() {
         return prompt.getReadOnlyProperty();
     }
 
-    /** Puts the tool away. */
+    /** Cancels the current tool. */
     void clearTool() {
         tool = null;
         prompt.set("");
     }
 
-    /** Takes the ring away; returns whether there was one. */
+    /** Removes the ring. Returns false if there was none. */
     boolean clearRing() {
         boolean hadRing = ring != null;
         ring = null;
         return hadRing;
     }
 
-    /** Whether a press took something. */
+    /** Returns true while a drag is in progress. */
     boolean isDragging() {
         return drag != null;
     }
 
-    /** Where the ring is drawn on a canvas that shows the whole picture, and how far the light is from there; empty where there is none. */
+    /** Returns the position of the ring on a canvas that shows the whole picture; empty without a ring. */
     Optional<RingMark> ringMark(Viewport canvas) {
         return Optional.ofNullable(ring).filter(r -> r.light().type().hasPosition())
                 .map(r -> new RingMark(ringCenter(r, canvas), r.light().position().minus(r.hit().point()).length()));
     }
 
-    /** @param distance from the place to the light, as it is now */
+    /**
+     * Position of the ring.
+     *
+     * @param distance current distance of the light from the point
+     */
     record RingMark(Viewport.Pixel center, double distance) {}
 
     private Viewport.Pixel ringCenter(Ring r, Viewport canvas) {
         return canvas.project(PreviewCamera.of(editor.scene()), r.hit().point());
     }
 
-    /** Takes what is there with the tool, or the ring; returns whether there is something to drag. */
+    /** Starts a drag with the tool or of the ring. Returns false if there is nothing to drag. */
     boolean press(Pointer pointer, double tolerance) {
         Frame frame = editor.editorStateProperty().get().frame().orElse(null);
         gesture = new Object();
@@ -163,50 +176,55 @@ final class LightPlacer {
             editor.message().show(Messages.tr("No light is selected"));
         } else if (frame != null) {
             ScenePicker picker = ScenePicker.of(frame.scene(), frame.geometry());
-            pointer.pick(picker).ifPresentOrElse(found -> {
+            pointer.pick(picker).ifPresentOrElse(hit -> {
                 switch (tool) {
                     case Tool.PlacementTool(Goal act) -> {
-                        var placing = LightPlacement.start(startLight, act, found.point());
+                        var placing = LightPlacement.start(startLight, act, hit.point());
                         drag = new Drag.PlacementDrag(placing, picker);
-                        place(placing, found, false);
+                        place(placing, hit, false);
                     }
-                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, found, picker);
+                    case Tool.ShadowTool() -> drag = new Drag.ShadowDrag(startLight, hit, picker);
                 }
             }, () -> editor.message().show(Messages.tr(NO_SURFACE)));
         }
         return drag != null;
     }
 
-    /** @param isSnapping whether distances are rounded, and aims */
+    /**
+     * Continues the drag.
+     *
+     * @param isSnapping true to snap distances and aim points to round values
+     */
     void drag(Pointer pointer, boolean isSnapping) {
         switch (drag) {
             case Drag.PlacementDrag(LightPlacement placing, ScenePicker picker) ->
-                    pointer.pick(picker).ifPresent(found -> place(placing, found, isSnapping));
-            case Drag.ShadowDrag(Light begin, ScenePicker.SurfaceHit from, ScenePicker picker) -> {
-                // Of a shadow, what throws it is what stands between; of anything else it is that itself.
-                Goal act = new Goal.Shadow(picker.findOccluder(from, begin).orElse(from).point());
-                drag = new Drag.PlacementDrag(LightPlacement.start(begin, act, from.point()), picker);
+                    pointer.pick(picker).ifPresent(hit -> place(placing, hit, isSnapping));
+            case Drag.ShadowDrag(Light lightAtStart, ScenePicker.SurfaceHit pressHit, ScenePicker picker) -> {
+                // If the point is in shadow, the occluder is the caster; otherwise the point itself is on the caster.
+                Goal newGoal = new Goal.Shadow(picker.findOccluder(pressHit, lightAtStart).orElse(pressHit).point());
+                drag = new Drag.PlacementDrag(LightPlacement.start(lightAtStart, newGoal, pressHit.point()), picker);
                 drag(pointer, isSnapping);
             }
-            case Drag.DistanceDrag(Ring begin, Viewport.Pixel from) -> {
-                Viewport.Pixel center = ringCenter(begin, pointer.canvas());
-                Vec3 point = begin.hit().point();
-                double factor = pointer.position().distance(center) / Math.max(1, from.distance(center));
-                double distance = begin.light().position().minus(point).length() * factor;
-                show(begin.placing(), begin.hit(),
-                        begin.placing().moveToDistance(begin.light(), point, isSnapping ? Snapping.snapDistance(distance) : distance),
+            case Drag.DistanceDrag(Ring startRing, Viewport.Pixel startPosition) -> {
+                Viewport.Pixel center = ringCenter(startRing, pointer.canvas());
+                Vec3 point = startRing.hit().point();
+                double factor = pointer.position().distance(center) / Math.max(1, startPosition.distance(center));
+                double distance = startRing.light().position().minus(point).length() * factor;
+                show(startRing.placing(), startRing.hit(),
+                        startRing.placing().moveToDistance(startRing.light(), point,
+                                isSnapping ? Snapping.snapDistance(distance) : distance),
                         Optional.empty());
             }
         }
     }
 
-    private void place(LightPlacement placing, ScenePicker.SurfaceHit found, boolean isSnapping) {
+    private void place(LightPlacement placing, ScenePicker.SurfaceHit hit, boolean isSnapping) {
         boolean isPool = placing.goal() instanceof Goal.Pool;
         LightPlacement rounded = isSnapping && !isPool ? placing.withDistance(Snapping.snapDistance(placing.distance())) : placing;
         try {
-            Light light = rounded.place(found);
+            Light light = rounded.place(hit);
             Optional<Snapping> snap = isSnapping && isPool ? Optional.of(Snapping.ofDirection(light)) : Optional.empty();
-            show(rounded, found, snap.map(Snapping::light).orElse(light), snap.map(Snapping::message));
+            show(rounded, hit, snap.map(Snapping::light).orElse(light), snap.map(Snapping::message));
         } catch (IllegalArgumentException e) {
             editor.message().show(ErrorMessage.of(e));
         }
@@ -221,17 +239,21 @@ final class LightPlacer {
         }
     }
 
-    /** @param isClick whether the mouse has not moved since the press */
+    /**
+     * Ends the drag.
+     *
+     * @param isClick true if the mouse did not move since the press
+     */
     void release(boolean isClick) {
-        if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit from, ScenePicker _) && isClick) {
-            selectTool(Messages.tr("Click where the shadow should fall, or drag it there"), new Goal.Shadow(from.point()));
+        if (drag instanceof Drag.ShadowDrag(Light _, ScenePicker.SurfaceHit pressHit, ScenePicker _) && isClick) {
+            selectTool(Messages.tr("Click or drag where the shadow should fall"), new Goal.Shadow(pressHit.point()));
         } else {
             clearTool();
         }
         drag = null;
     }
 
-    /** Takes back what the drag did, and puts the tool away. */
+    /** Reverts the drag and cancels the tool. */
     void cancelDrag() {
         editor.edit(scene -> LightEdits.edit(scene, startLight.name(), _ -> startLight), gesture);
         drag = null;

@@ -8,9 +8,13 @@ import lightning.base.work.DedicatedThread;
 import lightning.editor.loop.Frame;
 import lightning.render.shading.PixelExplainer;
 
-/** Tells what a pixel shows, on a thread of its own; of many questions the newest is answered. */
+/** Inspects pixels on a separate thread. Only the newest request is answered. */
 final class PixelInspector implements AutoCloseable {
-    /** @param listener on the window's thread */
+    /**
+     * Pending request.
+     *
+     * @param listener called on the window's thread
+     */
     private record Request(Frame frame, int x, int y, Consumer<PixelReport> listener) {}
 
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-inspect");
@@ -24,9 +28,9 @@ final class PixelInspector implements AutoCloseable {
     }
 
     /**
-     * Asks about a pixel of a picture.
+     * Requests a report on a pixel of a picture.
      *
-     * @param listener hears on the window's thread, unless a newer question comes before
+     * @param listener receives the report on the window's thread, unless a newer request replaces this one
      */
     void request(Frame frame, int x, int y, Consumer<PixelReport> listener) {
         if (pending.getAndSet(new Request(frame, x, y, listener)) == null) {

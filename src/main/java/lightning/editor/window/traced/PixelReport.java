@@ -10,19 +10,24 @@ import lightning.render.shading.PointReport;
 import lightning.render.trace.Geometry;
 
 /**
- * What a pixel of the picture shows.
+ * Report on a pixel of the picture.
  *
- * @param x      columns from the left; likewise {@code y} rows from the top
- * @param shape  the shape's name; empty for the background
- * @param point  where it is in the scene; null for the background
- * @param normal of the surface there; null for the background
- * @param geometricNormal the normal of the surface itself, where another one shades it; null where none does
- * @param lights what each light does there, in the scene's order
- * @param environmentLights    what each lamp of the environment does there
+ * @param x column from the left
+ * @param y row from the top
+ * @param shape name of the shape; empty for the background
+ * @param point position in the scene; null for the background
+ * @param normal shading normal; null for the background
+ * @param geometricNormal geometric normal if it differs from the shading normal; otherwise null
+ * @param lights contribution of each light, in the scene's order
+ * @param environmentLights contribution of each environment sample
  */
 record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geometricNormal, List<LightReport> lights,
         List<LightReport> environmentLights) {
-    /** @param lightCount how many lights the scene has without those of its environment */
+    /**
+     * Creates a report.
+     *
+     * @param lightCount number of lights in the scene, without environment lights
+     */
     static PixelReport of(Geometry geometry, PointReport report, int lightCount, int x, int y) {
         if (report.isBackground()) {
             return new PixelReport(x, y, "", null, null, null, List.of(), List.of());
@@ -34,7 +39,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
                 report.lights().subList(lightCount, report.lights().size()));
     }
 
-    /** The light that brings the most to this pixel; empty where none brings anything. */
+    /** Returns the light that contributes most to this pixel; empty if none does. */
     Optional<String> strongest() {
         LightReport best = null;
         float maxBrightness = 0;
@@ -57,15 +62,15 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
     }
 
     /**
-     * Two lines, each as narrow as it can be: the place, the shape, its normals; the values. What is least wanted is last in its line, where
-     * one that has no room is cut.
+     * Returns two short lines: the position, shape and normals, and the values. The least important part of a line is last, because a
+     * narrow window truncates it.
      *
-     * @param values as {@link PixelValues} has them
+     * @param values text from {@link PixelValues}
      */
     String headline(String values) {
         String position = x + ", " + y + "  " + (shape.isEmpty() ? Messages.tr("background") : shape);
         return position + (normal == null ? "" : "  " + text(Messages.key("normal %.2f %.2f %.2f"), normal)
-                + (geometricNormal == null ? "" : text(Messages.key(", the surface's own %.2f %.2f %.2f"), geometricNormal)))
+                + (geometricNormal == null ? "" : text(Messages.key(", geometric normal %.2f %.2f %.2f"), geometricNormal)))
                 + "\n" + (values.isEmpty() ? " " : values);
     }
 
@@ -73,7 +78,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
         return String.format(Messages.locale(), Messages.tr(pattern), v.x(), v.y(), v.z());
     }
 
-    /** What each light does, as in {@code key 64 %}. */
+    /** Returns the contribution of each light, such as {@code key 64 %}. */
     List<String> lightLines() {
         float total = 0;
         for (LightReport light : lights) {
@@ -88,18 +93,18 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
         for (LightReport light : lights) {
             lines.add(light.light().name() + "  " + switch (light.state()) {
                 case DARK -> Messages.tr("dark");
-                case AWAY -> Messages.tr("facing away");
+                case AWAY -> Messages.tr("backfacing");
                 case OUTSIDE -> Messages.tr("outside the cone");
                 case UNLINKED -> Messages.tr("not linked");
                 case SHADOWED ->
-                        light.samplesBelowSurface() == light.samples() ? Messages.tr("below the surface") : Messages.tr("shadowed");
+                        light.samplesBelowSurface() == light.samples() ? Messages.tr("below the horizon") : Messages.tr("shadowed");
                 case LIT -> percent(brightness(light), total) + samplesText(light);
             });
         }
         if (!environmentLights.isEmpty()) {
             long litCount =
                     environmentLights.stream().filter(environmentLight -> environmentLight.state() == LightReport.State.LIT).count();
-            lines.add(Messages.tr("environment  {0}, {1} of {2} lamps", percent(environmentTotal, total), litCount,
+            lines.add(Messages.tr("environment  {0}, {1} of {2} samples", percent(environmentTotal, total), litCount,
                     environmentLights.size()));
         }
         return lines;
@@ -109,7 +114,7 @@ record PixelReport(int x, int y, String shape, Vec3 point, Vec3 normal, Vec3 geo
         return Math.round(100 * share / Math.max(total, Float.MIN_NORMAL)) + " %";
     }
 
-    /** Of how many of its samples a light reaches the pixel, where that is not all of it. */
+    /** Returns the number of a light's visible samples; empty if all are visible. */
     private static String samplesText(LightReport light) {
         return light.visibleSamples() == light.samples() ? ""
                 : Messages.tr(", {0} of {1} samples", light.visibleSamples(), light.samples());

@@ -5,7 +5,7 @@ import lightning.render.image.FalseColor;
 import lightning.render.image.Film;
 import lightning.render.image.ViewTransform;
 
-/** The numbers of a pixel: its linear red, green and blue, what the display gets of them, and how many stops from middle gray it is. */
+/** Values of a pixel: linear red, green and blue, display values, and stops from middle gray. */
 final class PixelValues {
     private PixelValues() {}
 

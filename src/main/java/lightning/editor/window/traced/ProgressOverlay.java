@@ -17,7 +17,7 @@ import lightning.editor.window.model.RemainingTime;
 import lightning.editor.window.model.TracedPicture;
 import lightning.editor.window.widget.DelayedMessage;
 
-/** How far the picture or its verification is, with Cancel; not there for work too short to read it. */
+/** Progress of rendering or verification, with a Cancel button. Stays hidden for short tasks. */
 final class ProgressOverlay extends HBox {
     private static final Duration SHOW_DELAY = Duration.millis(250);
     private final CommandRegistry commands;
@@ -40,7 +40,7 @@ final class ProgressOverlay extends HBox {
         setAlignment(Pos.CENTER);
         setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
         bar.setId("progress-bar");
-        bar.setAccessibleText(Messages.tr("Progress of the picture"));
+        bar.setAccessibleText(Messages.tr("Render progress"));
         var cancel = CommandButton.iconButton(commands, Command.CANCEL);
         cancel.button().setId("cancel-progress");
         getChildren().addAll(title, bar, cancel);

@@ -13,14 +13,16 @@ import lightning.render.image.Film;
 import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
-/** Traces a part of the picture alone, beside all other work; a newer region replaces an older one. */
+/** Traces a region of the picture in the background. A new region replaces the previous one. */
 final class RegionTracer implements AutoCloseable {
     private final ExecutorService thread = DedicatedThread.sequentialExecutor("lightning-region");
     private volatile Object latest;
 
     /**
-     * @param geometry finds what the rays of a scene can meet
-     * @param onFilm    hears of the film on the tracing thread; only the tiles that the region meets are in it
+     * Starts to trace a region.
+     *
+     * @param geometry returns the geometry of a scene
+     * @param onFilm receives the film on the tracing thread; it contains only the tiles that intersect the region
      */
     void trace(Scene scene, Function<Scene, Geometry> geometry, TracedRaster.DirtyRect region, Consumer<Film> onFilm,
             Consumer<Throwable> onFailure) {
@@ -42,7 +44,7 @@ final class RegionTracer implements AutoCloseable {
         latest = null;
     }
 
-    /** The numbers of the tiles that a region meets. */
+    /** Returns the indices of the tiles that intersect a region. */
     static int[] tiles(Scene scene, TracedRaster.DirtyRect region) {
         int tilesPerRow = Film.tilesAlong(scene.picture().width());
         int left = region.left() / Film.TILE_SIZE;

@@ -13,13 +13,17 @@ import lightning.scene.AntialiasMode;
 import lightning.scene.SamplingSettings;
 import lightning.scene.Scene;
 
-/** The choice of anti-aliasing: which pixels are made of several samples, and of how many. An edit that Go renders. */
+/** Menu of anti-aliasing modes and sample counts. The choice is an edit of the scene. */
 public final class SamplingMenu {
     private static final int[] GRIDS = {2, 3, 4, 8};
 
     private SamplingMenu() {}
 
-    /** @param items make the menu's items; the ids end in {@code off}, {@code edges}, {@code every}, and {@code 2} to {@code 8} */
+    /**
+     * Creates the menu.
+     *
+     * @param items creates the menu's items; their ids end in {@code off}, {@code edges}, {@code every}, and {@code 2} to {@code 8}
+     */
     public static Menu of(SceneEditor editor, CommandMenuItems items) {
         Menu menu = items.menu(Command.ANTIALIAS);
         for (AntialiasMode antialias : AntialiasMode.values()) {
@@ -30,7 +34,7 @@ public final class SamplingMenu {
         menu.getItems().add(new SeparatorMenuItem());
         for (int grid : GRIDS) {
             menu.getItems()
-                    .add(items.choice(Command.SAMPLES, "antialias-" + grid, Messages.tr("{0} × {1} Samples in Such a Pixel", grid, grid),
+                    .add(items.choice(Command.SAMPLES, "antialias-" + grid, Messages.tr("{0} × {1} Samples per Pixel", grid, grid),
                             editor.sceneProperty().map(s -> sampling(s).grid() == grid),
                             () -> editSampling(editor, now -> new SamplingSettings(now.antialias(), grid))));
         }
@@ -53,7 +57,7 @@ public final class SamplingMenu {
         };
     }
 
-    /** What stands behind the size of the picture: {@code , edges 4 × 4}; empty where pixels have one sample. */
+    /** Returns the suffix for the picture's size, such as {@code , edges 4 × 4}; empty without anti-aliasing. */
     public static String text(Scene scene) {
         SamplingSettings sampling = sampling(scene);
         return sampling.isSupersampled()

@@ -6,12 +6,12 @@ import lightning.render.image.DisplayCurve;
 import lightning.render.image.FalseColor;
 import lightning.render.image.ViewTransform;
 
-/** Which color stands for which stop, while the picture is shown in such colors. */
+/** Legend of the false colors by stop, visible while the picture uses them. */
 final class StopLegend extends Legend {
     private static final int DARK_LIMIT = 3 * 0x60;
 
     StopLegend(ObservableValue<ViewTransform> view) {
-        super("stop-legend", Messages.tr("Stops from middle gray, by color"),
+        super("stop-legend", Messages.tr("Stops from middle gray (false color)"),
                 view.map(now -> now.curve() == DisplayCurve.FALSE));
         for (FalseColor.Band band : FalseColor.bands()) {
             int rgb = band.rgb();

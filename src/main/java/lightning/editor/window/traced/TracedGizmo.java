@@ -27,8 +27,8 @@ import lightning.editor.window.widget.PictureView;
 import lightning.scene.Light;
 
 /**
- * The wireframe of the selected light, or the handles of the selected shape, over the traced picture while the mouse is there: taken and
- * dragged as in the preview. G hides them in both.
+ * Wireframe of the selected light, or handles of the selected shape, over the traced picture while the mouse is over it. Draggable as in
+ * the preview. G hides them in both views.
  */
 final class TracedGizmo extends Pane {
     private static final int RING_SIDES = 48;
@@ -41,17 +41,25 @@ final class TracedGizmo extends Pane {
     private final Canvas canvas = new Canvas();
     private Drag drag;
 
-    /** What a press took. */
+    /** Target of a drag. */
     private sealed interface DragTarget {}
 
     private record LightTarget(Light startLight, LightDrag lightDrag) implements DragTarget {}
 
     private record HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle handle) implements DragTarget {}
 
-    /** @param start the place of the press, of the whole picture as it is shown */
+    /**
+     * Drag in progress.
+     *
+     * @param start position of the press on the canvas of the whole picture
+     */
     private record Drag(DragTarget target, Viewport.Pixel start) {}
 
-    /** @param settings how large lights are drawn, and whether at all */
+    /**
+     * Creates the overlay.
+     *
+     * @param settings visibility and size of the light handles
+     */
     TracedGizmo(SceneEditor editor, PreviewSettings settings, PictureView picture, LightPlacer placer) {
         this.editor = editor;
         this.settings = settings;
@@ -72,7 +80,7 @@ final class TracedGizmo extends Pane {
         picture.hoverProperty().subscribe(_ -> draw());
     }
 
-    /** The whole picture as it is shown. */
+    /** Returns the size of the whole picture as displayed. */
     Viewport viewport() {
         Bounds bounds = picture.pictureBoundsProperty().getValue();
         return new Viewport(Math.max(1, bounds.getWidth()), Math.max(1, bounds.getHeight()));
@@ -95,13 +103,13 @@ final class TracedGizmo extends Pane {
         return isEnabled() ? editor.selection().node().flatMap(n -> NodeGizmo.of(editor.scene(), n, view(), viewport())) : Optional.empty();
     }
 
-    /** Where the mouse is in it. */
+    /** Returns the mouse position on the canvas of the whole picture. */
     Viewport.Pixel toCanvas(MouseEvent e) {
         Bounds bounds = picture.pictureBoundsProperty().getValue();
         return new Viewport.Pixel(e.getX() - bounds.getMinX(), e.getY() - bounds.getMinY());
     }
 
-    /** Takes what is under the mouse; returns whether there is something. */
+    /** Starts a drag of the handle under the mouse. Returns false if there is none. */
     boolean press(MouseEvent e) {
         Viewport.Pixel point = toCanvas(e);
         Optional<NodeGizmo> gizmo = e.getButton() == MouseButton.PRIMARY ? handles() : Optional.empty();
@@ -114,7 +122,7 @@ final class TracedGizmo extends Pane {
         return drag != null;
     }
 
-    /** Drags what was taken. */
+    /** Continues the drag. */
     void drag(MouseEvent e) {
         Viewport.Pixel point = toCanvas(e);
         switch (drag.target()) {
@@ -125,20 +133,21 @@ final class TracedGizmo extends Pane {
                 editor.editOrReport(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(),
                         _ -> gizmo.drag(handle, view, viewport, from, point, e.isShiftDown())), drag);
             }
-            case LightTarget(Light begin, LightDrag by) -> {
-                Light moved = by.apply(begin, view(), viewport(), point.x() - drag.start().x(), drag.start().y() - point.y());
+            case LightTarget(Light lightAtStart, LightDrag dragKind) -> {
+                Light moved = dragKind.apply(lightAtStart, view(), viewport(), point.x() - drag.start().x(),
+                        drag.start().y() - point.y());
                 Optional<Snapping> snap =
-                        e.isShiftDown() && !moved.equals(begin) ? Optional.of(Snapping.of(begin, moved, view(), viewport()))
+                        e.isShiftDown() && !moved.equals(lightAtStart) ? Optional.of(Snapping.of(lightAtStart, moved, view(), viewport()))
                                 : Optional.empty();
                 Light snapped = snap.map(Snapping::light).orElse(moved);
-                if (editor.editOrReport(scene -> LightEdits.edit(scene, begin.name(), _ -> snapped), drag).isEmpty()) {
+                if (editor.editOrReport(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> snapped), drag).isEmpty()) {
                     snap.ifPresent(s -> editor.message().show(Messages.tr("Snapped: {0}", s.message())));
                 }
             }
         }
     }
 
-    /** Whether something is dragged. */
+    /** Returns true while a drag is in progress. */
     boolean isDragging() {
         return drag != null;
     }
@@ -148,17 +157,18 @@ final class TracedGizmo extends Pane {
         draw();
     }
 
-    /** Takes back what the drag did. */
+    /** Reverts the drag. */
     void cancelDrag() {
         switch (drag.target()) {
             case HandleTarget(NodeGizmo gizmo, NodeGizmo.Handle _) -> editor
                     .edit(scene -> NodeEdits.setPlacement(scene, gizmo.node().name(), _ -> gizmo.node().placement()), drag);
-            case LightTarget(Light begin, LightDrag _) -> editor.edit(scene -> LightEdits.edit(scene, begin.name(), _ -> begin), drag);
+            case LightTarget(Light lightAtStart, LightDrag _) ->
+                    editor.edit(scene -> LightEdits.edit(scene, lightAtStart.name(), _ -> lightAtStart), drag);
         }
         release();
     }
 
-    /** Draws all anew. A canvas that is changed has the window draw all that lies under it again, even one that is empty before and after. */
+    /** Redraws the overlay. Avoid needless calls: any change of a canvas redraws everything below it, even if the canvas stays empty. */
     void draw() {
         canvas.setVisible(picture.isHover() || drag != null || placer.isDragging());
         if (!canvas.isVisible()) {
@@ -179,7 +189,7 @@ final class TracedGizmo extends Pane {
         g.restore();
     }
 
-    /** The ring about where a light was placed, and how far the light is from there. */
+    /** Draws the ring around a placed light's point, and its distance. */
     private static void drawRing(GraphicsContext g, LightPlacer.RingMark mark) {
         List<LightGizmo.Stroke> strokes = new ArrayList<>();
         for (int i = 0; i < RING_SIDES; i++) {

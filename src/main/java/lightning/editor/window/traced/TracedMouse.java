@@ -33,8 +33,8 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
- * The mouse over the traced picture: says what a pixel is made of, selects the light that matters most there, serves the
- * {@link LightPlacer}, frames a region, moves the picture.
+ * Mouse handler of the traced picture: inspects pixels, selects the light that contributes most, runs the {@link LightPlacer}, frames a
+ * region, and pans the picture.
  */
 final class TracedMouse implements AutoCloseable {
     private final SceneEditor editor;
@@ -52,20 +52,24 @@ final class TracedMouse implements AutoCloseable {
     private final LightPlacer placer;
     private final TracedGizmo gizmo;
     private final StackPane overlay;
-    /** Hears of the next click; null where a click selects. */
+    /** Receives the pixel of the next click; null if a click selects a light. */
     private Consumer<PixelReport> onPick;
     private String pickHint = "";
     private boolean isPanning;
-    /** Whether the artist gave the drag up before the button was released. */
+    /** True if the user canceled the drag before releasing the button. */
     private boolean isCanceled;
-    /** What the region shows that was traced last; null before the first. */
+    /** Scene of the last traced region; null before the first. */
     private volatile Scene patchedScene;
     private double pressX;
     private double pressY;
     private double lastX;
     private double lastY;
 
-    /** @param onHover hears what the pixel under the mouse shows; null where there is none */
+    /**
+     * Attaches the handlers.
+     *
+     * @param onHover receives the report on the pixel under the mouse; null if there is none
+     */
     TracedMouse(EditorModel model, PictureView picture, Consumer<PixelReport> onHover) {
         editor = model.editor();
         tracedPicture = model.picture();
@@ -101,7 +105,7 @@ final class TracedMouse implements AutoCloseable {
         });
     }
 
-    /** While the space bar is held over the picture, the left button moves it. */
+    /** While the space bar is held over the picture, the left button pans. */
     private void handleSpace(KeyEvent e) {
         if (e.getCode() != KeyCode.SPACE) {
             return;
@@ -145,7 +149,7 @@ final class TracedMouse implements AutoCloseable {
         }
     }
 
-    /** The next click tells what is there instead of selecting a light; a right click ends it. */
+    /** The next click reports its pixel instead of selecting a light; a right click cancels this. */
     void pickNext(String hint, Consumer<PixelReport> listener) {
         placer.clearTool();
         onPick = listener;
@@ -153,22 +157,22 @@ final class TracedMouse implements AutoCloseable {
         updatePrompt();
     }
 
-    /** What the artist shall do in the picture, over which it stands; empty where nothing is asked. */
+    /** Returns the instructions to show over the picture; empty if there are none. */
     ReadOnlyStringProperty promptProperty() {
         return prompt.getReadOnlyProperty();
     }
 
-    /** Lies over the picture. */
+    /** Returns the overlay of the picture. */
     Node overlay() {
         return overlay;
     }
 
-    /** What the region shows that was traced last; null before the first. */
+    /** Returns the scene of the last traced region; null before the first. */
     Scene patchedScene() {
         return patchedScene;
     }
 
-    /** Whether a drag frames a region. */
+    /** Returns the region mode, in which a drag frames a region. */
     BooleanProperty regionProperty() {
         return regionMode;
     }
@@ -176,8 +180,8 @@ final class TracedMouse implements AutoCloseable {
     private void updatePrompt() {
         PicturePointer.RegionRequest request = picturePart.regionRequestProperty().get();
         String placerPrompt = placer.promptProperty().get();
-        prompt.set(onPick != null ? pickHint : !placerPrompt.isEmpty() ? Messages.tr("{0}, Shift snaps", placerPrompt)
-                : regionMode.get() ? Messages.tr("Drag a frame around what to trace")
+        prompt.set(onPick != null ? pickHint : !placerPrompt.isEmpty() ? Messages.tr("{0} (Shift snaps)", placerPrompt)
+                : regionMode.get() ? Messages.tr("Drag a rectangle around the region to render")
                 : request != null ? request.hint() : "");
         picture.setCursor(isPanning ? Cursor.OPEN_HAND : prompt.get().isEmpty() ? Cursor.DEFAULT : Cursor.CROSSHAIR);
     }
@@ -322,7 +326,7 @@ final class TracedMouse implements AutoCloseable {
             if (onPick == null) {
                 report.strongest().ifPresent(editor.selection()::selectLight);
             } else if (report.point() == null) {
-                editor.message().show(Messages.tr("There is nothing there; click a shape"));
+                editor.message().show(Messages.tr("No object here"));
             } else {
                 Consumer<PixelReport> listener = onPick;
                 endPick();

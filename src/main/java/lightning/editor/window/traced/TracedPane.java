@@ -40,11 +40,11 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignC;
 import org.kordamp.ikonli.materialdesign2.MaterialDesignE;
 
-/** The ray-traced canvas: the picture, what it does not show yet, how far it is, and what a pixel of it is made of. */
+/** Pane of the ray-traced picture, with its badges, its progress and the report on the pixel under the mouse. */
 public final class TracedPane extends BorderPane implements AutoCloseable {
     private static final Insets BADGE_INSETS = new Insets(PictureView.MARGIN);
     private static final double ZOOM_STEP = 1.5;
-    /** As many lines as are told of a pixel, so that the picture keeps its room. */
+    /** Empty report with its two lines, so that the picture keeps its size. */
     private static final String NO_PIXEL = " \n ";
 
     private final SceneEditor editor;
@@ -64,20 +64,26 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private final StackPane compareBox = new StackPane(compare);
     private final DisabledReason compareReason =
             new DisabledReason(compareBox, compare,
-                    Messages.tr("Compare: the snapshot on the left, the picture on the right; drag to wipe"));
+                    Messages.tr("Compare (A/B): snapshot on the left, image on the right; drag to wipe"));
     private final TracedMouse mouse;
     private TracedRaster.Pixels shownPixels;
-    /** Whether there was a picture with all its samples, or none will be: before, the window's thread has much to do. */
+    /** True once a picture was finished, canceled or failed. Before that, the window's thread is busy. */
     private boolean hasFinalPicture;
 
-    /** @param scheduler when badges are looked at again */
+    /**
+     * For tests.
+     *
+     * @param scheduler schedules the delayed updates of the badges
+     */
     TracedPane(EditorModel model, DelayedMessage.Scheduler scheduler) {
         this(model, createView(), scheduler);
     }
 
     /**
-     * @param picture shows the picture from now on; a {@link #createView}, which may show something already, elsewhere in the window, and say
-     *                so: the pane says it then
+     * Creates the pane.
+     *
+     * @param picture view from {@link #createView}, which the pane takes over. It may already show a picture and a note elsewhere in the
+     *     window
      */
     public TracedPane(EditorModel model, PictureView picture) {
         this(model, picture, DelayedMessage.Scheduler.FX_THREAD);
@@ -100,9 +106,10 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         commands.setAction(Command.TRACED_ZOOM_IN, () -> picture.zoomBy(ZOOM_STEP));
         commands.setAction(Command.TRACED_ZOOM_OUT, () -> picture.zoomBy(1 / ZOOM_STEP));
         commands.setAction(Command.PICK_MATERIAL,
-                () -> mouse.pickNext(Messages.tr("Click the shape whose material to edit"),
+                () -> mouse.pickNext(Messages.tr("Click an object to edit its material"),
                         report -> model.materials().chooseForShape(report.shape())));
-        mirrorsBadge.setTooltip(new Tooltip(Messages.tr("As in 1998, mirrors are updated on demand.\nA click here does it, and F6.")));
+        mirrorsBadge.setTooltip(new Tooltip(
+                Messages.tr("Reflections are updated on request in this accuracy mode.\nClick to update them (F6).")));
         mirrorsBadge.setOnMouseClicked(_ -> commands.run(Command.UPDATE_REFLECTIONS));
         var badges = new VBox(pendingBadge, mirrorsBadge);
         badges.getStyleClass().add("badges");
@@ -112,7 +119,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         StackPane.setMargin(badges, BADGE_INSETS);
         lookBadge.getStyleClass().add("look-badge");
         lookBadge.setTooltip(
-                new Tooltip(Messages.tr("A way of looking, no part of the scene.\nSave Image and Verify take the picture itself.")));
+                new Tooltip(Messages.tr("View settings change only the display.\nSave Image and Verify ignore them.")));
         lookBadge.setMaxHeight(Region.USE_PREF_SIZE);
         StackPane.setAlignment(lookBadge, Pos.TOP_RIGHT);
         StackPane.setMargin(lookBadge, BADGE_INSETS);
@@ -129,7 +136,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         promptLabel.setId("prompt");
         promptLabel.getStyleClass().add("prompt");
         promptLabel.setMouseTransparent(true);
-        promptLabel.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : Messages.tr("{0}  ·  Esc ends", p)));
+        promptLabel.textProperty().bind(mouse.promptProperty().map(p -> p.isEmpty() ? "" : Messages.tr("{0}  ·  Esc to finish", p)));
         promptLabel.visibleProperty().bind(mouse.promptProperty().isNotEmpty());
         StackPane.setAlignment(promptLabel, Pos.TOP_CENTER);
         Node legend = new StopLegend(traced.viewProperty());
@@ -159,16 +166,16 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         picture.showNote("");
     }
 
-    /** What shows the picture. */
+    /** Creates the view of the picture. */
     public static PictureView createView() {
         var view = new PictureView();
         view.setId("traced-picture");
         return view;
     }
 
-    /** What is said of a coarse picture, which is there before the first whole one. */
+    /** Returns the note on a coarse preview, which is shown before the first full picture. */
     public static String coarseNote() {
-        return Messages.tr("Coarse picture, a finer one follows");
+        return Messages.tr("Refining…");
     }
 
     private Node header() {
@@ -185,9 +192,9 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
     private MenuButton viewMenu() {
         var menu = new MenuButton("", new FontIcon(MaterialDesignE.EYE_SETTINGS_OUTLINE));
         menu.setId("view-options");
-        menu.setAccessibleText(Messages.tr("How the picture is shown"));
+        menu.setAccessibleText(Messages.tr("View options"));
         menu.setTooltip(
-                new Tooltip(Messages.tr("How the picture is shown\nThe display's curve, and effects to hide. No part of the scene.")));
+                new Tooltip(Messages.tr("View transform and visible effects (not saved in the scene)")));
         menu.getStyleClass().addAll("button-icon", "flat");
         menu.getItems().setAll(ViewMenuItems.of(traced.viewProperty(), CommandMenuItems.forMenu(commands, "view-")));
         return menu;
@@ -198,12 +205,12 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         button.setId("snapshot");
         button.setAccessibleText(Messages.tr("Snapshot"));
         button.getStyleClass().add("button-icon");
-        button.setTooltip(new Tooltip(Messages.tr("Snapshot\nKeep this picture to compare later ones with.")));
+        button.setTooltip(new Tooltip(Messages.tr("Snapshot\nSave the current image for comparison.")));
         button.setOnAction(_ -> storeSnapshot());
         compare.setId("compare");
         compare.setAccessibleText(Messages.tr("Compare"));
         compare.getStyleClass().add("button-icon");
-        compareReason.set(Optional.of(Messages.tr("no snapshot is kept yet")));
+        compareReason.set(Optional.of(Messages.tr("no snapshot yet")));
         compare.selectedProperty().subscribe(on -> {
             picture.wipe().setVisible(on);
             picture.requestLayout();
@@ -217,15 +224,19 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
             picture.wipe().store(pixels.width(), pixels.height(), pixels.pixels());
             compareReason.set(Optional.empty());
             picture.requestLayout();
-            editor.message().show(Messages.tr("Snapshot kept"));
+            editor.message().show(Messages.tr("Snapshot saved"));
         }
     }
 
-    /** @param report what the pixel under the mouse shows; null where there is none */
+    /**
+     * Shows the report on a pixel.
+     *
+     * @param report report on the pixel under the mouse; null if there is none
+     */
     private void showPixel(PixelReport report) {
         lightsCard.setText(report == null ? "" : String.join("\n", report.lightLines()));
         if (report == null) {
-            // Once it is known what the mouse is over instead.
+            // Deferred until the mouse's new target is known.
             Platform.runLater(this::clearPixel);
             return;
         }
@@ -235,7 +246,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         pixelLine.setTooltip(pixelTip);
     }
 
-    /** What was told of the last pixel stays while the mouse is on its way to it: its tooltip has what the line has no room for. */
+    /** Keeps the last report while the mouse is over the report itself: its tooltip shows the text that does not fit. */
     private void clearPixel() {
         if (!isHover() && lightsCard.getText().isEmpty()) {
             pixelLine.setText(NO_PIXEL);
@@ -243,39 +254,40 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** Whether there is no picture in it yet. */
+    /** Returns true if no picture is shown yet. */
     public boolean isEmpty() {
         return picture.emptyProperty().get();
     }
 
-    /** How the picture is behind the edits; empty where it is not. */
+    /** Describes how the picture differs from the edited scene; empty if it is up to date. */
     private String pendingText() {
         EditorState state = editor.editorStateProperty().get();
         if (traced.raster().isPatched() && mouse.patchedScene() != null && state.renderedScene().isPresent()
                 && !VisibleState.isSame(mouse.patchedScene(), state.renderedScene().get())) {
-            return VisibleState.isSame(mouse.patchedScene(), state.scene()) ? Messages.tr("A region shows edits that the rest does not")
-                    : Messages.tr("A region shows other edits than the rest");
+            return VisibleState.isSame(mouse.patchedScene(), state.scene()) ? Messages.tr("The region is newer than the rest of the image")
+                    : Messages.tr("The region is out of date");
         }
         if (state.frame().isEmpty()) {
             return traced.raster().pixels() == null ? "" : coarseNote();
         }
-        // What is played is always on its way.
+        // During playback there is always a newer frame in progress.
         boolean isUpdating = state.animating() && state.sceneInProgress().isPresent();
         if (isUpdating || state.pendingMessage().isEmpty()) {
             return "";
         }
-        return state.hasPendingEdits() ? Messages.tr("Edits not yet rendered")
-                : state.sceneInProgress().isPresent() ? Messages.tr("Finer samples follow")
-                : Messages.tr("Without finer samples");
+        return state.hasPendingEdits() ? Messages.tr("Out of date. Render (F5)")
+                : state.sceneInProgress().isPresent() ? Messages.tr("Anti-aliasing…")
+                : Messages.tr("Not anti-aliased");
     }
 
-    /** What is said in the place of a picture that is not there yet. */
+    /** Returns the text shown while there is no picture. */
     private String waitingText() {
         RenderState state = traced.renderStateProperty().get();
         if (state.problem() != null) {
             return ErrorMessage.of(state.problem());
         }
-        return state.canceled() ? Messages.tr("Canceled. Go traces the picture.") : Messages.tr("Tracing {0} …", editor.document().name());
+        return state.canceled() ? Messages.tr("Canceled. Render the image with F5.")
+                : Messages.tr("Tracing {0} …", editor.document().name());
     }
 
     private void showPending(String text) {
@@ -296,7 +308,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         lookBadge.setMessage(lookLabel.isEmpty() ? "" : Messages.tr("View: {0}", lookLabel));
         boolean isStale = frame != null && frame.isDisplayStale();
         mirrorsBadge.setMessage(isStale
-                ? editor.editorStateProperty().get().staleMirrorsMessage().map(r -> Messages.tr("{0}: Update Reflections", r)).orElse("")
+                ? editor.editorStateProperty().get().staleMirrorsMessage().map(r -> Messages.tr("{0}. Click to update", r)).orElse("")
                 : "");
         boolean isVerified = currentVerification() != null;
         difference.setVisible(isVerified);
@@ -306,7 +318,7 @@ public final class TracedPane extends BorderPane implements AutoCloseable {
         }
     }
 
-    /** The difference picture's films, where the last verification is of the picture shown; else null. */
+    /** Returns the last verification if it refers to the displayed picture; otherwise null. */
     private Verification currentVerification() {
         var state = traced.renderStateProperty().get();
         boolean matches = state.verification() != null && state.frame() != null

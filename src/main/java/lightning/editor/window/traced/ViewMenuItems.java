@@ -11,11 +11,15 @@ import lightning.editor.window.command.CommandMenuItems;
 import lightning.render.image.DisplayCurve;
 import lightning.render.image.ViewTransform;
 
-/** The choices of how the traced picture is looked at, none of which is a part of the scene. */
+/** Menu items of the view transform and the visible effects, which are not part of the scene. */
 public final class ViewMenuItems {
     private ViewMenuItems() {}
 
-    /** @param items make the menu's items */
+    /**
+     * Creates the items.
+     *
+     * @param items creates the single items
+     */
     public static List<MenuItem> of(ObjectProperty<ViewTransform> view, CommandMenuItems items) {
         List<MenuItem> menuItems = new ArrayList<>();
         for (DisplayCurve curve : DisplayCurve.values()) {

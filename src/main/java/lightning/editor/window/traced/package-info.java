@@ -1,4 +1,2 @@
-/**
- * The traced picture: its pixels, what it does not show yet, and what the mouse does over it.
- */
+/** Pane of the traced picture: pixels, badges, and mouse actions. */
 package lightning.editor.window.traced;

@@ -44,7 +44,7 @@ class AnimationWindowTest {
     private AnimationWindow window;
     private Scene before;
 
-    /** Answers every question with one file or folder. */
+    /** Answers every file dialog with the same path. */
     private record Answer(Path path) implements PathPrompt {
         @Override
         public Optional<Path> fileToOpen(String title, String extension) {
@@ -170,7 +170,7 @@ class AnimationWindowTest {
         load(robot, 0, 8);
         type(robot, "pictures", "3");
         robot.clickOn("#export");
-        TestEditors.await(() -> status(robot).startsWith("Exported 3 pictures"));
+        TestEditors.await(() -> status(robot).startsWith("Exported 3 images"));
         try (var files = Files.list(folder)) {
             assertThat(files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".png")))
                     .containsExactlyInAnyOrder("desk-key-0001.png", "desk-key-0002.png", "desk-key-0003.png");
@@ -184,11 +184,11 @@ class AnimationWindowTest {
         robot.clickOn("#export").clickOn("#cancel-export");
         TestEditors.await(() -> status(robot).startsWith("Export canceled after "));
         assertThat(robot.lookup("#export").query().isDisabled()).isFalse();
-        // It ends with the picture that it is writing; the test's folder goes only then.
+        // The export ends after the current image; the test's folder is deleted only then.
         Await.untilThreadEnded("lightning-export");
     }
 
-    /** The preview draws so many frames, the light one unit further along x before each. */
+    /** Simulates preview frames, with the light one unit further along x in each. */
     private void record(FxRobot robot, int frames) {
         robot.clickOn("#record");
         for (int i = 0; i < frames; i++) {
@@ -205,12 +205,12 @@ class AnimationWindowTest {
         return scene.withLight(key.withPosition(key.position().plus(new Vec3(1, 0, 0))));
     }
 
-    /** Loads the way from one place on the x axis to another, a frame for each unit. */
+    /** Loads a motion path along the x axis, with one frame per unit. */
     private void load(FxRobot robot, int from, int to) throws IOException, TimeoutException {
         Files.writeString(folder.resolve("way.path"), "lightning-path 1\nevery " + (to - from) + "\nat " + from
                 + " 5 2 direction -3 -4 -2\nat " + to + " 5 2 direction -3 -4 -2\n");
         robot.clickOn("#load-animation");
-        TestEditors.await(() -> status(robot).equals("2 keys over " + (to - from + 1) + " frames"));
+        TestEditors.await(() -> status(robot).equals("2 keyframes over " + (to - from + 1) + " frames"));
     }
 
     private static double x(Scene scene) {

@@ -21,13 +21,13 @@ import org.junit.jupiter.api.Test;
 
 class ContributionPaneTest extends EditorFixture {
 
-    /** Opens the report over a scene with one light more, which shines on the ground from below where nobody is. */
-    private Scene openWith(Light more) {
-        robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, more)));
+    /** Opens the pane for a scene with one more light, which illuminates only the underside of the floor. */
+    private Scene openWith(Light addedLight) {
+        robot.interact(() -> model().editor().edit(s -> LightEdits.add(s, addedLight)));
         robot.interact(() -> model().commands().run(Command.GO));
         waitForPicture();
         robot.push(KeyCode.CONTROL, KeyCode.F9);
-        waitFor("all lights are asked", () -> text("contribution-summary").contains("displayed pixel")
+        waitFor("the contributions are shown", () -> text("contribution-summary").contains("displayed pixel")
                 || text("contribution-summary").startsWith("Every"));
         return model().editor().scene();
     }
@@ -42,13 +42,13 @@ class ContributionPaneTest extends EditorFixture {
         Film old = model().picture().frame().film();
         assertThat(text("contribution-summary")).isEqualTo("1 light changes no displayed pixel: below");
         assertThat(rows()).extracting(LightContribution::light).containsExactly("lamp", "sun", "stage", "below");
-        assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("equal in every bit");
+        assertThat(ContributionPane.changeText(rows().getLast())).isEqualTo("bit-identical");
         click("switch-off-idle");
-        waitFor("it is proved", () -> text("contribution-proof").contains("equal to the old one in every bit"));
+        waitFor("it is proved", () -> text("contribution-proof").contains("bit-identical to the old one"));
         assertThat(light("below").on()).isFalse();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
         assertFilmIs(old);
-        waitFor("it is told anew", () -> text("contribution-summary").startsWith("Every light"));
+        waitFor("the summary is updated", () -> text("contribution-summary").startsWith("All lights"));
         robot.interact(() -> model().commands().run(Command.UNDO));
         assertThat(model().editor().scene()).isEqualTo(before);
     }
@@ -57,7 +57,7 @@ class ContributionPaneTest extends EditorFixture {
     void invisibleLight_switchedOff_reportsLargestDifference() {
         openWith(light("lamp").withName("dim").withIntensity(1e-6));
         click("switch-off-idle");
-        waitFor("it is proved", () -> text("contribution-proof").contains("every pixel is displayed as before"));
+        waitFor("it is proved", () -> text("contribution-proof").contains("no displayed pixel changed"));
         assertThat(light("dim").on()).isFalse();
     }
 
@@ -71,16 +71,16 @@ class ContributionPaneTest extends EditorFixture {
         Bounds at = picture.localToScreen(picture.getBoundsInLocal());
         robot.interact(() -> picture.getScene().getWindow().requestFocus());
         robot.moveTo(at.getMinX() + 12, at.getCenterY() - 20).press(MouseButton.PRIMARY).moveBy(40, 30).release(MouseButton.PRIMARY);
-        waitFor("the region is asked", () -> text("contribution-region-text").contains("pixels at"));
+        waitFor("the region is set", () -> text("contribution-region-text").contains("pixels at"));
         waitFor("its shares are there", () -> rows().get(1).regionShare() != whole);
         assertThat(rows().get(1).imageShare()).isEqualTo(whole);
         robot.moveTo(at.getMinX() + 30, at.getCenterY());
-        waitFor("the pixel is told", () -> robot.lookup(".table-cell").queryAll().stream()
+        waitFor("the share at the cursor is shown", () -> robot.lookup(".table-cell").queryAll().stream()
                 .filter(c -> c instanceof javafx.scene.control.TableCell<?, ?> t && t.getTableColumn() != null
-                        && "Pointer".equals(t.getTableColumn().getText()))
+                        && "Cursor".equals(t.getTableColumn().getText()))
                 .anyMatch(c -> ((javafx.scene.control.TableCell<?, ?>) c).getText() != null
                         && ((javafx.scene.control.TableCell<?, ?>) c).getText().endsWith("%")));
         click("contribution-whole");
-        waitFor("the whole is asked", () -> rows().get(1).regionShare() == whole);
+        waitFor("the whole frame is set", () -> rows().get(1).regionShare() == whole);
     }
 }

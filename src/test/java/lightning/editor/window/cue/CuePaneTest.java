@@ -33,7 +33,7 @@ class CuePaneTest extends EditorFixture {
         waitForPicture();
     }
 
-    /** Two cues, of which the second is lit now. */
+    /** Saves two looks, of which the second is applied. */
     private void saveTwoCues() {
         day = model().editor().scene();
         robot.push(KeyCode.SHIFT, KeyCode.F4);
@@ -119,7 +119,7 @@ class CuePaneTest extends EditorFixture {
             assertThat(difference[i] == 0xFF000000).as("pixel %d", i).isEqualTo(a[i] == b[i]);
         }
         click("cue-b-day");
-        assertThat(text("cue-note")).isEqualTo("The pictures are equal");
+        assertThat(text("cue-note")).isEqualTo("The images are identical");
     }
 
     @Test

@@ -14,9 +14,9 @@ import java.util.concurrent.TimeUnit;
 import javax.imageio.ImageIO;
 
 /**
- * Works with the packaged program as somebody at the screen: sees only pixels, has only mouse and keyboard. Opens a
- * scene, looks for its picture on the screen, moves a light, presses Go, saves, and looks for the picture of the saved
- * scene. Which pictures these are the program's own command line tells. Ends with 0 if all was seen.
+ * Operates the packaged program through the screen: reads only pixels, uses only mouse and keyboard. Opens a scene, finds its picture on
+ * the screen, moves a light, presses Go, saves, and finds the picture of the saved scene. The program's own command line renders the
+ * expected pictures. Exits with 0 on success.
  */
 final class ScreenRobot {
     private static final String PROGRAM = "target/lightning/bin/lightning";
@@ -44,7 +44,7 @@ final class ScreenRobot {
         BufferedImage before = rendered("before.png");
         Process editor = startProgram("editor", scene.toString());
         try {
-            // The window stands before it hears keys.
+            // The window opens before it receives keys.
             return waitFor("a window", () -> !isBlank(screen())) && waitFor("the picture of the scene", () -> zoom() && shows(before))
                     && edit() && waitFor("the picture of the edited scene", this::showsEdited) && quit(editor);
         } finally {
@@ -60,7 +60,7 @@ final class ScreenRobot {
         boolean isThere() throws Exception;
     }
 
-    /** Looks until something is there. */
+    /** Polls until a check succeeds. */
     private boolean waitFor(String description, ScreenCheck check) throws Exception {
         long end = System.nanoTime() + TIMEOUT_NS;
         while (System.nanoTime() < end) {
@@ -73,7 +73,7 @@ final class ScreenRobot {
         return false;
     }
 
-    /** Actual pixels, by the keyboard. There is no window manager, so that keys go where the mouse is. */
+    /** Zooms to actual pixels with the keyboard. Without a window manager, keys go to the window under the mouse. */
     private boolean zoom() {
         BufferedImage screen = screen();
         robot.mouseMove(screen.getWidth() / 2, screen.getHeight() / 2);
@@ -81,7 +81,7 @@ final class ScreenRobot {
         return true;
     }
 
-    /** Moves the selected light, renders, saves. */
+    /** Moves the selected light, renders and saves. */
     private boolean edit() throws Exception {
         String text = Files.readString(scene);
         for (int i = 0; i < 5; i++) {
@@ -92,7 +92,7 @@ final class ScreenRobot {
         return waitFor("the saved scene", () -> !Files.readString(scene).equals(text));
     }
 
-    /** Asks for current mirrors again and again, for that has no effect before Go is done. */
+    /** Requests reflections repeatedly, because the request has no effect until Go is done. */
     private boolean showsEdited() throws Exception {
         type(KeyEvent.VK_F6);
         return shows(rendered("after.png"));
@@ -131,7 +131,7 @@ final class ScreenRobot {
         return true;
     }
 
-    /** Whether a picture is anywhere on the screen, every pixel of it. */
+    /** Returns true if every pixel of a picture appears somewhere on the screen. */
     private boolean shows(BufferedImage picture) {
         BufferedImage screen = screen();
         for (int y = 0; y + picture.getHeight() <= screen.getHeight(); y++) {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Starts a virtual display, and an artist on it: see {@link ScreenRobot}. */
+/** Starts a virtual display and runs {@link ScreenRobot} on it. */
 @Packaged
 class WindowIT {
     private static final int TIMEOUT_MINUTES = 4;
@@ -51,7 +51,7 @@ class WindowIT {
         Assumptions.abort(reason);
     }
 
-    /** A program of its own, for a display is chosen when Java starts. */
+    /** Runs in a separate process, because Java chooses its display at startup. */
     private int runScreenRobot(String display) throws Exception {
         Path home = Path.of(System.getProperty("java.home"));
         ProcessBuilder builder = new ProcessBuilder(home.resolve("bin/java").toString(), "-cp", "target/test-classes",

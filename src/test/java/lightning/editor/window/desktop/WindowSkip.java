@@ -2,15 +2,15 @@ package lightning.editor.window.desktop;
 
 import java.util.Optional;
 
-/** Why the test of the packaged program's window cannot run, told where a skip would go unseen. */
+/** Reasons for skipping the test of the packaged program's window, reported where a skip would go unnoticed. */
 final class WindowSkip {
-    /** With this environment variable, a skip that an installed package would mend is a failure. */
+    /** Environment variable that turns a skip into a failure if installing a package would fix it. */
     static final String REQUIRED_VARIABLE = "LIGHTNING_NEEDS_JAVAFX";
 
     private WindowSkip() {}
 
     /**
-     * Returns what keeps the test from running, whatever is installed.
+     * Returns the reason why the test can never run on a system; empty if it can.
      *
      * @param system the system property {@code os.name}
      */
@@ -20,7 +20,7 @@ final class WindowSkip {
                         .of("the packaged program's window is not tested on " + system + ": the test opens it on a virtual display of X11");
     }
 
-    /** The line that makes a skip seen: the hosts that run workflows of this form show it on the page of the run. */
+    /** Returns a workflow annotation that reports the skip: CI hosts show lines of this form on the page of the run. */
     static String line(String reason) {
         return "::warning title=The window is not tested::" + reason;
     }

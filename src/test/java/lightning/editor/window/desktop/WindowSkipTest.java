@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** No job of the workflow leaves the window out in silence. */
+/** No CI job skips the window test silently. */
 class WindowSkipTest {
     @Test
     void otherSystem_isSkippedWithReason() {

@@ -1,2 +1,2 @@
-/** The packaged program in a real window, on a virtual display. */
+/** Tests the packaged program in a real window, on a virtual display. */
 package lightning.editor.window.desktop;

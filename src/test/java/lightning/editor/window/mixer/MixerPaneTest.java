@@ -45,7 +45,7 @@ class MixerPaneTest extends EditorFixture {
         return robot.lookup("#fader-" + name).query();
     }
 
-    /** Where the middle of a fader's cap is for so many stops. */
+    /** Returns the center of a fader's cap for a value in stops. */
     private Point2D faderPoint(String name, double stops) {
         Fader fader = fader(name);
         Bounds at = fader.localToScreen(fader.getBoundsInLocal());
@@ -67,7 +67,7 @@ class MixerPaneTest extends EditorFixture {
         robot.push(KeyCode.ENTER);
     }
 
-    /** Waits for the picture of the scene as it is, and holds it against the reference. */
+    /** Waits for the picture of the current scene and compares it with the reference tracer's. */
     private void assertPictureShowsTheScene() {
         waitForPicture();
         assertFilmIs(new ReferenceTracer(model().editor().scene()).trace());
@@ -82,7 +82,7 @@ class MixerPaneTest extends EditorFixture {
         return robot.lookup("#strip-head-" + name).query();
     }
 
-    /** The headless platform's mouse knows of no keys that are down. */
+    /** The headless platform's mouse ignores pressed modifier keys. */
     private void ctrlClick(String name) {
         robot.interact(() -> Stream.of(MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED).forEach(type -> Event.fireEvent(head(name),
                 new MouseEvent(type, 1, 1, 0, 0, MouseButton.PRIMARY, 1, false, true, false, false, true, false, false, true, false, true,
@@ -239,7 +239,7 @@ class MixerPaneTest extends EditorFixture {
         ctrlClick("sun");
         type("intensity-lamp", "1");
         assertThat(light("lamp").intensity()).isZero();
-        assertThat(text("mixer-message")).contains("choose Absolute");
+        assertThat(text("mixer-message")).contains("Choose Absolute");
     }
 
     @Test

@@ -17,7 +17,7 @@ import lightning.scene.Scene;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
-/** Which lights are drawn again: with a thousand of them, what an edit of one costs. */
+/** Counts redrawn gizmos: with a thousand lights, their number determines the cost of editing one. */
 class GizmoLayerTest {
     private static final Viewport CANVAS = new Viewport(300, 200);
     private static final Light KEY = Light.of("key", LightType.SPOT).withPosition(new Vec3(1, 1, 0));

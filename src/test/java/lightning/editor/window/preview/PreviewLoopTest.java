@@ -69,7 +69,7 @@ class PreviewLoopTest {
         return picture;
     }
 
-    /** What the preview must show. */
+    /** Returns the pixels that the preview must show. */
     private static int[] expected(Scene scene, PreviewCamera camera) {
         return expected(scene, camera, ViewEffects.PREVIEW);
     }
@@ -101,7 +101,7 @@ class PreviewLoopTest {
         assertThat(next().pixels()).isEqualTo(expected(edited, camera));
     }
 
-    /** A floor of one color under a spot: lit, its pool is on it; glowing, it is the same everywhere. */
+    /** A floor of one color under a spot: with lighting it shows the spot's pool of light, without lighting it is uniform. */
     @Test
     void texture_isLitBySpotUnlessGlowing() throws InterruptedException {
         var texture = new TextureMap("one.png", 1, 1, new Texture(1, 1, new float[] {0.5f, 0.5f, 0.5f}));

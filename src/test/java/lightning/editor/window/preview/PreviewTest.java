@@ -35,7 +35,7 @@ class PreviewTest extends EditorFixture {
         robot.release(button);
     }
 
-    /** Holds a key. The platform without windows does not tell mouse events of keys, so these are told by hand. */
+    /** Drags with a key held. The headless platform does not add modifier keys to mouse events, so this method sends the events itself. */
     private void dragHolding(KeyCode key, Point2D from, double right, double down) {
         sendMouseEvent(MouseEvent.MOUSE_PRESSED, key, from);
         sendMouseEvent(MouseEvent.MOUSE_DRAGGED, key, from.add(right / 2, down / 2));
@@ -252,7 +252,7 @@ class PreviewTest extends EditorFixture {
 
     @Test
     void largeGizmo_isDraggedWhereDrawn() {
-        // The sphere of a point light has a radius of 12 pixels, 19.2 where it is large; a click may be 8 beside it.
+        // The sphere of a point light has a radius of 12 pixels, or 19.2 when enlarged; a click may miss it by 8.
         Point2D rim = toScreen(light("lamp").position()).add(0, -24);
         robot.interact(() -> model().editor().selection().selectLight("stage"));
         robot.clickOn(rim);

@@ -172,7 +172,7 @@ class MaterialPaneTest extends EditorFixture {
     void pickedShape_showsMaterialUntilLightIsSelected() {
         robot.interact(() -> model().materials().choose("mirror"));
         robot.interact(() -> model().commands().run(Command.PICK_MATERIAL));
-        assertThat(text("prompt")).startsWith("Click the shape whose material to edit");
+        assertThat(text("prompt")).startsWith("Click an object to edit its material");
         robot.clickOn("#traced-picture");
         waitFor("the material tab is selected", () -> tab().equals("material-tab"));
         assertThat(edited()).isEqualTo("matt");

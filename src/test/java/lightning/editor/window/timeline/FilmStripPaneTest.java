@@ -90,7 +90,7 @@ class FilmStripPaneTest extends EditorFixture {
         int[] before = WaitForAsyncUtils.waitFor(WaitForAsyncUtils.asyncFx(() -> pixels(4)));
         robot.interact(() -> {
             model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
-            // Frames so small may be made before it is told that they are not.
+            // Such small frames may already be rendered before the stale state is shown.
             assertThat(isStale(4) || !Arrays.equals(pixels(4), before)).isTrue();
         });
         waitForStrip();

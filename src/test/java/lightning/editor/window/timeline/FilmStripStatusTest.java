@@ -11,7 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Nobody holds these frames, so that each missing one stays missing. */
+/** No host renders these frames, so missing frames stay missing. */
 class FilmStripStatusTest {
     private final FilmStripStatus status = new FilmStripStatus();
     private final ShotRelighter shot = ShotRelighter.of(1, 2, status);

@@ -34,7 +34,7 @@ class FilmStripTest {
 
     private volatile CountDownLatch released = new CountDownLatch(0);
 
-    /** Makes frames once it is free, and does not say what one of them looks like. */
+    /** Renders frames once it is released, and does not respond to requests for one frame's film. */
     private final class Keeper extends FilmlessHost {
         @Override
         public FrameUpdate update(int frame, ShotRevision take, Progress progress) {

@@ -76,7 +76,7 @@ class MachinesPaneTest extends EditorFixture {
     void missingCertificate_showsMessageAndFocusesField() {
         robot.interact(() -> field("machines-hosts").setText("render7"));
         click("machines-begin");
-        assertThat(text("machines-status")).startsWith("Name the certificate");
+        assertThat(text("machines-status")).startsWith("Choose the render nodes' shared certificate");
         assertThat(field("machines-certificate").isFocused()).isTrue();
     }
 

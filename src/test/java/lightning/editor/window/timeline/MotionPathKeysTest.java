@@ -15,7 +15,7 @@ import lightning.scene.shot.Track;
 import lightning.scene.shot.TrackTarget;
 import org.junit.jupiter.api.Test;
 
-/** The way of a light becomes keys of the shot, and keys a way. */
+/** Converts a light's motion path to keyframes of the shot, and back. */
 class MotionPathKeysTest extends EditorFixture {
     private static final String SHOT = """
             shot {

@@ -38,12 +38,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.testfx.util.WaitForAsyncUtils;
 
-/** The film strip on nodes, here in the same process: they are asked for as an artist does, and are heard over TLS. */
+/** Film strip on nodes of the same process, joined through the dialog and connected over TLS. */
 class RemoteFramesTest extends EditorFixture {
     private static final String SHOT =
             "shot { frames 1 4  camera { from { 1 0 2 9  4 1 2 9 } }  light lamp { intensity { 1 0.5  4 2.5 } } }";
 
-    /** Nodes start one after the other: the first need not look for others for long. */
+    /** Short timeouts: nodes start one after the other, so the first should not search for others for long. */
     private static final NodeConfig.Timing FAST_TIMING = new NodeConfig.Timing(500, 15_000, 4000, 1500);
 
     private final InetAddress loopback = InetAddress.getLoopbackAddress();
@@ -62,7 +62,7 @@ class RemoteFramesTest extends EditorFixture {
         robot.interact(() -> model().commands().run(Command.FILM_STRIP));
     }
 
-    /** What a node still does after it is closed ends before its folder goes. */
+    /** Waits until the closed nodes are done, before their folder is deleted. */
     @AfterEach
     void endNodes() throws Exception {
         nodes.forEach(RenderNode::close);
@@ -107,7 +107,7 @@ class RemoteFramesTest extends EditorFixture {
         return robot.lookup("#strip").<FilmStripPane>query().strip().orElseThrow();
     }
 
-    /** The films that the nodes hold, in every bit, and the small pictures that are seen of them. */
+    /** Asserts that the nodes' films are bit-identical to the reference, and that the thumbnails match. */
     private void assertAllExact() throws Exception {
         for (int frame = 1; frame <= 4; frame++) {
             Scene scene = model().editor().document().content().sceneAt(frame);
@@ -121,14 +121,14 @@ class RemoteFramesTest extends EditorFixture {
         }
     }
 
-    /** Where the machine that has it is lost in that moment, another traces it. */
+    /** Returns a film. If the node that holds it is lost, waits until another has rendered it. */
     private Film film(int frame) throws Exception {
         var film = new CompletableFuture<Film>();
         long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(Await.TIMEOUT_SECONDS);
         while (!film.isDone()) {
             assertThat(System.nanoTime()).as("waited for the film of frame " + frame).isLessThan(end);
             if (strip().state(frame) == FrameState.CURRENT) {
-                // One after the other is brought: what was asked for again in vain must not hold up the next frame.
+                // Films are fetched in sequence, so the next frame must not wait for a repeated request that is no longer needed.
                 strip().fetch(frame, () -> !film.isDone(), film::complete);
             }
             WaitForAsyncUtils.sleep(200, TimeUnit.MILLISECONDS);
@@ -143,14 +143,14 @@ class RemoteFramesTest extends EditorFixture {
         node(port, port);
         node(other, port);
         join("127.0.0.1:" + port + ", 127.0.0.1:" + other, certificate);
-        waitForStatus("2 machines, 4 of 4 frames");
+        waitForStatus("2 nodes, 4 of 4 frames");
         assertThat(robot.lookup("#machines").tryQuery()).isEmpty();
         assertAllExact();
         robot.interact(() -> {
             model().editor().edit(scene -> NumericParameter.of(LightAttribute.INTENSITY).getFirst().set(scene, "sun", 2));
             assertThat(strip().isUpToDate(4)).isFalse();
         });
-        waitForStatus("2 machines, 4 of 4 frames");
+        waitForStatus("2 nodes, 4 of 4 frames");
         assertAllExact();
     }
 
@@ -161,12 +161,12 @@ class RemoteFramesTest extends EditorFixture {
         node(port, port);
         RenderNode going = node(other, port);
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("2 machines, 4 of 4 frames");
+        waitForStatus("2 nodes, 4 of 4 frames");
         going.close();
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         assertAllExact();
         nodes.removeFirst().close();
-        waitForStatus("all machines are gone; one that comes goes on, 0 of 4 frames");
+        waitForStatus("all nodes lost; rendering resumes when a node connects, 0 of 4 frames");
     }
 
     @Test
@@ -174,7 +174,7 @@ class RemoteFramesTest extends EditorFixture {
         int port = FreePort.next();
         node(port, port);
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         click("strip-here");
         waitForStatus("");
         assertThat(strip().frames().machineCount()).isEmpty();
@@ -185,9 +185,9 @@ class RemoteFramesTest extends EditorFixture {
     void noMachine_isReported_andLateMachineGetsFrames() throws Exception {
         int port = FreePort.next();
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("no machine answers at 127.0.0.1:" + port + ": none is there yet, or it has another certificate, 0 of 4 frames");
+        waitForStatus("no node responds at 127.0.0.1:" + port + ": it may not be running, or its certificate differs, 0 of 4 frames");
         node(port, port);
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         assertAllExact();
     }
 
@@ -196,18 +196,18 @@ class RemoteFramesTest extends EditorFixture {
         int port = FreePort.next();
         node(port, port);
         join("127.0.0.1:" + port, certificate);
-        waitForStatus("1 machine, 4 of 4 frames");
+        waitForStatus("1 node, 4 of 4 frames");
         var film = new CompletableFuture<Film>();
         Scene fourth = model().editor().document().content().sceneAt(4);
         robot.interact(() -> {
             model().editor().showFrame(4);
             Scene scene = model().editor().scene();
-            var ahead = new RemoteFramePreview(model().editor(), model().files().windowExecutor(), (brought, of) -> {
-                assertThat(of).isSameAs(scene);
-                film.complete(brought);
+            var preview = new RemoteFramePreview(model().editor(), model().files().windowExecutor(), (fetched, shownScene) -> {
+                assertThat(shownScene).isSameAs(scene);
+                film.complete(fetched);
             });
-            // However soon it is traced here.
-            ahead.update(model().editor().editorStateProperty().get().withSceneInProgress(Optional.of(scene)), strip());
+            // Marks the scene as in progress, even if it is already rendered locally.
+            preview.update(model().editor().editorStateProperty().get().withSceneInProgress(Optional.of(scene)), strip());
         });
         assertThat(film.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS).hasSameBits(new ReferenceTracer(fourth).trace())).isTrue();
         waitForPicture();
@@ -218,11 +218,11 @@ class RemoteFramesTest extends EditorFixture {
     void invalidCertificate_showsError_andKeepsInput() throws Exception {
         Path none = Files.writeString(folder.resolve("none.p12"), "words");
         join("127.0.0.1:1", none);
-        waitFor("it is told", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
+        waitFor("the message is shown", () -> text("machines-status").contains("none.p12: expected a key and its certificate"));
         assertThat(text("machines-status")).doesNotContain("Exception");
         type("machines-certificate", folder.resolve("gone.p12").toString());
         click("machines-begin");
-        waitFor("it is told", () -> text("machines-status").contains("gone.p12"));
+        waitFor("the message is shown", () -> text("machines-status").contains("gone.p12"));
         assertThat(robot.lookup("#strip-1").tryQuery()).isEmpty();
         type("machines-hosts", "a b");
         click("machines-begin");

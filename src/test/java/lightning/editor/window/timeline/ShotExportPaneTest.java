@@ -77,7 +77,7 @@ class ShotExportPaneTest extends EditorFixture {
 
     private void begin(String status) {
         click("shot-begin");
-        waitFor("it is told: " + status, () -> text("shot-status").startsWith(status));
+        waitFor("the status is shown: " + status, () -> text("shot-status").startsWith(status));
     }
 
     private void type(String field, String text) {
@@ -122,7 +122,7 @@ class ShotExportPaneTest extends EditorFixture {
         waitFor("some are there", () -> Files.exists(pathAnswer.resolve("desk-0003.png")));
         click("shot-cancel");
         waitFor("it ended", () -> text("shot-status").startsWith("Canceled; "));
-        assertThat(text("shot-status")).endsWith(" of 5000 pictures are written");
+        assertThat(text("shot-status")).endsWith(" of 5000 images saved");
         Await.untilThreadEnded("lightning-shot-export");
     }
 

@@ -60,7 +60,7 @@ class TimelinePaneTest extends EditorFixture {
         return new Keyframe(frame, new KeyframeValue.Numbers(List.of(number)), passage);
     }
 
-    /** Where a frame is on the ruler, on the screen. */
+    /** Returns the screen position of a frame on the ruler. */
     private Point2D onRuler(int frame) {
         Node ruler = node("timeline-ruler");
         Bounds bounds = ruler.getBoundsInLocal();

@@ -25,7 +25,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-/** The canvas's badges, in time that passes by hand. */
+/** Badges over the picture, with a manual clock. */
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class BadgesTest {
@@ -98,6 +98,6 @@ class BadgesTest {
                 () -> !model.picture().frame().isFinished() && model.editor().editorStateProperty().get().sceneInProgress().isEmpty());
         robot.interact(() -> scheduler.advance(Duration.millis(100)));
         assertThat(isShown(robot, "pending")).isTrue();
-        assertThat(robot.lookup("#pending").<Label>query().getText()).isEqualTo("Without finer samples");
+        assertThat(robot.lookup("#pending").<Label>query().getText()).isEqualTo("Not anti-aliased");
     }
 }

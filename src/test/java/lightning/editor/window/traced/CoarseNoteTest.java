@@ -27,7 +27,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.Start;
 import org.testfx.framework.junit5.Stop;
 
-/** What is said of a first picture while it is not the picture yet: at once, so that no time passes here. */
+/** Note on a first, incomplete picture: it appears immediately, so no delayed update runs in this test. */
 @ExtendWith({JavaFxRequirement.class, StageExtension.class})
 @Slow
 class CoarseNoteTest {
@@ -70,10 +70,10 @@ class CoarseNoteTest {
         open(robot, "size 6000 4000", () -> {});
         TestEditors.await(() -> !pane.isEmpty());
         assertThat(model.picture().frame()).isNull();
-        assertThat(noteText(robot)).isEqualTo("Coarse picture, a finer one follows");
+        assertThat(noteText(robot)).isEqualTo("Refining…");
     }
 
-    /** Many edges, whose samples take seconds: the window is told of the centers while they are made. */
+    /** Many edges, whose samples take seconds: the window shows the centers while the samples are rendered. */
     @Test
     void centerSamples_announceFinerSamplesImmediately(FxRobot robot) throws Exception {
         var spheres = new StringBuilder("size 1500 1000  antialias edges  samples 8 }");
@@ -84,11 +84,11 @@ class CoarseNoteTest {
         var words = new CompletableFuture<String>();
         open(robot, spheres + "\nworld {", () -> model.picture().renderStateProperty().subscribe(now -> {
             if (now.frame() != null && !words.isDone()) {
-                // When all have heard of it.
+                // After all listeners were called.
                 Platform.runLater(
                         () -> words.complete((model.picture().frame().isFinished() ? "finished: " : "centers: ") + noteText(robot)));
             }
         }));
-        assertThat(words.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo("centers: Finer samples follow");
+        assertThat(words.get(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)).isEqualTo("centers: Anti-aliasing…");
     }
 }

@@ -23,7 +23,7 @@ import lightning.render.shading.ReferenceTracer;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-/** What a light does in the traced picture is dragged there. */
+/** Places lights by dragging their effects in the traced picture. */
 class LightPlacerTest extends EditorFixture {
     private static final double BALL_X = 30;
     private static final double BALL_Y = 22;
@@ -38,7 +38,7 @@ class LightPlacerTest extends EditorFixture {
         return view.localToScreen(pictureBounds().getMinX() + x, pictureBounds().getMinY() + y);
     }
 
-    /** Where the middle of a pixel of the 64 × 48 is. */
+    /** Returns the screen position of a pixel's center in the 64 × 48 picture. */
     private Point2D pixel(double x, double y) {
         return toScreen((x + 0.5) * pictureBounds().getWidth() / 64, (y + 0.5) * pictureBounds().getHeight() / 48);
     }
@@ -70,7 +70,7 @@ class LightPlacerTest extends EditorFixture {
         assertThat(model().commands().isEnabled(Command.UNDO)).isFalse();
     }
 
-    /** The robot's mouse does not know which keys are down. */
+    /** The robot's mouse ignores pressed modifier keys. */
     private void dragWithShift(MouseButton button, Point2D from, Point2D to) {
         robot.interact(() -> {
             mouse(MouseEvent.MOUSE_PRESSED, button, from, true);
@@ -216,8 +216,8 @@ class LightPlacerTest extends EditorFixture {
         Point2D from = pixel(light("lamp").position());
         dragWithShift(MouseButton.SECONDARY, from, from.add(33, 11));
         assertThat(model().editor().message().textProperty().get()).startsWith("Snapped: at ");
-        String told = model().editor().message().textProperty().get();
-        double step = Double.parseDouble(told.substring(told.lastIndexOf(' ') + 1));
+        String message = model().editor().message().textProperty().get();
+        double step = Double.parseDouble(message.substring(message.lastIndexOf(' ') + 1));
         Vec3 at = light("lamp").position();
         for (double v : new double[] {at.x(), at.y(), at.z()}) {
             assertThat(v / step).isCloseTo(Math.rint(v / step), within(1e-9));
@@ -240,7 +240,7 @@ class LightPlacerTest extends EditorFixture {
         selectTool("lamp", Command.PLACE_HIGHLIGHT);
         robot.clickOn(pixel(2, 1));
         assertThat(model().editor().scene()).isEqualTo(before);
-        assertThat(model().editor().message().textProperty().get()).isEqualTo("There is nothing there; click a shape");
+        assertThat(model().editor().message().textProperty().get()).isEqualTo("No object here");
         assertThat(isShown("prompt")).isTrue();
     }
 }

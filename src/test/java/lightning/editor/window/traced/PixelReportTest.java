@@ -11,7 +11,7 @@ import lightning.scene.Light;
 import lightning.scene.LightType;
 import org.junit.jupiter.api.Test;
 
-/** What the card of a pixel says. */
+/** Texts of the pixel report. */
 class PixelReportTest {
     private static LightReport light(String name, LightReport.State state, float diffuse) {
         return new LightReport(Light.of(name, LightType.DIRECTIONAL), state, -1, 1, 1, 0, 1, 0, 0, 1,
@@ -28,7 +28,7 @@ class PixelReportTest {
         IntStream.range(0, 48).forEach(i -> sky.add(light("environment " + i, i < 12 ? LightReport.State.LIT : LightReport.State.SHADOWED,
                 i < 12 ? 0.0625f : 0)));
         var report = report(List.of(light("key", LightReport.State.LIT, 2.25f), light("rim", LightReport.State.AWAY, 0)), sky);
-        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  facing away", "environment  25 %, 12 of 48 lamps");
+        assertThat(report.lightLines()).containsExactly("key  75 %", "rim  backfacing", "environment  25 %, 12 of 48 samples");
     }
 
     @Test
@@ -41,14 +41,14 @@ class PixelReportTest {
         assertThat(report(List.of(), List.of()).headline("1 2 3").lines()).containsExactly("3, 4  ball  normal 0.00 1.00 0.00", "1 2 3");
         var bumpy = new PixelReport(3, 4, "ball", Vec3.ZERO, new Vec3(0.6, 0.8, 0), new Vec3(0, 1, 0), List.of(), List.of());
         assertThat(bumpy.headline("").lines())
-                .containsExactly("3, 4  ball  normal 0.60 0.80 0.00, the surface's own 0.00 1.00 0.00", " ");
+                .containsExactly("3, 4  ball  normal 0.60 0.80 0.00, geometric normal 0.00 1.00 0.00", " ");
     }
 
     @Test
     void lightBelowSurface_isReported() {
         var light = new LightReport(Light.of("key", LightType.POINT), LightReport.State.SHADOWED, 0, 0, 1, 1, 0.5f, 0, 0, 0, new float[3],
                 new float[3], new float[3], new float[] {1, 1, 1});
-        assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the surface");
+        assertThat(report(List.of(light), List.of()).lightLines()).containsExactly("key  below the horizon");
     }
 
     @Test

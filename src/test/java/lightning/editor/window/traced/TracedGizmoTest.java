@@ -19,7 +19,7 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 import org.junit.jupiter.api.Test;
 
-/** The selected light and shape are taken by hand in the traced picture too. */
+/** Drags the selected light and shape in the traced picture. */
 class TracedGizmoTest extends EditorFixture {
     private Point2D inPicture(Vec3 point) {
         PictureView view = robot.lookup("#traced-picture").query();
@@ -57,7 +57,7 @@ class TracedGizmoTest extends EditorFixture {
         assertThat(light("stage").direction()).isNotEqualTo(stage.direction());
     }
 
-    /** A canvas that is drawn has all that lies under it drawn again too. */
+    /** Changing a canvas also redraws everything below it. */
     @Test
     void mouseOutside_hidesGizmo() {
         Canvas canvas = robot.lookup("#traced-gizmo > *").queryAs(Canvas.class);

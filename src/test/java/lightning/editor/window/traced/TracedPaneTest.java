@@ -39,7 +39,7 @@ import org.junit.jupiter.api.Test;
 
 class TracedPaneTest extends EditorFixture {
 
-    /** Where a pixel of the traced picture is on the screen. */
+    /** Returns the screen position of a pixel of the traced picture. */
     private Point2D pixel(double x, double y) {
         PictureView picture = robot.lookup("#traced-picture").query();
         Bounds all = picture.getChildrenUnmodifiable().getFirst().localToScreen(
@@ -50,7 +50,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void hover_showsShapeAndLightShares() {
         robot.moveTo(pixel(32, 24));
-        waitFor("it tells", () -> text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> text("pixel").contains("ball"));
         Film film = model().picture().frame().film();
         int shown = ViewTransform.DEFAULT.pack(film.red(32, 24), film.green(32, 24), film.blue(32, 24));
         double luminance = 0.2126 * film.red(32, 24) + 0.7152 * film.green(32, 24) + 0.0722 * film.blue(32, 24);
@@ -63,7 +63,7 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void hoverOverBackground_showsBackground() {
         robot.moveTo(pixel(2, 1));
-        waitFor("it tells", () -> text("pixel").contains("background"));
+        waitFor("the text is shown", () -> text("pixel").contains("background"));
     }
 
     @Test
@@ -80,10 +80,10 @@ class TracedPaneTest extends EditorFixture {
     void picture_duringZoom_staysUnderPointer() {
         Point2D before = pixel(32, 24);
         robot.moveTo(before);
-        waitFor("it tells", () -> text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> text("pixel").contains("ball"));
         assertThat(pixel(32, 24)).isEqualTo(before);
         robot.moveTo(pixel(0, 0));
-        waitFor("it tells", () -> !text("pixel").contains("ball"));
+        waitFor("the text is shown", () -> !text("pixel").contains("ball"));
         assertThat(pixel(32, 24)).isEqualTo(before);
     }
 
@@ -106,7 +106,7 @@ class TracedPaneTest extends EditorFixture {
             model().editor().selection().selectLight("lamp");
             model().commands().run(Command.PLACE_HIGHLIGHT);
         });
-        assertThat(text("prompt")).startsWith("Click where the highlight should be");
+        assertThat(text("prompt")).startsWith("Click or drag where the highlight");
         robot.clickOn(pixel(28, 22));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(28, 22).lights().getFirst();
@@ -121,7 +121,7 @@ class TracedPaneTest extends EditorFixture {
             model().commands().run(Command.PLACE_SHADOW);
         });
         robot.clickOn(pixel(32, 22));
-        waitFor("it asks for the second place", () -> text("prompt").startsWith("Click where the shadow should fall"));
+        waitFor("the prompt requests the shadow's position", () -> text("prompt").startsWith("Click or drag where the shadow"));
         robot.clickOn(pixel(46, 36));
         waitFor("it is placed", () -> model().commands().isEnabled(Command.UNDO));
         var placed = new PixelExplainer(model().editor().scene()).explainPixel(46, 36).lights().getFirst();
@@ -158,13 +158,13 @@ class TracedPaneTest extends EditorFixture {
     @Test
     void prompt_isShownUntilEscape() {
         robot.interact(() -> model().commands().run(Command.PLACE_HIGHLIGHT));
-        Bounds asked = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
+        Bounds promptBounds = robot.lookup("#prompt").query().localToScreen(robot.lookup("#prompt").query().getBoundsInLocal());
         Bounds canvas = robot.lookup("#traced-picture").query().localToScreen(robot.lookup("#traced-picture").query().getBoundsInLocal());
-        assertThat(canvas.contains(asked)).isTrue();
+        assertThat(canvas.contains(promptBounds)).isTrue();
         robot.push(KeyCode.ESCAPE);
         assertThat(isShown("prompt")).isFalse();
         click("region");
-        assertThat(text("prompt")).startsWith("Drag a frame");
+        assertThat(text("prompt")).startsWith("Drag a rectangle");
         robot.push(KeyCode.ESCAPE);
         assertThat(robot.lookup("#region").<ToggleButton>query().isSelected()).isFalse();
     }
@@ -183,7 +183,7 @@ class TracedPaneTest extends EditorFixture {
         assertThat(text("message")).containsIgnoringCase("exposure must be from -8 to 8");
     }
 
-    /** A hand that drags by a pixel changes the picture by no more than a quarter of a stop. */
+    /** Dragging by one pixel changes the exposure by at most a quarter of a stop. */
     @Test
     void exposureSlider_isWideEnough() {
         Slider slider = robot.lookup("#exposure").query();
@@ -335,9 +335,9 @@ class TracedPaneTest extends EditorFixture {
         assertThat(after[24 * 64 + 32]).isNotEqualTo(before[24 * 64 + 32]);
         assertThat(after[40 * 64 + 10]).isEqualTo(before[40 * 64 + 10]);
         assertThat(isEnabled(Command.GO)).isTrue();
-        waitFor("it is told", () -> text("pending").equals("A region shows edits that the rest does not"));
+        waitFor("the message is shown", () -> text("pending").equals("The region is newer than the rest of the image"));
         click("undo");
-        assertThat(text("pending")).isEqualTo("A region shows other edits than the rest");
+        assertThat(text("pending")).isEqualTo("The region is out of date");
         click("redo");
         click("go");
         waitForPicture();
@@ -355,7 +355,7 @@ class TracedPaneTest extends EditorFixture {
         assertThat(isShown("pending")).isFalse();
     }
 
-    /** While an animation plays each picture is on its way: nothing waits for Go. */
+    /** During playback there is always a picture in progress, so no edit is pending. */
     @Test
     void playback_showsNoPendingBadge() {
         robot.interact(() -> {
@@ -365,7 +365,7 @@ class TracedPaneTest extends EditorFixture {
         });
         waitForPicture();
         robot.interact(() -> model().editor().edit(scene -> DeskScene.parameter("intensity").set(scene, "lamp", 5)));
-        waitFor("it is told", () -> isShown("pending"));
+        waitFor("the message is shown", () -> isShown("pending"));
     }
 
     @Test
