@@ -11,7 +11,11 @@ import lightning.render.trace.solid.RayBatch;
  * one by one. A beam that visits many leaves without a hit is split while it descends: the rays that enter a node continue on
  * their own. If rays start far apart or diverge, each packet is traced on its own, and if its rays diverge too, each ray,
  * against eight boxes per test.
- * <pre>{@code packets.begin(solid, map, 0); packets.add(rays, mask, limits); packets.nearest(); }</pre>
+ * <pre>{@code
+ * packets.beginGroup(solid, map, 0);
+ * packets.addPacket(rays, mask, limits);
+ * packets.findNearest();
+ * }</pre>
  */
 public final class MeshPacketTraversal {
     /** Maximum number of packets of a group: 64 rays. */
@@ -106,12 +110,12 @@ public final class MeshPacketTraversal {
         activeMasks[count++] = mask;
     }
 
-    /** Finds the nearest triangles within the rays' limits; {@link #hitMasks} returns the rays that hit one. */
+    /** Finds the nearest triangles within the rays' limits; {@link #hitMask} returns the rays that hit one. */
     public void findNearest() {
         search(false);
     }
 
-    /** Finds the blocked rays, which {@link #hitMasks} returns: those that hit a triangle below their limits. */
+    /** Finds the blocked rays, which {@link #hitMask} returns: those that hit a triangle below their limits. */
     public void findBlocked() {
         search(true);
     }
@@ -148,7 +152,7 @@ public final class MeshPacketTraversal {
     }
 
     /**
-     * Returns the distance of the triangle that ray {@code i} of packet {@code k} hits first, if {@link #hitMasks} contains the
+     * Returns the distance of the triangle that ray {@code i} of packet {@code k} hits first, if {@link #hitMask} contains the
      * ray.
      */
     public double distance(int k, int i) {

@@ -4,7 +4,11 @@ import lightning.scene.Mesh;
 
 /**
  * Queries for the triangle that a single ray hits, in the space of the mesh. Holds scratch memory: use one per thread.
- * <pre>{@code probe.enter(solid, ox, oy, oz, dx, dy, dz); double t = probe.nearest(Double.POSITIVE_INFINITY); int triangle = probe.triangle(); }</pre>
+ * <pre>{@code
+ * query.setRay(solid, ox, oy, oz, dx, dy, dz);
+ * double t = query.nearest(Double.POSITIVE_INFINITY);
+ * int triangle = query.triangle();
+ * }</pre>
  */
 public final class MeshRayQuery {
     private final MeshRay ray = new MeshRay();
