@@ -29,7 +29,7 @@ public final class ColumnReader {
         this.in = in;
         end = in.byteSize() - Long.BYTES;
         if (end < 0 || checksum() != in.get(LONG, end)) {
-            throw new IOException("the checksum is another");
+            throw new IOException("checksum mismatch: the data is damaged");
         }
     }
 
@@ -53,7 +53,7 @@ public final class ColumnReader {
     public int readCount() throws IOException {
         int count = readInt();
         if (count < 0 || count > end - position) {
-            throw new IOException("a count is " + count + " where " + (end - position) + " bytes are left");
+            throw new IOException("expected a count from 0 to " + (end - position) + ", found " + count);
         }
         return count;
     }
@@ -65,7 +65,7 @@ public final class ColumnReader {
             return null;
         }
         if (length < 0) {
-            throw new IOException("a length is " + length);
+            throw new IOException("expected an array length of at least 0, found " + length);
         }
         long from = advance((long) length * element.bytes());
         return switch (element) {
@@ -107,7 +107,7 @@ public final class ColumnReader {
             return null;
         }
         if (count < 0 || count > end - position) {
-            throw new IOException("there are " + count + " columns");
+            throw new IOException("expected a number of columns from 0 to " + (end - position) + ", found " + count);
         }
         float[][] columns = new float[count][];
         for (int i = 0; i < count; i++) {
@@ -133,13 +133,13 @@ public final class ColumnReader {
      */
     public void expectEnd() throws IOException {
         if (position != end) {
-            throw new IOException(end - position + " bytes are left");
+            throw new IOException("expected the end of the data, found " + (end - position) + " more bytes");
         }
     }
 
     private long advance(long bytes) throws IOException {
         if (bytes > end - position) {
-            throw new EOFException("it ends " + (bytes - (end - position)) + " bytes too soon");
+            throw new EOFException("unexpected end of the data: " + (bytes - (end - position)) + " bytes are missing");
         }
         long from = position;
         position += bytes;

@@ -41,7 +41,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, Object... columns) {
         C[] allKinds = kindsOf(kinds);
         if (columns.length != allKinds.length) {
-            throw new IllegalArgumentException("there are " + allKinds.length + " kinds of columns, and not " + columns.length);
+            throw new IllegalArgumentException("expected " + allKinds.length + " columns, found " + columns.length);
         }
         return new ColumnSet<>(allKinds, columns);
     }

@@ -69,7 +69,7 @@ public final class ColumnWriter {
                     buffer.position(buffer.position() + n * Float.BYTES);
                 }
             }
-            default -> throw new IllegalArgumentException("no column holds " + column.getClass());
+            default -> throw new IllegalArgumentException("unsupported type of a column: " + column.getClass());
         }
     }
 

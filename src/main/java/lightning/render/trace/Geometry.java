@@ -292,7 +292,7 @@ public final class Geometry {
      */
     public Geometry withMaterialsOf(Scene other) {
         if (!canServe(other)) {
-            throw new IllegalArgumentException("the geometry is another scene's");
+            throw new IllegalArgumentException("the geometry belongs to another scene");
         }
         return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
     }
