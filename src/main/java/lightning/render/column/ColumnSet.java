@@ -56,7 +56,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
-    /** Returns these columns, replaced by all that {@code source} has. */
+    /** Returns these columns; columns of {@code source} take precedence. */
     public ColumnSet<C> with(ColumnSet<C> source) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         for (C kind : kinds) {

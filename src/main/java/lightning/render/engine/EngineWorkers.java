@@ -22,7 +22,7 @@ public final class EngineWorkers<W> {
         this.factory = factory;
     }
 
-    /** Creates one object for each of some threads. */
+    /** Creates one object for each of {@code threads} threads. */
     public static <W> List<EngineWorkers<W>> perThread(int threads, EngineChoice engineChoice, Function<Engine, W> factory) {
         return Stream.generate(() -> new EngineWorkers<>(engineChoice, factory)).limit(threads).toList();
     }

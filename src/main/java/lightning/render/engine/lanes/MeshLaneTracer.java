@@ -113,7 +113,7 @@ final class MeshLaneTracer extends LaneTracer {
         }, candidates, blocked);
     }
 
-    /** Fills a packet with the shadow rays of the rows starting with {@code row}; bits of {@code asked} select the rows. */
+    /** Fills a packet with the shadow rays of the rows starting with {@code row}; bits of {@code laneMask} select the rows. */
     private interface PacketLoader {
         void load(int row, int laneMask, RayPacket packet);
     }

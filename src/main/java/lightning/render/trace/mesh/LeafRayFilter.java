@@ -38,7 +38,7 @@ final class LeafRayFilter {
     }
 
     /**
-     * Filters the rays {@code from … end − 1}, whole packets, by a leaf whose box is {@code of.box[box]}. Returns the number of
+     * Filters the rays {@code from … end − 1}, whole packets, by a leaf whose box is {@code newTree.box[box]}. Returns the number of
      * rays that may hit triangles; these are the first entries of {@link #ray}.
      *
      * @param rayMask rays to test, one bit each

@@ -24,7 +24,7 @@ import lightning.render.trace.solid.RayBatch;
  * Together this is less than 8v·R = 2⁻²¹·R. A line flatter than 1 : 2⁶⁰ on an axis drifts by less than 2⁻⁵⁸·R. The new origin
  * is off by less than 4u·(|c| + R).
  *
- * <p>The float line is padded by w = 2⁻²⁰·R + {@code loose}. So it crosses every box around a triangle that {@link MeshRay}
+ * <p>The float line is padded by w = 2⁻²⁰·R + {@code tolerance}. So it crosses every box around a triangle that {@link MeshRay}
  * hits, at no greater distance than the hit.
  */
 final class MeshFloatLines {
@@ -71,7 +71,7 @@ final class MeshFloatLines {
     boolean hasSharedStart;
     /** Maximum distance of each line, as float bits; negative for an inactive line. */
     final int[] limitBits;
-    /** Entry distance of line {@link #enteredChildren} into each child, as float bits. */
+    /** Entry distances into each child from the latest {@link #enteredChildren}, as float bits. */
     final int[] entryBits = new int[MeshTree.WIDTH];
 
     MeshFloatLines(MeshRayLanes rays, int capacity) {

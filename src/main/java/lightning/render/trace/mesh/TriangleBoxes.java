@@ -84,7 +84,7 @@ final class TriangleBoxes {
         return box;
     }
 
-    /** Extends the box at {@code box[at]} by the one at {@code by[i]}. */
+    /** Extends the box at {@code box[at]} by the one at {@code other[i]}. */
     static void grow(float[] box, int at, float[] other, int i) {
         for (int k = 0; k < 6; k++) {
             box[at + k] = other[i + k] < box[at + k] ? other[i + k] : box[at + k];

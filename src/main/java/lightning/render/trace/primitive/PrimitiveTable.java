@@ -22,7 +22,7 @@ import lightning.scene.Stage;
  * All primitives of a scene as columns, in render space.
  *
  * <p>Primitive {@code s} is a canonical solid of kind {@link #kind} or a {@link #mesh}, a part of the shape with index
- * {@code owner[s]}, with material index {@code material[s]}. Its data begins at {@code data[at[s]]} in the layout of
+ * {@code owner[s]}, with material index {@code material[s]}. Its data begins at {@code data[dataStart[s]]} in the layout of
  * {@link SolidGeometry}: the transform from render space to local space, then its parameters. A hit on a mesh is on one of its
  * triangles, the <em>part</em> of the hit; for a solid the part is 0.
  */
@@ -37,7 +37,7 @@ public final class PrimitiveTable {
     public final double[] data;
     /** Error bound of a hit point on the primitive because of its distance from the camera, scene units. */
     public final double[] hitError;
-    /** Placed shapes by name. They are recreated for each camera: storing each would take 112 bytes. */
+    /** Stage with the placements. Placed shapes are recreated for each camera: storing them would take 112 bytes each. */
     public final Stage stage;
 
     /** Ordinal of each solid's kind; {@link #MESH} for a mesh. */
@@ -63,7 +63,7 @@ public final class PrimitiveTable {
     /**
      * Primitives with their boxes, which the BVH stores.
      *
-     * @param primitives primitives
+     * @param primitives table of the primitives
      * @param boxes boxes from {@link PrimitiveBoxes}
      */
     public record BoxedPrimitives(PrimitiveTable primitives, float[] boxes) {}

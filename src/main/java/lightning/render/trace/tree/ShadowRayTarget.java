@@ -69,7 +69,7 @@ public final class ShadowRayTarget {
         return findAmong(candidates, candidates.length, point, bvh);
     }
 
-    /** @param candidates ascending; the primitives that may contain the point, {@code asked[0 … count − 1]} */
+    /** @param candidates ascending; the primitives that may contain the point, {@code candidates[0 … count − 1]} */
     private static ShadowRayTarget findAmong(int[] candidates, int count, Vec3 point, Bvh bvh) {
         PrimitiveTable primitives = bvh.primitives;
         int[] primitive = new int[count];
