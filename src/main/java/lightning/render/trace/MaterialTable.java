@@ -22,7 +22,7 @@ import lightning.scene.Transmission;
  *
  * <p>A material keeps its index when it is edited: indices follow the order in which shapes name the materials. A tile's rows
  * are sorted by {@link #rank} instead: transparent materials first, then other reflective ones. So the rows that cast refracted
- * rays are a prefix, and so are those that cast reflected rays.
+ * rays are a prefix, and so are the rows that cast reflected rays.
  */
 public final class MaterialTable {
     /** Selects reflective materials; transparent ones are included. */

@@ -6,7 +6,7 @@ import lightning.scene.Transmission;
  * Refraction and Fresnel reflection at a transparent surface, from the values that a row stores.
  *
  * <p>Unit normal N faces the ray; V is its unit direction; c = −N·V. η is the index of refraction in front of the surface
- * divided by that behind it; k = 1 − η²(1 − c²). By Snell's law the refracted direction is η·V + (η·c − √k)·N; for k ≤ 0
+ * divided by the index behind the surface; k = 1 − η²(1 − c²). By Snell's law the refracted direction is η·V + (η·c − √k)·N; for k ≤ 0
  * reflection is total.
  */
 public final class Refraction {

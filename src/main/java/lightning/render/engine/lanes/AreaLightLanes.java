@@ -90,7 +90,7 @@ final class AreaLightLanes {
      * its reflection. For N and V of length 1 within 2⁻²⁰, |W| is at most 1 + 2⁻¹⁶ and |V|·|R| at least 1 − 2⁻¹⁷.
      *
      * <p>Let z be {@code zeroPowerCosine}. A row is skipped if M = W·v + (1 + 2⁻¹⁶)·E is at most (z − 2⁻¹⁵)·(|v| − E), z is at
-     * least 2⁻¹⁴, and |v| − E is more than 2⁻²⁰·|v|. For M > 0, W·L is at most M/(|v| − E), and so at most z − 2⁻¹⁵ + 2⁻²⁶ with
+     * least 2⁻¹⁴, and |v| − E is more than 2⁻²⁰·|v|. For M above 0, W·L is at most M/(|v| − E), and so at most z − 2⁻¹⁵ + 2⁻²⁶ with
      * rounding of M and of the difference. Then c is at most that over 1 − 2⁻¹⁷, which is less than z − 2⁻¹⁶. Rounding adds at
      * most 2⁻⁴⁶ to c.
      *

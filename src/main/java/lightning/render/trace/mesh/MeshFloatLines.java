@@ -100,7 +100,7 @@ final class MeshFloatLines {
     /**
      * Prepares the lines of the rays of the group.
      *
-     * @param active rays of each packet, one bit each; receives those that become lines which may reach the mesh's box
+     * @param active rays of each packet, one bit each; receives the lines that may reach the mesh's box
      * @param tooShort receives the rays of each packet that are too short for lines: shadow rays to a light at the row's
      *     position
      * @param limits maximum distance of each ray

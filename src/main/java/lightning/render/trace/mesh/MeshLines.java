@@ -96,7 +96,7 @@ final class MeshLines {
     /**
      * Converts the rays of the group to lines.
      *
-     * @param active rays of each packet, one bit each; receives those that become lines which may reach the mesh's box
+     * @param active rays of each packet, one bit each; receives the lines that may reach the mesh's box
      * @param tooShort receives the rays of each packet that are too short for lines: shadow rays to a light at the row's
      *     position
      * @param limits maximum distance of each ray
@@ -261,7 +261,7 @@ final class MeshLines {
         }
     }
 
-    /** Clips lines to the box of the whole mesh; returns those that enter it. */
+    /** Clips lines to the box of the whole mesh; returns the lines that enter it. */
     private int clip(MeshTree tree, double[] limits, int h) {
         float[] b = tree.bounds;
         DoubleVector x = fromArray(SPECIES, origins[0], h);

@@ -115,7 +115,7 @@ public final class MeshPacketTraversal {
         search(false);
     }
 
-    /** Finds the blocked rays, which {@link #hitMask} returns: those that hit a triangle below their limits. */
+    /** Finds the blocked rays, which {@link #hitMask} returns: rays that hit a triangle below their limits. */
     public void findBlocked() {
         search(true);
     }
