@@ -13,7 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The kernels in benchmarks/ find their rows and rays, and agree with the readable code: else they would not be timed. */
+/**
+ * Tests that the kernels in benchmarks/ find their rows and rays, and agree with the scalar code; otherwise they could not be
+ * measured.
+ */
 class KernelsTest {
 
     @ParameterizedTest

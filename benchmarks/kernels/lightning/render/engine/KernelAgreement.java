@@ -1,17 +1,17 @@
 package lightning.render.engine;
 
-/** A kernel is timed only where it gives what the readable code gives. */
+/** Checks that a measured kernel agrees with the scalar code. */
 public final class KernelAgreement {
     private KernelAgreement() {}
 
-    /** @throws IllegalStateException if a kernel's answer for ray or row {@code index} is not the readable code's */
+    /** @throws IllegalStateException if a kernel's result for ray or row {@code index} differs from the scalar code */
     public static void requireEqual(boolean same, String description, int index) {
         if (!same) {
-            throw new IllegalStateException(description + " " + index + ": the kernel disagrees with the readable code; it is not timed");
+            throw new IllegalStateException(description + " " + index + ": the kernel disagrees with the scalar code");
         }
     }
 
-    /** Requires the same bits. */
+    /** Requires equal bits. */
     public static void requireEqual(float kernel, float reference, String description, int index) {
         requireEqual(Float.floatToRawIntBits(kernel) == Float.floatToRawIntBits(reference), description, index);
     }

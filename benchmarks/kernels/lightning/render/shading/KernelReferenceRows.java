@@ -8,7 +8,7 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.MaterialTable;
 import lightning.render.trace.tree.ShadowRayTarget;
 
-/** What {@link RowKernels} compute, row by row with {@link LightingEquation}. */
+/** Reference results for {@link RowKernels}, row by row with {@link LightingEquation}. */
 final class KernelReferenceRows {
     private final HitRows rows;
     private final Geometry geometry;

@@ -29,7 +29,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Nanoseconds per row of what edits run over the rows of a full tile of a scene, in the cache of the processor. */
+/** Benchmark in nanoseconds per row of the kernels that edits run on the rows of a full tile, in the CPU cache. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -60,7 +60,7 @@ public class RowKernels {
     private WeightedLight brighter;
     private RatioRows contributions;
 
-    /** Finds a tile, and refuses kernels that do not agree with the readable code. */
+    /** Finds a tile, and fails if a kernel disagrees with the scalar code. */
     @Setup
     public void prepare() throws Exception {
         loadedScene = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
@@ -86,7 +86,7 @@ public class RowKernels {
         new KernelReferenceRows(rows, geometry).require(this);
     }
 
-    /** The first tile of 1024 rows, some of them, but not all, lit by the spot light. */
+    /** Finds the first tile of 1024 rows that the spot light illuminates partly. */
     private void findTile(TileVisibility visibility) {
         for (int y = 0; y + 32 <= loadedScene.picture().height(); y += 32) {
             for (int x = 0; x + 32 <= loadedScene.picture().width(); x += 32) {
@@ -99,7 +99,7 @@ public class RowKernels {
                 }
             }
         }
-        throw new IllegalStateException(scene + " has no full tile that its spot light lights in part");
+        throw new IllegalStateException(scene + " has no full tile that its spot light illuminates partly");
     }
 
     WeightedLight spot() {
@@ -134,7 +134,7 @@ public class RowKernels {
         return PowerFunction.pow(bases[i], EXPONENT);
     }
 
-    /** All lights into linear colors. */
+    /** Composes all lights into linear colors. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public Object compose() {
@@ -147,7 +147,7 @@ public class RowKernels {
         return colors;
     }
 
-    /** The falloff column of a spot light: attenuation and dropoff. */
+    /** Computes the falloff column of a spot light: attenuation and dropoff. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public float[] attenuation() {
@@ -157,14 +157,14 @@ public class RowKernels {
         return falloff;
     }
 
-    /** A spot light's whole layer, shadow rays included. */
+    /** Computes a spot light's whole layer, including shadow rays. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public LightRows reshade() {
         return light.recompute(rows, spot.source(), ColumnAllocator.NEW_ARRAYS);
     }
 
-    /** x to the power 37.25. */
+    /** Computes x to the power 37.25. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public double[] power() {
@@ -173,7 +173,7 @@ public class RowKernels {
         return powers;
     }
 
-    /** The paper's update of an intensity: contributions scaled by a ratio. */
+    /** Scales contributions by a ratio, as the paper's update of an intensity does. */
     @Benchmark
     @OperationsPerInvocation(ROWS)
     public RatioRows ratioScaling() {

@@ -2,7 +2,7 @@ package lightning.render.engine.lanes;
 
 import lightning.base.math.Ray;
 
-/** Puts rays into packets. */
+/** Loading of rays into packets. */
 final class PacketRays {
     private PacketRays() {}
 

@@ -29,7 +29,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Nanoseconds per ray of a scene: packets of a tile among the shapes that its beam touches. */
+/** Benchmark in nanoseconds per ray of a scene: packets of a tile against the candidates of its beam. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -46,7 +46,7 @@ public class RayKernels {
     @Param({"bird", "balls", "house"})
     public String scene;
 
-    /** The shadow rays of one tile towards the first light with a position. */
+    /** Shadow rays of one tile to the first light with a position. */
     private record ShadowTile(RayBeam beam, List<Ray> rays) {}
 
     private final RayPacket packet = new RayPacket();
@@ -60,7 +60,7 @@ public class RayKernels {
     private PacketTracer tracer;
     private Vec3 light;
 
-    /** Reads the scene, and refuses kernels that do not agree with the readable code. */
+    /** Reads the scene, and fails if a kernel disagrees with the scalar code. */
     @Setup
     public void prepare() throws Exception {
         Scene read = JenReader.read(Path.of("scenes", scene + ".jen")).scene();
@@ -107,7 +107,7 @@ public class RayKernels {
         }
     }
 
-    /** Eye rays to the nearest shape. */
+    /** Traces camera rays to the nearest shape. */
     @Benchmark
     @OperationsPerInvocation(EYE_RAYS)
     public int[] primary() {
@@ -134,7 +134,7 @@ public class RayKernels {
         CameraRayLanes.pixelRays(camera, column, line, packet.dx, packet.dy, packet.dz, 0);
     }
 
-    /** Whether anything is between a row and the light; loading the rays included. */
+    /** Tests if a light is blocked, including the time to load the rays. */
     @Benchmark
     @OperationsPerInvocation(SHADOW_RAYS)
     public boolean[] shadow() {

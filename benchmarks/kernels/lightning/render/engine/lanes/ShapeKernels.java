@@ -30,7 +30,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Nanoseconds that one ray spends at one shape, without boxes. */
+/** Benchmark in nanoseconds per ray of one shape, without boxes. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -50,7 +50,7 @@ public class ShapeKernels {
     private final RayPacket[] packets = new RayPacket[RAYS / W];
     private PrimitiveLanes solid;
 
-    /** Aims a small picture at the shape, and refuses a kernel that does not agree with the readable code. */
+    /** Aims a small image at the shape, and fails if a kernel disagrees with the scalar code. */
     @Setup
     public void prepare() {
         String name = kind.name().toLowerCase(Locale.ROOT);
@@ -84,7 +84,7 @@ public class ShapeKernels {
         }
     }
 
-    /** The nearest hit of each ray. */
+    /** Finds the nearest hit of each ray. */
     @Benchmark
     @OperationsPerInvocation(RAYS)
     public RayPacket[] nearest() {

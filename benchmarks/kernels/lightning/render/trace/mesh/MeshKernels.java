@@ -21,7 +21,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Nanoseconds per ray of a bumpy ball: groups of 64 rays of each kind, loading them included. */
+/** Benchmark in nanoseconds per ray of a bumpy ball: groups of 64 rays of each kind, including the time to load them. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -47,7 +47,7 @@ public class MeshKernels {
     private MeshSolid solid;
     private boolean anyHit;
 
-    /** Takes rays from the middle of a picture, and refuses a kernel that does not agree with a ray alone. */
+    /** Selects rays from the center of an image, and fails if a kernel disagrees with single rays. */
     @Setup
     public void prepare() {
         Mesh mesh = BumpySphere.of(triangles);
@@ -79,7 +79,7 @@ public class MeshKernels {
             hits += expected < 0 ? 0 : 1;
         }
         if (hits == 0 || hits == RAYS) {
-            throw new IllegalStateException(hits + " of " + RAYS + " rays meet the ball");
+            throw new IllegalStateException(hits + " of " + RAYS + " rays hit the ball");
         }
     }
 
@@ -97,7 +97,7 @@ public class MeshKernels {
         p.dz[k] = r[5];
     }
 
-    /** The triangle that each ray meets first; of ways to the light, whether there is one. */
+    /** Finds the triangle that each ray hits first; for shadow rays, tests if there is one. */
     @Benchmark
     @OperationsPerInvocation(RAYS)
     public int[] search() {

@@ -11,8 +11,8 @@ import lightning.render.shading.LightRows;
 import lightning.render.trace.HitRows;
 
 /**
- * All columns of a picture, one behind the other, in two parts: rows, layers and codes, which edits of weights leave alone; and colors,
- * which nearly every edit changes. For pictures of accuracy exact.
+ * Serializer of a cached image's columns, in two parts: rows, layers and codes, which edits of weights do not change; and
+ * colors, which nearly every edit changes. For images of accuracy exact.
  */
 public final class CacheSerializer {
     private CacheSerializer() {}
@@ -76,7 +76,7 @@ public final class CacheSerializer {
         out.writeChecksum();
     }
 
-    /** The picture of these columns. */
+    /** Reads the image of these columns. */
     public static PixelCache read(CacheMetadata outline, ColumnReader rows, ColumnReader colors) throws IOException {
         CachedTile[] tiles = new CachedTile[rows.readCount()];
         for (int i = 0; i < tiles.length; i++) {
@@ -143,7 +143,7 @@ public final class CacheSerializer {
                 tile.codes);
     }
 
-    /** Whether two pictures have the very same rows, layers and codes, and differ in colors at most. */
+    /** Returns true if two images share the same rows, layers and codes, and differ at most in colors. */
     public static boolean hasSameRows(PixelCache a, PixelCache b) {
         if (a.tileCount() != b.tileCount() || a.fineCount() != b.fineCount()) {
             return false;

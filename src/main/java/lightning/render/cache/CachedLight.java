@@ -8,16 +8,15 @@ import lightning.scene.Light;
 import lightning.scene.Scene;
 
 /**
- * A light of the scene that levels show, and what its layers over their rows were computed for. Whoever updates a light finds its
- * layers through it.
+ * Light of a cached scene with the stamp of its layers. Updates find the layers of a light through it.
  *
- * @param index where its layer stands among those of a level: the light's place in the scene
- * @param light as the scene has it and its bank makes it
- * @param stamp what its layers were computed for, which may be older where the light does not shine; null where there are none
+ * @param index index of its layer in a level: the light's index in the scene
+ * @param light light of the scene with its light group applied
+ * @param stamp inputs of its layers, possibly outdated if the light is off; null if there are no layers
  */
 public record CachedLight(int index, Light light, LayerStamp stamp) {
 
-    /** All lights of a scene, in its order, each with the stamp that {@code stamps} tells, or null. */
+    /** Returns all lights of a scene, in order, each with its stamp from {@code stamps}, or null. */
     public static List<CachedLight> ofScene(Scene scene, Function<Light, LayerStamp> stamps) {
         List<CachedLight> lights = new ArrayList<>();
         for (Light light : scene.rig().effectiveLights()) {
@@ -26,12 +25,12 @@ public record CachedLight(int index, Light light, LayerStamp stamp) {
         return lights;
     }
 
-    /** Its layer over a level's rows; null where it never shone. */
+    /** Returns its layer over a level's rows; null if it was never on. */
     public LightLayer layer(TileLevel level) {
         return level.layers()[index];
     }
 
-    /** The same light where its layers were just computed for what they show; no layer comes where there is none. */
+    /** Returns the same light with the stamp of layers that were just computed; stays without a stamp if there are no layers. */
     public CachedLight withComputedStamp() {
         return new CachedLight(index, light, stamp == null ? null : LayerStamp.ofComputed(stamp.light()));
     }

@@ -6,28 +6,28 @@ import lightning.render.shading.EdgeCodes;
 import lightning.render.trace.HitRows;
 
 /**
- * All that is known of the centers of one tile's pixels, or of up to 1024 finer samples of some of them. Arrays are
- * never written after construction.
+ * Cached data of one tile's pixel centers, or of up to 1024 finer samples of some pixels. Arrays are never written after
+ * construction.
  */
 public final class CachedTile {
     /**
-     * The first is what the eye sees; what is mirrored in a level's rows follows it, with all that is seen from there, and then
-     * what is seen through them. Where nothing is clear, level k is what is seen over k mirrors. All but the first may be missing.
+     * Levels in pre-order: the camera rays' hits first, then for each level its reflected subtree, then its refracted one.
+     * Without transparent materials, level k is seen after k reflections. All levels but the first may be missing.
      */
     public final TileLevel[] levels;
     /**
-     * Where levels but the first are kept as hit shapes only: for each of them, in the same order, the shape that every ray hit,
-     * −1 for none; else empty.
+     * For levels that are stored only as hit shapes: per level, in the same order, the shape that each ray hit, −1 for none;
+     * otherwise empty.
      */
     public final int[][] hitShapes;
-    /** What the rays bring that go on from level 0's rows; null where none does. */
+    /** Colors that level 0's secondary rays contribute; null if there are none. */
     public final BounceImages images;
     /**
-     * The colors of the pixels' centers or of the samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy
-     * exact: of those the pixels that they make are kept.
+     * Colors of the pixel centers or samples: red, green, blue, {@code float[1024]} each. Null for samples at accuracy exact,
+     * for which only the resulting pixels are stored.
      */
     public final float[][] film;
-    /** What anti-aliasing sees of the pixels' centers; null where it does not look for edges. */
+    /** Edge detection codes of the pixel centers; null if edges are not detected. */
     public final EdgeCodes codes;
 
     public CachedTile(TileLevel[] levels, int[][] hitShapes, BounceImages images, float[][] film, EdgeCodes codes) {
@@ -38,7 +38,7 @@ public final class CachedTile {
         this.codes = codes;
     }
 
-    /** The largest value of the colors that are kept, linear. */
+    /** Returns the maximum of the stored colors, linear. */
     float maxValue() {
         float max = 0;
         for (float[] channel : film == null ? new float[0][] : film) {
@@ -49,17 +49,17 @@ public final class CachedTile {
         return max;
     }
 
-    /** Whether levels but the first are kept as rows, and not as hit shapes. */
+    /** Returns true if the deeper levels are stored as rows, false for hit shapes. */
     public boolean storesRows() {
         return hitShapes.length == 0;
     }
 
-    /** The rows of the first level. */
+    /** Returns the rows of the first level. */
     public HitRows rows() {
         return levels[0].rows();
     }
 
-    /** The bytes of rows, layers, stored hits, Cr and codes; the colors are left out. */
+    /** Returns the bytes of rows, layers, stored hits, Cr and codes, without colors. */
     public long bytes() {
         long bytes = 0;
         for (TileLevel level : levels) {
@@ -71,17 +71,17 @@ public final class CachedTile {
         return bytes + (images == null ? 0 : images.bytes()) + (codes == null ? 0 : codes.bytes());
     }
 
-    /** The bytes of the colors that are kept. */
+    /** Returns the bytes of the stored colors. */
     public long colorBytes() {
         return film == null ? 0 : 3L * Float.BYTES * Film.TILE_PIXELS;
     }
 
-    /** The same without its colors. */
+    /** Returns the same tile without its colors. */
     CachedTile withoutColors() {
         return new CachedTile(levels, hitShapes, images, null, codes);
     }
 
-    /** The hit rows of all levels. */
+    /** Returns the number of hit rows of all levels. */
     public long rowCount() {
         long rows = 0;
         for (TileLevel level : levels) {

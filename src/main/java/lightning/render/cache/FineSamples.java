@@ -7,15 +7,15 @@ import lightning.render.shading.SampleMean;
 import lightning.render.trace.SamplePositions;
 
 /**
- * The samples of some pixels of a tile.
+ * Samples of some pixels of a tile.
  *
- * @param pixels the pixels' indices in the tile, ascending
- * @param blocks the samples, those of as many pixels in each block as have room in 1024 rows
+ * @param pixels indices of the pixels in the tile, ascending
+ * @param blocks samples, in blocks of as many whole pixels as fit into 1024 rows
  */
 public record FineSamples(short[] pixels, CachedTile[] blocks) {
-    // Arrays in a record: written once by their maker, never after.
+    // Arrays in a record: written once by their creator.
 
-    /** Makes the pixels of their samples, whose colors {@code colors} tells for each block. */
+    /** Averages the samples of each pixel into the film; {@code colors} returns the colors of a block. */
     void write(Function<CachedTile, float[][]> colors, int perPixel, float[][] film) {
         int blockPixels = SampleMean.pixelsPerBatch(perPixel);
         for (int b = 0; b < blocks.length; b++) {
@@ -24,7 +24,10 @@ public record FineSamples(short[] pixels, CachedTile[] blocks) {
         }
     }
 
-    /** The same samples with other blocks, each made of where its rays go and what it was; {@code centers} are those of the tile. */
+    /**
+     * Returns the same samples with other blocks, each computed from its sample positions and its old block; {@code centers}
+     * are the positions of the tile.
+     */
     FineSamples map(SamplePositions centers, int grid, BiFunction<SamplePositions, CachedTile, CachedTile> change) {
         int blockPixels = SampleMean.pixelsPerBatch(grid * grid);
         CachedTile[] changed = new CachedTile[blocks.length];
@@ -35,7 +38,7 @@ public record FineSamples(short[] pixels, CachedTile[] blocks) {
         return new FineSamples(pixels, changed);
     }
 
-    /** The same samples with other blocks. */
+    /** Returns the same samples with other blocks. */
     FineSamples map(Function<CachedTile, CachedTile> change) {
         return new FineSamples(pixels, Arrays.stream(blocks).map(change).toArray(CachedTile[]::new));
     }

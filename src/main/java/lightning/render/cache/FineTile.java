@@ -6,26 +6,26 @@ import lightning.render.image.Film;
 import lightning.render.trace.SamplePositions;
 
 /**
- * The finer samples of one tile of the picture (anti-aliasing), and the pixels that they make together with the centers.
+ * Anti-aliased tile of the image: its finer samples and the resulting pixels.
  *
- * @param shapes samples of pixels at an edge of what is hit, or of all pixels; they stay while lights are edited
- * @param lights samples of the other pixels at an edge of a light: a shadow, a cone, a highlight
- * @param film   the tile of the film: red, green, blue, {@code float[1024]} each
+ * @param shapes samples of pixels at a geometry edge, or of all pixels; edits of lights keep them
+ * @param lights samples of other pixels at a lighting edge: a shadow, a cone, a highlight
+ * @param film tile of the film: red, green, blue, {@code float[1024]} each
  */
 public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
 
     /**
-     * The tile that samples, which have their colors, and centers make.
+     * Creates the tile of samples, with their colors, and centers.
      *
-     * @param center   the centers of the tile's pixels, or null where all have several samples
-     * @param perPixel how many samples
+     * @param center centers of the tile's pixels, or null if all pixels have several samples
+     * @param perPixel number of samples per pixel
      */
     private static FineTile of(CachedTile center, FineSamples shapes, FineSamples lights, int perPixel) {
         FineTile tile = new FineTile(shapes, lights, null);
         return new FineTile(shapes, lights, tile.film(center, t -> t.film, perPixel));
     }
 
-    /** The film that the same samples make in other colors, which {@code colors} tells. */
+    /** Returns the film of the same samples in other colors, which {@code colors} returns. */
     public float[][] film(CachedTile center, Function<CachedTile, float[][]> colors, int perPixel) {
         float[][] film = new float[3][Film.TILE_PIXELS];
         if (center != null) {
@@ -39,12 +39,12 @@ public record FineTile(FineSamples shapes, FineSamples lights, float[][] film) {
         return film;
     }
 
-    /** The same tile, whose samples keep no colors. */
+    /** Returns the same tile without the colors of its samples. */
     public FineTile withoutColors() {
         return new FineTile(shapes.map(CachedTile::withoutColors), lights.map(CachedTile::withoutColors), film);
     }
 
-    /** The same tile with its rows changed, which have colors then; {@code center} is changed already. */
+    /** Returns the tile with changed rows, which then have colors; {@code center} is already changed. */
     public FineTile map(CachedTile center, SamplePositions centers, BiFunction<SamplePositions, CachedTile, CachedTile> change, int grid) {
         return of(center, shapes.map(centers, grid, change), lights.map(centers, grid, change), grid * grid);
     }

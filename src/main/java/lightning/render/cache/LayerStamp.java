@@ -2,15 +2,15 @@ package lightning.render.cache;
 
 import lightning.scene.Light;
 
-/** What a layer shows. */
+/** Identity of the inputs that a layer was computed from. */
 public interface LayerStamp {
-    /** The light that it was computed for. */
+    /** Returns the light that the layer was computed for. */
     Light light();
 
-    /** A layer that was computed and not scaled. */
+    /** Stamp of a layer that was computed and not scaled. */
     record ComputedStamp(Light light) implements LayerStamp {}
 
-    /** A layer that was just computed. */
+    /** Returns the stamp of a layer that was just computed. */
     static LayerStamp ofComputed(Light light) {
         return new ComputedStamp(light);
     }

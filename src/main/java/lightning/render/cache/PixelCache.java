@@ -8,11 +8,10 @@ import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
 /**
- * Everything kept of a picture, and which scene it shows.
+ * Pixel cache of an image, with the scenes that it shows.
  *
- * <p>The first level and the mirror levels may show different scenes, because reflections are updated
- * on demand (paper §4.8). A layer may be older than its scene where its light does not shine: each
- * light tells what its layers were computed for.
+ * <p>The first level and the reflection levels may show different scenes, because reflections are updated on demand (paper
+ * §4.8). Layers of lights that are off may be older than the scene: the stamp of each light identifies their inputs.
  */
 public final class PixelCache {
     private final Geometry geometry;
@@ -23,11 +22,11 @@ public final class PixelCache {
     private final List<CachedLight> mirroredLights;
 
     /**
-     * @param tiles          the pixels' centers; none where all pixels have several samples
-     * @param fineTiles           finer samples of each tile; none without anti-aliasing
-     * @param scenes          what the film and the first level show, and what the mirror levels and Cr show
-     * @param lights         all lights of the scene, in its order
-     * @param mirroredLights the same of the mirrored scene
+     * @param tiles pixel centers; empty if all pixels have several samples
+     * @param fineTiles finer samples of each tile; empty without anti-aliasing
+     * @param scenes scene of the film and the first level, and scene of the reflection levels and Cr
+     * @param lights all lights of the scene, in order
+     * @param mirroredLights all lights of the reflected scene, in order
      */
     public PixelCache(Geometry geometry, CachedTile[] tiles, FineTile[] fineTiles, RenderedScenes scenes, List<CachedLight> lights,
             List<CachedLight> mirroredLights) {
@@ -39,42 +38,42 @@ public final class PixelCache {
         this.mirroredLights = List.copyOf(mirroredLights);
     }
 
-    /** With the materials of the first level. */
+    /** Returns the geometry with the materials of the first level. */
     public Geometry geometry() {
         return geometry;
     }
 
-    /** The same shapes with the materials that mirrors show. */
+    /** Returns the geometry with the materials of the reflection levels. */
     public Geometry mirroredGeometry() {
         return geometry.withMaterialsOf(scenes.mirrored());
     }
 
-    /** How many tiles of pixels' centers there are: none where all pixels have several samples. */
+    /** Returns the number of tiles of pixel centers; 0 if all pixels have several samples. */
     public int tileCount() {
         return tiles.length;
     }
 
-    /** The centers of a tile's pixels. */
+    /** Returns the pixel centers of a tile. */
     public CachedTile tile(int index) {
         return tiles[index];
     }
 
-    /** The centers of all tiles' pixels; none where all pixels have several samples. */
+    /** Returns the pixel centers of all tiles; empty if all pixels have several samples. */
     public CachedTile[] tiles() {
         return tiles.clone();
     }
 
-    /** How many tiles of finer samples there are: none without anti-aliasing. */
+    /** Returns the number of tiles of finer samples; 0 without anti-aliasing. */
     public int fineCount() {
         return fineTiles.length;
     }
 
-    /** The finer samples of a tile. */
+    /** Returns the finer samples of a tile. */
     public FineTile fineTile(int index) {
         return fineTiles[index];
     }
 
-    /** All rows there are: the pixels' centers and all finer samples. */
+    /** Returns all rows: those of pixel centers and of finer samples. */
     public List<CachedTile> allTiles() {
         List<CachedTile> result = new ArrayList<>(List.of(tiles));
         for (FineTile tile : fineTiles) {
@@ -84,32 +83,32 @@ public final class PixelCache {
         return result;
     }
 
-    /** What the film shows. */
+    /** Returns the scene of the film. */
     public Scene scene() {
         return scenes.scene();
     }
 
-    /** What mirrors show. */
+    /** Returns the scene of the reflections. */
     public Scene mirroredScene() {
         return scenes.mirrored();
     }
 
-    /** What the film and the mirrors show. */
+    /** Returns the scenes of the film and of the reflections. */
     public RenderedScenes scenes() {
         return scenes;
     }
 
-    /** The lights of the scene, in its order, and what their layers of the first level were computed for. */
+    /** Returns the lights of the scene, in order, with the stamps of their first-level layers. */
     public List<CachedLight> lights() {
         return lights;
     }
 
-    /** The lights of the mirrored scene, in its order, and what their layers of the mirror levels were computed for. */
+    /** Returns the lights of the reflected scene, in order, with the stamps of their layers in reflection levels. */
     public List<CachedLight> mirroredLights() {
         return mirroredLights;
     }
 
-    /** The picture, over the tiles' own arrays. */
+    /** Returns the image as a view of the tiles' arrays. */
     public Film film() {
         int count = Math.max(tiles.length, fineTiles.length);
         float[][] red = new float[count][];
@@ -124,7 +123,7 @@ public final class PixelCache {
         return new Film(scene().picture().width(), scene().picture().height(), red, green, blue);
     }
 
-    /** The largest value of all centers and samples whose colors are kept, linear. */
+    /** Returns the maximum of all stored colors of centers and samples, linear. */
     public float maxValue() {
         float max = 0;
         for (CachedTile tile : allTiles()) {
@@ -133,17 +132,17 @@ public final class PixelCache {
         return max;
     }
 
-    /** The bytes of the colors of all centers and samples, as far as they are kept; those of the film are left out. */
+    /** Returns the bytes of the stored colors of all centers and samples, without the film. */
     public long colorBytes() {
         return allTiles().stream().mapToLong(CachedTile::colorBytes).sum();
     }
 
-    /** The bytes of all rows; colors are left out. */
+    /** Returns the bytes of all rows, without colors. */
     public long bytes() {
         return allTiles().stream().mapToLong(CachedTile::bytes).sum();
     }
 
-    /** The hit rows of all samples and levels. */
+    /** Returns the number of hit rows of all samples and levels. */
     public long rowCount() {
         return allTiles().stream().mapToLong(CachedTile::rowCount).sum();
     }

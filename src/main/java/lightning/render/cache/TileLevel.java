@@ -5,38 +5,37 @@ import lightning.render.shading.LightLayer;
 import lightning.render.trace.HitRows;
 
 /**
- * The hit rows of one level of a tile and the lights' layers over them.
+ * Hit rows of one level of a tile with one layer per light over them.
  *
- * @param rows   what the rays hit
- * @param layers one for each light of the scene that the level was lit for, in its order; null where
- *               the light never shone
- * @param branches passing sums that make composing cheaper while one light is edited, or null; void
- *               unless their key is that of the update
+ * @param rows hits of the level's rays
+ * @param layers layers of the lights of the scene that the level was lit for, in order; null for lights that were never on
+ * @param branches optional partial sums that speed up composing while one light is edited, or null; valid only if their key is
+ *     that of the update
  */
 public record TileLevel(HitRows rows, LightLayer[] layers, BranchSums branches) {
-    // An array in a record: written once by its maker, never after.
+    // An array in a record: written once by its creator.
 
-    /** A level without sums. */
+    /** Creates a level without partial sums. */
     public TileLevel(HitRows rows, LightLayer[] layers) {
         this(rows, layers, null);
     }
 
-    /** This level with other sums. */
+    /** Returns this level with other partial sums. */
     public TileLevel withBranchSums(BranchSums sums) {
         return new TileLevel(rows, layers, sums);
     }
 
-    /** This level with other codes for anti-aliasing, {@code int[rows]}, or none. */
+    /** Returns this level with other edge detection codes, {@code int[rows]}, or none. */
     public TileLevel withCode(int[] code) {
         return new TileLevel(rows.withCode(code), layers, branches);
     }
 
-    /** This level with other owners of its rows, or none. */
+    /** Returns this level with other owners of its rows, or none. */
     public TileLevel withOwner(int[] owner) {
         return new TileLevel(rows.withOwner(owner), layers, branches);
     }
 
-    /** The bytes of all columns, array headers and passing sums left out. */
+    /** Returns the bytes of all columns without array headers and partial sums. */
     public long bytes() {
         long bytes = rows.bytes();
         for (LightLayer layer : layers) {

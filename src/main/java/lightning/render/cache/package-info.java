@@ -1,9 +1,8 @@
 /**
- * The pixel cache (paper §2.4): what the first pass learned at every pixel, as tiles of plain columns.
+ * Pixel cache (paper §2.4): the hits and light layers of every pixel, as tiles of columns.
  *
- * <p>A picture is cut into tiles of 32×32 pixels. A tile holds one level for the eye's rays and one
- * for each mirror bounce; a level holds its hit rows and, for each light, one layer over them. Rows
- * map many-to-one to pixels. Nothing here changes after it was built: an update makes new tiles that
- * share every column it did not touch, so that a canceled update leaves no trace.
+ * <p>An image is divided into tiles of 32×32 pixels. A tile has one level for camera rays and one for each secondary bounce; a
+ * level has its hit rows and, for each light, one layer over them. Rows map many-to-one to pixels. All objects are immutable:
+ * an update creates new tiles that share every unchanged column, so that a canceled update has no effect.
  */
 package lightning.render.cache;

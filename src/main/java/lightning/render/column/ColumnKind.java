@@ -2,15 +2,15 @@ package lightning.render.column;
 
 import java.util.Collection;
 
-/** One of the columns that rows may have: a constant of the closed set that their class states. */
+/** Kind of column that rows may have: a constant of the closed set of their class. */
 public interface ColumnKind {
-    /** What it holds for each row. */
+    /** Returns the type of its elements. */
     ElementType element();
 
-    /** Its place in the set. */
+    /** Returns its index in the set. */
     int ordinal();
 
-    /** The bytes of a row in columns of some kinds. */
+    /** Returns the bytes per row in columns of some kinds. */
     static int bytesPerRow(Collection<? extends ColumnKind> kinds) {
         return kinds.stream().mapToInt(kind -> kind.element().bytes()).sum();
     }

@@ -7,29 +7,29 @@ import java.lang.foreign.ValueLayout;
 import java.nio.ByteOrder;
 import java.util.zip.CRC32C;
 
-/** Reads what a {@link ColumnWriter} wrote. Its checksum is looked at first, so that nothing damaged is ever read. */
+/** Reader for the output of a {@link ColumnWriter}. Verifies the checksum first, so that damaged data is never read. */
 public final class ColumnReader {
     private static final ValueLayout.OfShort SHORT = ValueLayout.JAVA_SHORT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfInt INT = ValueLayout.JAVA_INT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfFloat FLOAT = ValueLayout.JAVA_FLOAT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     private static final ValueLayout.OfLong LONG = ValueLayout.JAVA_LONG_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
-    /** The checksum is made of so many bytes at a time. */
+    /** Bytes per update of the checksum. */
     private static final long CHECKSUM_CHUNK = 1 << 26;
 
     private final MemorySegment in;
-    /** Where the checksum begins. */
+    /** Start of the checksum. */
     private final long end;
     private long position;
 
     /**
-     * @param in all that was written, and nothing else
+     * @param in complete output of a writer
      * @throws IOException if it is damaged
      */
     public ColumnReader(MemorySegment in) throws IOException {
         this.in = in;
         end = in.byteSize() - Long.BYTES;
         if (end < 0 || checksum() != in.get(LONG, end)) {
-            throw new IOException("the checksum is another");
+            throw new IOException("checksum mismatch: the data is damaged");
         }
     }
 
@@ -49,23 +49,23 @@ public final class ColumnReader {
         return in.get(LONG, advance(Long.BYTES));
     }
 
-    /** A count of something of which each has a byte at least. */
+    /** Reads the number of elements of at least one byte each. */
     public int readCount() throws IOException {
         int count = readInt();
         if (count < 0 || count > end - position) {
-            throw new IOException("a count is " + count + " where " + (end - position) + " bytes are left");
+            throw new IOException("expected a count from 0 to " + (end - position) + ", found " + count);
         }
         return count;
     }
 
-    /** An array of elements of a type, or null. */
+    /** Reads an array of elements of a type, or null. */
     public Object readArray(ElementType element) throws IOException {
         int length = readInt();
         if (length == ColumnWriter.ABSENT) {
             return null;
         }
         if (length < 0) {
-            throw new IOException("a length is " + length);
+            throw new IOException("expected an array length of at least 0, found " + length);
         }
         long from = advance((long) length * element.bytes());
         return switch (element) {
@@ -100,14 +100,14 @@ public final class ColumnReader {
         return (short[]) readArray(ElementType.SHORT);
     }
 
-    /** Several columns of floats, or null. */
+    /** Reads several columns of floats, or null. */
     public float[][] readFloatArrays() throws IOException {
         int count = readInt();
         if (count == ColumnWriter.ABSENT) {
             return null;
         }
         if (count < 0 || count > end - position) {
-            throw new IOException("there are " + count + " columns");
+            throw new IOException("expected a number of columns from 0 to " + (end - position) + ", found " + count);
         }
         float[][] columns = new float[count][];
         for (int i = 0; i < count; i++) {
@@ -116,7 +116,7 @@ public final class ColumnReader {
         return columns;
     }
 
-    /** All columns of some kinds. */
+    /** Reads all columns of a class of kinds. */
     public <C extends Enum<C> & ColumnKind> ColumnSet<C> readColumns(Class<C> kinds) throws IOException {
         C[] kindValues = kinds.getEnumConstants();
         Object[] columns = new Object[kindValues.length];
@@ -126,16 +126,20 @@ public final class ColumnReader {
         return ColumnSet.of(kinds, columns);
     }
 
-    /** Refuses to go on where anything is left. */
+    /**
+     * Verifies that no data is left.
+     *
+     * @throws IOException if there is
+     */
     public void expectEnd() throws IOException {
         if (position != end) {
-            throw new IOException(end - position + " bytes are left");
+            throw new IOException("expected the end of the data, found " + (end - position) + " more bytes");
         }
     }
 
     private long advance(long bytes) throws IOException {
         if (bytes > end - position) {
-            throw new EOFException("it ends " + (bytes - (end - position)) + " bytes too soon");
+            throw new EOFException("unexpected end of the data: " + (bytes - (end - position)) + " bytes are missing");
         }
         long from = position;
         position += bytes;

@@ -3,13 +3,13 @@ package lightning.render.column;
 import java.util.Set;
 
 /**
- * The columns that some rows have, each an array under its kind. Which array stands under which kind never changes. Hot code
- * reads the arrays as fields of the rows, which are set once, from here.
+ * Columns of some rows, by kind. Each entry is fixed after construction. Hot code reads the arrays from fields of the rows,
+ * which are initialized from here.
  *
- * @param <C> the kinds that these rows may have
+ * @param <C> kinds that these rows may have
  */
 public final class ColumnSet<C extends Enum<C> & ColumnKind> {
-    /** Of each type all its constants, by ordinal: millions of sets share them. */
+    /** Constants of each kind class by ordinal, shared by millions of sets. */
     private static final ClassValue<Enum<?>[]> KIND_CACHE = new ClassValue<>() {
         @Override
         protected Enum<?>[] computeValue(Class<?> type) {
@@ -17,9 +17,9 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         }
     };
 
-    /** All that there are, by ordinal. */
+    /** All kinds, by ordinal. */
     private final C[] kinds;
-    /** By the kind's ordinal; null where the rows have no such column. */
+    /** Columns by the kind's ordinal; null for missing ones. */
     private final Object[] columns;
 
     private ColumnSet(C[] kinds, Object[] columns) {
@@ -34,19 +34,19 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
     }
 
     /**
-     * Columns of all kinds.
+     * Returns a set of columns of all kinds.
      *
-     * @param columns an array for each kind, in the order of the kinds; null where there is none
+     * @param columns one array per kind, in the order of the kinds; null for missing ones
      */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> of(Class<C> kinds, Object... columns) {
         C[] allKinds = kindsOf(kinds);
         if (columns.length != allKinds.length) {
-            throw new IllegalArgumentException("there are " + allKinds.length + " kinds of columns, and not " + columns.length);
+            throw new IllegalArgumentException("expected " + allKinds.length + " columns, found " + columns.length);
         }
         return new ColumnSet<>(allKinds, columns);
     }
 
-    /** New columns of some kinds for {@code rows} rows, all 0. */
+    /** Allocates columns of some kinds for {@code rows} rows, all 0. */
     public static <C extends Enum<C> & ColumnKind> ColumnSet<C> allocate(Class<C> kinds, Set<C> selected, int rows) {
         C[] allKinds = kindsOf(kinds);
         ColumnSet<C> set = new ColumnSet<>(allKinds, new Object[allKinds.length]);
@@ -56,7 +56,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
-    /** These, and all that others have in place of their own. */
+    /** Returns these columns; columns of {@code source} take precedence. */
     public ColumnSet<C> with(ColumnSet<C> source) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         for (C kind : kinds) {
@@ -67,14 +67,14 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
-    /** These with another array under a kind, or with none where it is null. */
+    /** Returns these columns with another array of a kind, or without it if null. */
     public ColumnSet<C> with(C kind, Object column) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         set.columns[kind.ordinal()] = column;
         return set;
     }
 
-    /** These without some kinds. */
+    /** Returns these columns without some kinds. */
     public ColumnSet<C> without(Set<C> removed) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         for (C kind : removed) {
@@ -83,12 +83,12 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
-    /** All kinds that there are, in their order. */
+    /** Returns all kinds, in order. */
     C[] kinds() {
         return kinds;
     }
 
-    /** The array under a kind, of the type that its element tells; null where there is none. */
+    /** Returns the array of a kind, typed by its element type; null if missing. */
     public Object get(C kind) {
         return columns[kind.ordinal()];
     }
@@ -97,7 +97,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return get(kind) != null;
     }
 
-    /** These, with columns of some kinds of floats shared as far as {@code count} rows have one value there. */
+    /** Returns these columns; replaces float columns of some kinds by shared ones if {@code count} rows have one value. */
     public ColumnSet<C> withUniform(Set<C> candidates, int count) {
         ColumnSet<C> set = this;
         for (C kind : candidates) {
@@ -108,7 +108,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
-    /** These over {@code count} rows in arrays of their own, but for those that are shared. */
+    /** Returns copies of these columns for {@code count} rows; shared columns stay shared. */
     public ColumnSet<C> deepCopy(int count) {
         ColumnSet<C> set = new ColumnSet<>(kinds, columns.clone());
         for (C kind : kinds) {
@@ -119,12 +119,12 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return set;
     }
 
-    /** The bytes of a kind's array, its header left out; 0 where there is none, or one that is shared. */
+    /** Returns the bytes of a kind's array without its header; 0 if it is missing or shared. */
     public long bytes(C kind) {
         return has(kind) ? kind.element().bytes(get(kind)) : 0;
     }
 
-    /** The bytes of all arrays, headers left out. */
+    /** Returns the bytes of all arrays without headers. */
     public long bytes() {
         long bytes = 0;
         for (C kind : kinds) {
@@ -133,7 +133,7 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return bytes;
     }
 
-    /** The bytes of all arrays that do not stand under the same kind in {@code previous} too. */
+    /** Returns the bytes of all arrays that {@code previous} does not have for the same kind. */
     public long newBytes(ColumnSet<C> previous) {
         long bytes = 0;
         for (C kind : kinds) {
@@ -142,7 +142,10 @@ public final class ColumnSet<C extends Enum<C> & ColumnKind> {
         return bytes;
     }
 
-    /** Copies {@code count} rows, from row {@code from} of other columns of these kinds, to row {@code at}, as far as both have them. */
+    /**
+     * Copies {@code count} rows, from row {@code from} of another set of these kinds to row {@code at}; skips columns missing
+     * in either set.
+     */
     public void copy(ColumnSet<C> source, int from, int at, int count) {
         for (C kind : kinds) {
             if (has(kind) && source.has(kind)) {

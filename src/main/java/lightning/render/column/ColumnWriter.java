@@ -7,11 +7,11 @@ import java.nio.channels.WritableByteChannel;
 import java.util.zip.CRC32C;
 
 /**
- * Writes columns one behind the other: numbers, and arrays behind their lengths, least byte first. At the end stands a checksum of all
- * that is before it.
+ * Writer of consecutive columns: numbers, and arrays after their lengths, little-endian. The output ends with a checksum of
+ * everything before it.
  */
 public final class ColumnWriter {
-    /** The length of an array that is not there. */
+    /** Length of a missing array. */
     static final int ABSENT = -1;
     private static final int BUFFER_SIZE = 1 << 18;
 
@@ -19,7 +19,7 @@ public final class ColumnWriter {
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER_SIZE).order(ByteOrder.LITTLE_ENDIAN);
     private final CRC32C checksum = new CRC32C();
 
-    /** @param out takes all bytes it is given, or throws */
+    /** @param out channel that accepts all bytes it is given, or throws */
     public ColumnWriter(WritableByteChannel out) {
         this.out = out;
     }
@@ -34,7 +34,7 @@ public final class ColumnWriter {
         buffer.putLong(v);
     }
 
-    /** An array of a type that {@link ElementType} has, or null. */
+    /** Writes an array of a type of {@link ElementType}, or null. */
     public void writeArray(Object column) throws IOException {
         switch (column) {
             case null -> writeInt(ABSENT);
@@ -69,11 +69,11 @@ public final class ColumnWriter {
                     buffer.position(buffer.position() + n * Float.BYTES);
                 }
             }
-            default -> throw new IllegalArgumentException("no column holds " + column.getClass());
+            default -> throw new IllegalArgumentException("unsupported type of a column: " + column.getClass());
         }
     }
 
-    /** Several columns of floats, or null. */
+    /** Writes several columns of floats, or null. */
     public void writeFloatArrays(float[][] columns) throws IOException {
         writeInt(columns == null ? ABSENT : columns.length);
         for (float[] column : columns == null ? new float[0][] : columns) {
@@ -81,7 +81,7 @@ public final class ColumnWriter {
         }
     }
 
-    /** All columns of a set, and which it lacks. */
+    /** Writes all columns of a set, and which of them are missing. */
     public <C extends Enum<C> & ColumnKind> void writeColumns(ColumnSet<C> columns) throws IOException {
         for (C kind : columns.kinds()) {
             writeArray(columns.get(kind));
@@ -102,7 +102,7 @@ public final class ColumnWriter {
         }
     }
 
-    /** Makes room for one element at least; returns for how many of those left there is. */
+    /** Makes room for at least one element; returns how many of the remaining ones fit. */
     private int ensureSpace(int elementBytes, int remaining) throws IOException {
         ensureSpace(elementBytes);
         return Math.min(remaining, buffer.remaining() / elementBytes);

@@ -2,16 +2,16 @@ package lightning.render.column;
 
 import java.util.Arrays;
 
-/** What a column holds for each row. */
+/** Type of a column's elements. */
 public enum ElementType {
-    /** Read one by one: as many as there are rows. */
+    /** Read one by one: columns have exactly one element per row. */
     BYTE(Byte.BYTES, 1),
-    /** Of this and what follows a multiple of 16, so that lanes may run over the end. */
+    /** Columns of this and the following types are padded to a multiple of 16, so that lanes may overrun the end. */
     SHORT(Short.BYTES, ElementType.LENGTH_MULTIPLE),
     INT(Integer.BYTES, ElementType.LENGTH_MULTIPLE),
     FLOAT(Float.BYTES, ElementType.LENGTH_MULTIPLE);
 
-    /** The most rows that have columns together. */
+    /** Maximum number of rows of a tile. */
     static final int MAX_ROWS = 1024;
     static final int LENGTH_MULTIPLE = 16;
 
@@ -23,17 +23,17 @@ public enum ElementType {
         this.lengthMultiple = lengthMultiple;
     }
 
-    /** The bytes of one. */
+    /** Returns the bytes of one element. */
     public int bytes() {
         return bytes;
     }
 
-    /** How many a column for {@code rows} rows holds: as many bytes, and of all else the next multiple of 16. */
+    /** Returns the length of a column for {@code rows} rows: exact for bytes, otherwise the next multiple of 16. */
     public int length(int rows) {
         return (rows + lengthMultiple - 1) / lengthMultiple * lengthMultiple;
     }
 
-    /** A new column of them for {@code rows} rows, all 0. */
+    /** Allocates a column for {@code rows} rows, all 0. */
     Object column(int rows) {
         int length = length(rows);
         return switch (this) {
@@ -44,7 +44,7 @@ public enum ElementType {
         };
     }
 
-    /** A column for {@code rows} rows that begins like another; that other itself where it is shared, see {@link UniformColumns}. */
+    /** Copies a column for {@code rows} rows; returns the column itself if it is shared, see {@link UniformColumns}. */
     Object copy(Object column, int rows) {
         int length = length(rows);
         return switch (this) {
@@ -55,7 +55,7 @@ public enum ElementType {
         };
     }
 
-    /** The bytes of a column of them, its header left out; none of one that is shared, see {@link UniformColumns}. */
+    /** Returns the bytes of a column without its header; 0 for a shared one, see {@link UniformColumns}. */
     long bytes(Object column) {
         int length = switch (this) {
             case BYTE -> ((byte[]) column).length;

@@ -4,23 +4,30 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 
 /**
- * Columns of floats that hold one value everywhere, shared by all rows of which it is that of every one: the normals of a plane, what a
- * distant light gives it. They are counted with no rows. The newest values have a place here, and few rows have columns of their own:
- * so all that are shared never take more than twice what columns of their own would.
- * For use by any number of threads.
+ * Cache of shared float columns that hold one value for all rows, such as the normals of a plane or the falloff of a distant
+ * light.
+ *
+ * <p>Shared columns count as zero bytes. The cache holds only recent values, and few rows have columns of their own. So all
+ * shared columns take at most twice as much memory as separate columns would. Thread-safe.
  */
 public final class UniformColumns {
-    /** Longer than any other column, by which they are known; lanes may run over the end of rows, and find the value. */
+    /**
+     * Length of shared columns. It exceeds that of any other column and so identifies them; lanes that overrun the rows read
+     * the same value.
+     */
     static final int LENGTH = ElementType.MAX_ROWS + ElementType.LENGTH_MULTIPLE;
     private static final int MIN_ROWS = LENGTH / 2;
     private static final int SLOT_COUNT = 512;
-    /** At how many of them a value may be, side by side. */
+    /** Number of adjacent slots that may hold a value. */
     private static final int PROBE_COUNT = 4;
     private static final AtomicReferenceArray<float[]> SLOTS = new AtomicReferenceArray<>(SLOT_COUNT + PROBE_COUNT);
 
     private UniformColumns() {}
 
-    /** The column of which all have what stands in {@code count} rows of another; that other itself where its rows differ, or there is none. */
+    /**
+     * Returns the shared column for the value of the first {@code count} rows; returns the given column if these differ, or
+     * null for null.
+     */
     public static float[] share(float[] column, int count) {
         if (column == null || count < MIN_ROWS || Arrays.mismatch(column, 0, count - 1, column, 1, count) >= 0) {
             return column;
@@ -40,7 +47,7 @@ public final class UniformColumns {
         return shared;
     }
 
-    /** A new column of one value, for rows of any tile to share. */
+    /** Returns a new column of one value that rows of any tile can share. */
     public static float[] of(float value) {
         float[] column = new float[LENGTH];
         Arrays.fill(column, value);

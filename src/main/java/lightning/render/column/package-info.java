@@ -1,5 +1,5 @@
 /**
- * Columns of rows: plain arrays that share one index. Rows of each kind tell in one closed set which columns they may have;
- * how these are made, counted and shared follows from that.
+ * Columns of rows: flat arrays that share one index. The rows of each kind define a closed set of columns, which determines how
+ * they are allocated, measured and shared.
  */
 package lightning.render.column;

@@ -6,17 +6,18 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.Tracer;
 
 /**
- * What does the work on the rows of a tile, in one of several ways that give the same bits: finds what rays hit, fills a
- * light's rows, and composes them. Engines are asked for one tile at a time, so that tiles of one picture may come from
- * several. Shared between threads; what it gives holds scratch memory, one for each thread.
+ * Implementation of tracing, lighting terms and sums for the rows of a tile. All engines return the same bits.
+ *
+ * <p>Engines are selected per tile, so tiles of one image may come from several. Thread-safe; the objects it creates hold
+ * scratch memory, one per thread.
  */
 public interface Engine {
-    /** What finds the hit rows of tiles. */
+    /** Creates a tracer, which finds the hit rows of tiles. */
     Tracer tracer(Geometry geometry);
 
-    /** What fills a light's rows. */
+    /** Creates the kernel that computes a light's terms for rows. */
     TermKernel terms();
 
-    /** What composes rows. */
+    /** Creates the kernel that composes rows. */
     SumKernel sums();
 }

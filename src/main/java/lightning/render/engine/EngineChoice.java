@@ -1,8 +1,8 @@
 package lightning.render.engine;
 
-/** Which engine makes which tile. Asked by all threads, once for each tile. */
+/** Selection of an engine per tile. Called by all threads, once for each tile. */
 @FunctionalInterface
 public interface EngineChoice {
-    /** The engine for tile {@code tile} of a picture. */
+    /** Returns the engine for tile {@code tile} of an image. */
     Engine forTile(int tile);
 }

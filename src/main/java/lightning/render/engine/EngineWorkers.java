@@ -8,9 +8,9 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
- * Who works on tiles in one thread: one for each engine that tiles are to come from, made when it is needed first.
+ * Workers of one thread: one per engine, created on first use.
  *
- * @param <W> who works on tiles, with one engine and scratch memory
+ * @param <W> worker with one engine and scratch memory
  */
 public final class EngineWorkers<W> {
     private final EngineChoice engineChoice;
@@ -22,17 +22,17 @@ public final class EngineWorkers<W> {
         this.factory = factory;
     }
 
-    /** One for each of some threads. */
+    /** Creates one object for each of {@code threads} threads. */
     public static <W> List<EngineWorkers<W>> perThread(int threads, EngineChoice engineChoice, Function<Engine, W> factory) {
         return Stream.generate(() -> new EngineWorkers<>(engineChoice, factory)).limit(threads).toList();
     }
 
-    /** Who works on tile {@code tile}. */
+    /** Returns the worker for tile {@code tile}. */
     public W forTile(int tile) {
         return workers.computeIfAbsent(engineChoice.forTile(tile), factory);
     }
 
-    /** All who worked so far. */
+    /** Returns all workers used so far. */
     public Collection<W> workers() {
         return workers.values();
     }

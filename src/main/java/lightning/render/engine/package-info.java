@@ -1,4 +1,5 @@
 /**
- * The seam between what is computed of a tile and how: {@link lightning.render.engine.Engine}. Each package below it is one way.
+ * Interface between the computation of a tile and its implementations: {@link lightning.render.engine.Engine}. Each subpackage
+ * is one implementation.
  */
 package lightning.render.engine;

@@ -1,8 +1,8 @@
 package lightning.render.trace;
 
-/** How a ray goes on from a row that it met. */
+/** Kind of secondary ray that leaves a hit row: reflected or refracted. */
 public enum BounceKind {
-    /** Mirrored, from every row of a material that mirrors or is clear. */
+    /** Reflected ray, cast from every row of a reflective or transparent material. */
     MIRRORED {
         @Override
         public int rowCount(HitRows from) {
@@ -30,7 +30,7 @@ public enum BounceKind {
             return from.pz;
         }
     },
-    /** Refracted, from every row of a clear material where the surface does not mirror all. */
+    /** Refracted ray, cast from every row of a transparent material unless reflection is total. */
     REFRACTED {
         @Override
         public int rowCount(HitRows from) {
@@ -59,18 +59,18 @@ public enum BounceKind {
         }
     };
 
-    /** How many rows of a level, the first ones, rays may go on from in this way. */
+    /** Returns how many rows of a level cast rays of this kind; they are the first rows. */
     public abstract int rowCount(HitRows from);
 
     /**
-     * Writes the direction of the ray that goes on from a row, of length 1.
+     * Writes the direction, of length 1, of the secondary ray from a row.
      *
-     * @param to gets x, y, z, {@code double[3]}
-     * @return whether a ray goes on; else nothing is written
+     * @param to receives x, y, z, {@code double[3]}
+     * @return true if the row casts a ray; otherwise nothing is written
      */
     public abstract boolean writeDirection(HitRows from, int row, MaterialTable materials, double[] to);
 
-    /** Where rays leave from. */
+    /** Origins of the rays, one per row. */
     abstract float[] originX(HitRows from);
 
     abstract float[] originY(HitRows from);

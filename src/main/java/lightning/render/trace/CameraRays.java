@@ -8,13 +8,14 @@ import lightning.scene.Camera;
 import lightning.scene.PictureSettings;
 
 /**
- * The rays from the eye, which is the origin of render space unless the camera says otherwise, through points of the picture.
+ * Camera rays through points of the image. They start at the eye, which is the origin of render space unless the camera sets
+ * another one.
  *
- * <p>The direction through picture coordinates x, y (pixels from the left and from the top) is
- * {@code corner + x·right + y·down}, at length 1.
+ * <p>The direction through image coordinates x, y (pixels from the left and from the top) is {@code corner + x·right + y·down},
+ * normalized.
  */
 public final class CameraRays {
-    /** Where they leave from, render space. */
+    /** Origin of the rays, render space. */
     final Vec3 eye;
     public final Vec3 corner;
     public final Vec3 right;
@@ -33,12 +34,12 @@ public final class CameraRays {
         corner = forward.minus(right.times(picture.width() / 2.0)).minus(down.times(picture.height() / 2.0));
     }
 
-    /** The ray through the center of pixel {@code column, row}; its direction has length 1. */
+    /** Returns the ray through the center of pixel {@code column, row}; its direction has length 1. */
     public Ray pixelRay(int column, int row) {
         return imageRay(column + 0.5, row + 0.5);
     }
 
-    /** The ray through picture coordinates x, y; its direction has length 1. */
+    /** Returns the ray through image coordinates x, y; its direction has length 1. */
     public Ray imageRay(double x, double y) {
         double[] dx = new double[1];
         double[] dy = new double[1];
@@ -48,15 +49,15 @@ public final class CameraRays {
     }
 
     /**
-     * Makes a beam that of the rays through a rectangle of pixels, and of nothing else.
+     * Sets a beam to bound exactly the rays through a rectangle of pixels.
      *
-     * @param column the leftmost pixel, {@code columns} the number of pixels across
-     * @param row    the uppermost pixel, {@code rows} the number of pixels down
+     * @param column leftmost pixel; {@code columns} is the number of pixels across
+     * @param row topmost pixel; {@code rows} is the number of pixels down
      */
     public void boundBeam(RayBeam beam, int column, int row, int columns, int rows) {
         beam.clear();
         beam.addOrigin(eye.x(), eye.y(), eye.z());
-        // Directions to the rectangle in the picture plane; pixel centers are half a pixel inside it.
+        // Directions to the corners in the image plane. Pixel centers are half a pixel inside them.
         for (int end = 0; end < 4; end++) {
             double x = column + (end & 1) * columns;
             double y = row + (end >> 1) * rows;
@@ -66,7 +67,7 @@ public final class CameraRays {
         }
     }
 
-    /** Writes the direction, of length 1, of the ray through picture coordinates x, y to place {@code i}. */
+    /** Writes the direction, of length 1, of the ray through image coordinates x, y to index {@code i}. */
     public void writeDirection(double x, double y, double[] toX, double[] toY, double[] toZ, int i) {
         double dx = corner.x() + x * right.x() + y * down.x();
         double dy = corner.y() + x * right.y() + y * down.y();

@@ -24,10 +24,10 @@ import lightning.scene.Shape;
 import lightning.scene.ShapeLinks;
 
 /**
- * What rays can meet: a scene's shapes and materials in render space, without its lights.
+ * A scene's shapes and materials in render space, without its lights, as rays intersect them.
  *
- * <p>Shapes and their tree of boxes are built once for all scenes that differ in lights and materials only, and the form
- * of the tree, which takes the time, for all cameras. Shared between threads.
+ * <p>Shapes and their BVH are built once for all scenes that differ only in lights and materials. The topology of the BVH,
+ * which takes most of the time to build, is shared by all cameras. Thread-safe.
  */
 public final class Geometry {
     private final Scene scene;
@@ -38,17 +38,20 @@ public final class Geometry {
     private final MaterialTable materials;
     private final Bvh bvh;
     private final Predicate<Material> castsReflections;
-    /** Which primitives throw shadows; null where all do. */
+    /** Primitives that cast shadows; null if all do. */
     private final boolean[] shadowCasters;
     private final boolean castsShadows;
-    /** The tree of those primitives that light passes and takes the color of; null where it passes none. */
+    /** BVH over the primitives that transmit and tint light; null if there are none. */
     private final Bvh tintBvh;
     private final boolean[] tintCasters;
-    /** Whether any material throws no shadows. */
+    /** True if any material casts no shadows. */
     private final boolean hasShadowlessMaterials;
-    /** The same shapes where some of them throw no shadow, by those that do. */
+    /** Versions of this geometry in which only some shapes cast shadows, by the linked shapes. */
     private final Map<ShapeLinks, Geometry> shadowGeometries = new ConcurrentHashMap<>();
-    /** What {@link #changeTo} found last, as long as someone else uses it. Any thread may set it: each that does is right. */
+    /**
+     * Latest result of {@link #changeTo}, while another object still references it. Any thread may write it, since all compute
+     * equal results.
+     */
     private volatile WeakReference<ShapeChange> lastChange;
 
     /** Prepares the shapes of a scene. */
@@ -59,7 +62,7 @@ public final class Geometry {
     /**
      * Prepares the shapes of a scene.
      *
-     * @param castsReflections which materials cast mirrored rays: all that mirror, and perhaps others
+     * @param castsReflections selects the materials that cast reflected rays: all reflective ones, and possibly others
      */
     public Geometry(Scene scene, Predicate<Material> castsReflections) {
         this.scene = scene;
@@ -93,7 +96,7 @@ public final class Geometry {
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
-    /** The same of which only some primitives throw shadows: the tree has no others. */
+    /** Creates a version in which only some primitives cast shadows; the BVH contains only these. */
     private Geometry(Geometry source, boolean[] shadowCasters, boolean[] tintCasters) {
         scene = source.scene;
         shapes = source.shapes;
@@ -110,7 +113,7 @@ public final class Geometry {
         tintBvh = tintCasters == null ? null : source.bvh.subset(tintCasters);
     }
 
-    /** The form of the tree is another's. */
+    /** Reuses the BVH topology of another geometry. */
     private Geometry(Geometry source, Scene scene, Predicate<Material> castsReflections) {
         this.scene = scene;
         shapes = source.shapes;
@@ -127,7 +130,7 @@ public final class Geometry {
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
-    /** Other shapes, seen from the same place; materials keep their indices. */
+    /** Prepares other shapes seen from the same camera position; materials keep their indices. */
     private Geometry(Scene scene, Geometry previous) {
         this.scene = scene;
         shapes = scene.stage().shapes();
@@ -144,20 +147,22 @@ public final class Geometry {
         hasShadowlessMaterials = materials.hasShadowlessMaterials();
     }
 
-    /** Of each primitive whether it is of a linked shape; not to be written to. */
+    /** Returns for each primitive whether it belongs to a linked shape; callers must not modify the array. */
     public boolean[] linkedPrimitives(ShapeLinks links) {
         // Every shape is one primitive.
         return scene.stage().linkMask(links);
     }
 
-    /** What ways to a light meet that some shapes do not shadow: primitives keep their indices and their boxes. */
+    /**
+     * Returns the geometry for shadow rays of a light that only linked shapes shadow. Primitives keep their indices and boxes.
+     */
     public Geometry shadowGeometry(ShapeLinks links) {
         return links.isAll() && !hasShadowlessMaterials ? this
                 : shadowGeometries.computeIfAbsent(links,
                         requested -> new Geometry(this, shadowCasters(requested), tintCasters(requested)));
     }
 
-    /** Of each primitive whether it throws shadows in a light that linked shapes shadow; not to be written to. */
+    /** Returns for each primitive whether it casts shadows from a light with these links; callers must not modify the array. */
     boolean[] shadowCasters(ShapeLinks links) {
         boolean[] linked = linkedPrimitives(links);
         if (!hasShadowlessMaterials) {
@@ -170,7 +175,7 @@ public final class Geometry {
         return result;
     }
 
-    /** Of each primitive whether it gives its color to the light that linked shapes shadow; null where none does. */
+    /** Returns for each primitive whether it tints light with these shadow links; null if none does. */
     boolean[] tintCasters(ShapeLinks links) {
         if (!primitives.hasShadowTints()) {
             return null;
@@ -184,21 +189,23 @@ public final class Geometry {
         return hasTints ? result : null;
     }
 
-    /** Of each primitive whether light passes it and takes its color; null where it passes none; not to be written to. */
+    /**
+     * Returns for each primitive whether it transmits and tints light, or null if none does; callers must not modify the array.
+     */
     public boolean[] tintCasters() {
         return tintCasters;
     }
 
-    /** The tree of those primitives that light passes and takes the color of; null where it passes none. */
+    /** Returns the BVH over the primitives that transmit and tint light; null if there are none. */
     public Bvh tintBvh() {
         return tintBvh;
     }
 
     /**
-     * Writes where a way meets what light passes, as way 0; every primitive is asked, and every triangle.
+     * Writes the hits of a shadow ray, numbered 0, on transmitting primitives. Tests every primitive and every triangle.
      *
-     * @param target   {@link ShadowRayTarget#OFF_SURFACE} for a ray
-     * @param limit 1 for a way to a point; {@code +∞} for a ray
+     * @param target {@link ShadowRayTarget#OFF_SURFACE} for an unbounded ray
+     * @param limit 1 for a shadow ray to a point; {@code +∞} for an unbounded ray
      */
     public void collectHitsBruteForce(Ray shadowRay, ShadowRayTarget target, double limit, ShadowRayHits hits) {
         MeshRayQuery probe = new MeshRayQuery();
@@ -213,7 +220,7 @@ public final class Geometry {
         }
     }
 
-    /** Whether any primitive throws a shadow; where none does, rays must not be asked. */
+    /** Returns true if any primitive casts shadows. If none does, no shadow rays may be traced. */
     public boolean castsShadows() {
         return castsShadows;
     }
@@ -228,7 +235,7 @@ public final class Geometry {
         return shapes.stream().mapToInt(s -> index.get(s.material())).toArray();
     }
 
-    /** Whether the shapes of {@code other} are these, seen from this place; its materials may be others. */
+    /** Returns true if {@code other} has these shapes, seen from this camera position; its materials may differ. */
     public boolean canServe(Scene other) {
         return hasSameShapes(other) && scene.camera().origin().equals(other.camera().origin());
     }
@@ -237,10 +244,7 @@ public final class Geometry {
         return scene.nodes().equals(other.nodes()) && hasSameRays(other);
     }
 
-    /**
-     * Whether the materials that shapes have bend normals as those of another scene do, lead rays on behind them and throw shadows:
-     * what is met is told with its normal and with where rays go on.
-     */
+    /** Returns true if another scene's materials produce the same hits: equal normal mapping, refraction and shadow casting. */
     private boolean hasSameRays(Scene other) {
         if (scene.materials() == other.materials()) {
             return true;
@@ -250,21 +254,28 @@ public final class Geometry {
         return scene.stage().usedMaterials().stream().allMatch(m -> thisMaterials.get(m).hasSameRays(otherMaterials.get(m)));
     }
 
-    /** Whether these are the shapes of a scene, and an eye may stand at a point of it without their being moved. */
+    /**
+     * Returns true if a scene has these shapes and an eye at a point of it is within the range of coordinates of this render
+     * space.
+     */
     public boolean canServeEye(Scene other, Vec3 eye) {
         return hasSameShapes(other) && toRenderSpace(eye).maxAbs() <= primitives.maxCoordinate;
     }
 
-    /** Where render space begins, a point of the scene. */
+    /** Returns the origin of render space in scene coordinates. */
     public Vec3 origin() {
         return scene.camera().origin();
     }
 
     /**
-     * What rays of another scene can meet: this itself where it serves that scene, its tree with moved boxes where shapes are
-     * the same and the camera stands elsewhere, and else built anew.
+     * Returns the geometry of another scene and reuses as much of this one as possible.
+     * <ul>
+     * <li>Same shapes and camera position: returns this geometry, with the other scene's materials.</li>
+     * <li>Same shapes, other camera position: reuses the BVH topology with moved boxes.</li>
+     * <li>Otherwise: builds a new geometry.</li>
+     * </ul>
      *
-     * @param newCastsReflections as for a new one
+     * @param newCastsReflections selects the materials that cast reflected rays
      */
     public Geometry forScene(Scene other, Predicate<Material> newCastsReflections) {
         if (!hasSameShapes(other)) {
@@ -275,20 +286,20 @@ public final class Geometry {
     }
 
     /**
-     * The same shapes with the materials of another scene, each at the same index as here.
+     * Returns these shapes with the materials of another scene; each material keeps its index.
      *
-     * @throws IllegalArgumentException if this geometry does not serve that scene
+     * @throws IllegalArgumentException if {@link #canServe} is false for that scene
      */
     public Geometry withMaterialsOf(Scene other) {
         if (!canServe(other)) {
-            throw new IllegalArgumentException("the geometry is another scene's");
+            throw new IllegalArgumentException("the geometry belongs to another scene");
         }
         return scene.materials().equals(other.materials()) ? this : new Geometry(this, other);
     }
 
     /**
-     * What becomes of these shapes where those of another scene follow, seen from the same place. Rows that know a material by its
-     * index here know it by the same there.
+     * Computes the difference between these shapes and those of another scene seen from the same position. Materials keep their
+     * indices in the new geometry.
      */
     public ShapeChange changeTo(Scene other) {
         ShapeChange current = lastChange == null ? null : lastChange.get();
@@ -299,12 +310,12 @@ public final class Geometry {
         return current;
     }
 
-    /** The same where those shapes are known already, of a geometry that followed from this one, perhaps in several steps. */
+    /** Computes the difference to a geometry that was derived from this one, possibly in several steps. */
     public ShapeChange changeTo(Geometry later) {
         return new ShapeChange(this, later);
     }
 
-    /** Which materials cast mirrored rays. */
+    /** Returns the predicate that selects the materials that cast reflected rays. */
     public Predicate<Material> castsReflections() {
         return castsReflections;
     }
@@ -313,32 +324,32 @@ public final class Geometry {
         return materials;
     }
 
-    /** How many primitives there are. */
+    /** Returns the number of primitives. */
     public int primitiveCount() {
         return primitives.count;
     }
 
-    /** The index of the shape that a primitive is of. */
+    /** Returns the index of the shape that a primitive belongs to. */
     public int owner(int primitive) {
         return primitives.owner[primitive];
     }
 
-    /** A number for the shape that a primitive is of, which it keeps whatever other shapes there are: of its name. */
+    /** Returns a hash of the name of a primitive's shape. It does not depend on the other shapes. */
     public int shapeHash(int primitive) {
         return HitCode.ofName(shape(primitive).name());
     }
 
-    /** The shape that a primitive is of. */
+    /** Returns the shape that a primitive belongs to. */
     public Shape shape(int primitive) {
         return shapes.get(owner(primitive));
     }
 
-    /** The material of a primitive. */
+    /** Returns the material of a primitive. */
     public Material material(int primitive) {
         return materials.material(materialIndex(primitive));
     }
 
-    /** The index of the material of a primitive. */
+    /** Returns the index of the material of a primitive. */
     public int materialIndex(int primitive) {
         return primitives.material[primitive];
     }
@@ -347,25 +358,25 @@ public final class Geometry {
         return primitives;
     }
 
-    /** The tree of boxes over the primitives. */
+    /** Returns the BVH over the primitives. */
     public Bvh bvh() {
         return bvh;
     }
 
-    /** Where a point of the scene lies in render space. */
+    /** Converts a point from scene coordinates to render space. */
     public Vec3 toRenderSpace(Vec3 world) {
         return world.minus(scene.camera().origin());
     }
 
-    /** Where a point of render space lies in the scene. */
+    /** Converts a point from render space to scene coordinates. */
     public Vec3 toScene(Vec3 render) {
         return render.plus(scene.camera().origin());
     }
 
     /**
-     * The primitive that a ray meets first: every one is asked, and every triangle of a mesh, none is skipped.
+     * Returns the primitive that a ray hits first. Tests every primitive and every triangle of a mesh.
      *
-     * @return its index, or −1
+     * @return the primitive's index, or −1
      */
     public int nearestBruteForce(Ray ray) {
         int nearest = -1;
@@ -380,22 +391,27 @@ public final class Geometry {
         return nearest;
     }
 
-    /** The same, where meshes are asked by their trees: these serve rays from anywhere, which the tree of primitives does not. */
+    /**
+     * Returns the primitive that a ray hits first. Tests every primitive, but meshes by their BVHs, which accept any origin.
+     * (The BVH over the primitives does not.)
+     */
     public int nearestLinear(Ray ray) {
         return bvh.traversal(ray).nearestBruteForce();
     }
 
-    /** The same by the tree of boxes; origins are the camera or lie within the box of the scene. */
+    /**
+     * Returns the primitive that a ray hits first, by the BVH. The origin must be the camera or lie within the scene's bounds.
+     */
     public int nearest(Ray ray) {
         return bvh.nearest(ray);
     }
 
-    /** Whether any primitive is met at a distance below {@code limit}, by the tree of boxes. */
+    /** Returns true if the ray hits any primitive at a distance below {@code limit}, by the BVH. */
     public boolean isBlocked(Ray ray, double limit) {
         return bvh.isBlocked(ray, limit);
     }
 
-    /** Whether any primitive that throws shadows is met at a distance below {@code limit}; every one is asked. */
+    /** Returns true if the ray hits any shadow-casting primitive at a distance below {@code limit}. Tests every primitive. */
     public boolean isBlockedBruteForce(Ray ray, double limit) {
         for (int s = 0; s < primitives.count; s++) {
             if (isShadowCaster(s) && distance(s, ray) < limit) {
@@ -405,17 +421,19 @@ public final class Geometry {
         return false;
     }
 
-    /** Where ways to a light at a point in render space end; every primitive is asked. */
+    /** Returns the target for shadow rays to a light at a point in render space. Tests every primitive. */
     public ShadowRayTarget shadowRayTargetBruteForce(Vec3 point) {
         return ShadowRayTarget.findBruteForce(point, bvh);
     }
 
-    /** The same by the tree of boxes. */
+    /** Returns the target for shadow rays to a light at a point in render space, by the BVH. */
     public ShadowRayTarget shadowRayTarget(Vec3 point) {
         return ShadowRayTarget.find(point, bvh);
     }
 
-    /** Whether any primitive that throws shadows stands between a point and a light, both in render space; every one is asked. */
+    /**
+     * Returns true if any shadow-casting primitive is between a point and a light, both in render space. Tests every primitive.
+     */
     public boolean isBlockedBruteForce(Vec3 point, ShadowRayTarget target) {
         Ray shadowRay = new Ray(point, target.point().minus(point));
         for (int s = 0; s < primitives.count; s++) {
@@ -427,22 +445,22 @@ public final class Geometry {
     }
 
     /**
-     * The primitive that stands nearest to a point on its way to a light, both in render space, by the tree of boxes.
+     * Returns the blocker nearest to a point on its shadow ray to a light, both in render space, by the BVH.
      *
-     * @return its index, or −1 where the way is free
+     * @return the primitive's index, or −1 if the light is visible
      */
     public int blocker(Vec3 point, ShadowRayTarget target) {
         return bvh.blocker(new Ray(point, target.point().minus(point)), target);
     }
 
-    /** The distance along a ray to a primitive, or {@code +∞}. */
+    /** Returns the distance along a ray to a primitive, or {@code +∞}. */
     public double distance(int primitive, Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
         return primitives.distance(primitive, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
     }
 
-    /** The distance along the way to a light, 1 at the light, to a primitive that comes between; {@code +∞} where it does not. */
+    /** Returns the distance along a shadow ray, 1 at the light, to a blocking primitive; {@code +∞} if it does not block. */
     public double distance(int primitive, Ray shadowRay, ShadowRayTarget target) {
         Vec3 o = shadowRay.origin();
         Vec3 d = shadowRay.direction();
@@ -451,7 +469,7 @@ public final class Geometry {
     }
 
     /**
-     * What a ray meets on a primitive; a mesh is asked by its tree.
+     * Computes the surface point where a ray hits a primitive; tests meshes by their BVHs.
      *
      * @throws IllegalArgumentException if the ray misses the primitive
      */
@@ -461,7 +479,7 @@ public final class Geometry {
                 : new SurfacePointBuilder(primitives, materials).surfacePoint(primitive, traversal.part(), ray, traversal.distance());
     }
 
-    /** The same; every triangle of a mesh is asked. */
+    /** Computes the surface point where a ray hits a primitive; tests every triangle of a mesh. */
     public SurfacePoint surfaceBruteForce(int primitive, Ray ray) {
         double t = distance(primitive, ray);
         Vec3 o = ray.origin();
@@ -472,7 +490,7 @@ public final class Geometry {
     }
 
     /**
-     * How the normal came about by which a ray's hit on a primitive is shaded; null where it is the surface's own.
+     * Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal.
      *
      * @throws IllegalArgumentException if the ray misses the primitive
      */

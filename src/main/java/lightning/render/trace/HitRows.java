@@ -12,41 +12,39 @@ import lightning.render.column.ElementType;
 import lightning.render.trace.tree.PointBox;
 
 /**
- * Hit rows of one tile at one level: what the first pass learned of each ray that hit something, in
- * plain columns that share one index.
+ * Hits of one tile at one level as columns that share one index: the cached result of the visibility pass.
  *
- * <p>Rows are sorted by material, reflective materials first; each material's rows are one
- * <em>run</em>, whose colors are read once. Columns are a little longer than {@link #count}, so that
- * lanes may run over the end; what stands there is never used.
+ * <p>Rows are sorted by material, reflective materials first. Each material's rows form one <em>run</em>, whose colors are read
+ * once. Columns are padded beyond {@link #count} so that lanes may overrun the end; the padding is never used.
  */
 public final class HitRows {
-    /** When a tile's rows have a column. */
+    /** Columns that exist under the same condition. */
     public enum ColumnGroup {
-        /** Always. */
+        /** Always present. */
         HIT,
-        /** Where any row's material is textured. */
+        /** Present if any row's material is textured. */
         TEXEL,
-        /** Where anti-aliasing looks for edges. */
+        /** Present if anti-aliasing detects edges. */
         CODE,
-        /** Where a light of the scene shines on some shapes only. */
+        /** Present if a light of the scene illuminates only some shapes. */
         OWNER,
-        /** Where any row's material is clear. */
+        /** Present if any row's material is transparent. */
         TRANSPARENT;
 
-        /** The columns that come and go together. */
+        /** Returns the columns of this group. */
         Set<Column> columns() {
             Set<Column> columns = EnumSet.allOf(Column.class);
             columns.removeIf(column -> column.group != this);
             return columns;
         }
 
-        /** The bytes of a row in them. */
+        /** Returns the bytes per row of these columns. */
         public int bytesPerRow() {
             return ColumnKind.bytesPerRow(columns());
         }
     }
 
-    /** All columns that there are: what makes, counts, shares and splices rows knows no others. */
+    /** All columns. Code that allocates, counts, shares or splices rows handles exactly these. */
     public enum Column implements ColumnKind {
         PX(ColumnGroup.HIT, ElementType.FLOAT),
         PY(ColumnGroup.HIT, ElementType.FLOAT),
@@ -82,12 +80,12 @@ public final class HitRows {
         }
     }
 
-    /** Those that are often the same on all rows of a tile. */
+    /** Columns that often have one value for all rows of a tile. */
     private static final Set<Column> OFTEN_UNIFORM = EnumSet.of(Column.PX, Column.PY, Column.PZ, Column.NX, Column.NY, Column.NZ);
 
-    /** How many rows are in use. */
+    /** Number of rows in use. */
     public int count;
-    /** Points, off the surface, render space. */
+    /** Points, offset from the surface, render space. */
     public final float[] px;
     public final float[] py;
     public final float[] pz;
@@ -99,48 +97,48 @@ public final class HitRows {
     public final float[] vx;
     public final float[] vy;
     public final float[] vz;
-    /** The texture's color, 0…1, for rows of textured materials; null where the tile has none. */
+    /** Texture color, 0…1, of rows with textured materials; null if the tile has none. */
     public final float[] texelRed;
     public final float[] texelGreen;
     public final float[] texelBlue;
-    /** Where the row's color goes: a pixel of the tile at the first level, a row of the level above at others. */
+    /** Destination of the row's color: a pixel of the tile at the first level, a row of the previous level at others. */
     public final short[] parent;
-    /** What anti-aliasing sees of each hit, its texture left out ({@link HitCode}); null where nobody asks. */
+    /** Edge detection code of each hit without its texture ({@link HitCode}); null if unused. */
     public final int[] code;
-    /** The primitive that was hit; null where nobody asks. */
+    /** Primitive that was hit; null if unused. */
     public final int[] owner;
-    /** Of rows of clear materials the points behind the surface, off it, render space; null where the tile has none. */
+    /** Points behind the surface for rows of transparent materials, offset from it, render space; null if the tile has none. */
     public final float[] backX;
     public final float[] backY;
     public final float[] backZ;
-    /** Of rows of clear materials the way that the ray came inside, scene units; below 0 where it came from outside. */
+    /** Length of the ray inside the body for rows of transparent materials, scene units; below 0 if it came from outside. */
     public final float[] insideDistance;
-    /** How many runs there are. */
+    /** Number of runs. */
     public int runCount;
-    /** The material of each run. */
+    /** Material of each run. */
     public int[] runMaterial = new int[4];
-    /** The row after each run's last. */
+    /** Exclusive end row of each run. */
     public int[] runEnd = new int[4];
-    /** How many rows, the first ones, are of reflective materials. */
+    /** Number of rows with reflective materials; they come first. */
     public int reflectiveCount;
-    /** How many rows, the first ones, are of clear materials; all of them are reflective. */
+    /** Number of rows with transparent materials; they come first, and all of them are reflective. */
     public int transparentCount;
-    /** Of the points, once someone asked; whoever writes other points forgets it. */
+    /** Bounds of the points, computed on first use; code that overwrites the points must reset it. */
     PointBox bounds;
 
     private final ColumnSet<Column> columns;
 
-    /** Makes room for {@code rows} rows without codes and owners. */
+    /** Allocates {@code rows} rows without codes and owners. */
     public HitRows(int rows, boolean textured) {
         this(rows, textured, false, false, false);
     }
 
-    /** Makes room for {@code rows} rows. */
+    /** Allocates {@code rows} rows. */
     public HitRows(int rows, boolean textured, boolean transparent, boolean hasCodes, boolean hasOwners) {
         this(ColumnSet.allocate(Column.class, columns(textured, transparent, hasCodes, hasOwners), rows));
     }
 
-    /** Rows in columns that are filled already; there are no runs yet. */
+    /** Wraps columns that are already filled; there are no runs yet. */
     HitRows(ColumnSet<Column> columns) {
         this.columns = columns;
         px = (float[]) columns.get(Column.PX);
@@ -181,7 +179,7 @@ public final class HitRows {
         return columns;
     }
 
-    /** The same rows in other columns, with other materials that mirror. */
+    /** Returns these rows with other columns and another number of reflective rows. */
     private HitRows withColumns(ColumnSet<Column> others, int newReflectiveCount) {
         HitRows rows = new HitRows(others);
         rows.count = count;
@@ -194,37 +192,37 @@ public final class HitRows {
         return rows;
     }
 
-    /** These rows, with columns that others share where all points or normals have one coordinate. */
+    /** Returns these rows with shared columns where all points or normals have equal coordinates. */
     public HitRows compact() {
         ColumnSet<Column> shared = columns.withUniform(OFTEN_UNIFORM, count);
         return shared == columns ? this : withColumns(shared, reflectiveCount);
     }
 
-    /** These rows without texels. */
+    /** Returns these rows without texels. */
     HitRows withoutTexels() {
         return withColumns(columns.without(ColumnGroup.TEXEL.columns()), reflectiveCount);
     }
 
-    /** These rows with texels of their own, copies of these. */
+    /** Returns these rows with copies of their texels. */
     HitRows withCopiedTexels() {
         ColumnSet<Column> copies = ColumnSet.allocate(Column.class, ColumnGroup.TEXEL.columns(), count);
         copies.copy(columns, 0, 0, count);
         return withColumns(columns.with(copies), reflectiveCount);
     }
 
-    /** These rows with other codes, or null for none. */
+    /** Returns these rows with other codes, or null for none. */
     public HitRows withCode(int[] to) {
         return withColumns(columns.with(Column.CODE, to), reflectiveCount);
     }
 
-    /** These rows with other owners, or null for none. */
+    /** Returns these rows with other owners, or null for none. */
     public HitRows withOwner(int[] to) {
         return withColumns(columns.with(Column.OWNER, to), reflectiveCount);
     }
 
     /**
-     * The owners of rows that were traced before these, perhaps in another order, whose rays are known by their parents; 0 for rays
-     * that hit nothing now.
+     * Returns the owners of rows that were traced earlier, possibly in another order. Matches rays by their parents; 0 for rays
+     * that now hit nothing.
      */
     public int[] ownersFor(HitRows otherRows) {
         int[] ownerByParent = new int[RayColumns.MAX_RAYS];
@@ -238,17 +236,17 @@ public final class HitRows {
         return owners;
     }
 
-    /** These rows, in this order, seen from other parents, with other materials that mirror. */
+    /** Returns these rows in this order with other parents and another number of reflective rows. */
     HitRows withParents(short[] parents, int newReflectiveCount) {
         return withColumns(columns.with(Column.PARENT, parents), newReflectiveCount);
     }
 
-    /** The length of a column of floats for {@code rows} rows: a multiple of 16. */
+    /** Returns the length of a float column for {@code rows} rows: a multiple of 16. */
     public static int paddedLength(int rows) {
         return ElementType.FLOAT.length(rows);
     }
 
-    /** The texels' red, green or blue for channel 0, 1, 2; null where the tile has none. */
+    /** Returns the red, green or blue texels for channel 0, 1, 2; null if the tile has none. */
     public float[] texel(int channel) {
         return switch (channel) {
             case 0 -> texelRed;
@@ -258,7 +256,7 @@ public final class HitRows {
         };
     }
 
-    /** Writes all that is known of the rows. */
+    /** Writes the rows. */
     public void writeTo(ColumnWriter out) throws IOException {
         out.writeInt(count);
         out.writeInt(reflectiveCount);
@@ -271,7 +269,7 @@ public final class HitRows {
     /**
      * Reads rows.
      *
-     * @throws IOException if they are cut off
+     * @throws IOException if the data is truncated
      */
     public static HitRows readFrom(ColumnReader in) throws IOException {
         int count = in.readInt();
@@ -289,17 +287,17 @@ public final class HitRows {
         return rows.compact();
     }
 
-    /** The columns that these rows have. */
+    /** Returns the columns that are present. */
     ColumnSet<Column> columns() {
         return columns;
     }
 
-    /** The first row of run {@code r}. */
+    /** Returns the first row of run {@code r}. */
     public int runStart(int r) {
         return r == 0 ? 0 : runEnd[r - 1];
     }
 
-    /** The material of a row. */
+    /** Returns the material of a row. */
     public int material(int row) {
         int r = 0;
         while (row >= runEnd[r]) {
@@ -308,12 +306,12 @@ public final class HitRows {
         return runMaterial[r];
     }
 
-    /** Whether the ray came to a row of a clear material from inside. */
+    /** Returns true if the ray reached a row of a transparent material from inside. */
     public boolean isInside(int row) {
         return insideDistance[row] >= 0;
     }
 
-    /** Where the points lie; there must be a row. */
+    /** Returns the bounds of the points; there must be at least one row. */
     public PointBox bounds(Tracer tracer) {
         if (bounds == null) {
             bounds = tracer.bounds(px, py, pz, 0, count);
@@ -321,12 +319,12 @@ public final class HitRows {
         return bounds;
     }
 
-    /** The bytes of the columns, array headers left out. */
+    /** Returns the bytes of the columns without array headers. */
     public long bytes() {
         return columns.bytes();
     }
 
-    /** The bytes of the columns of a part. */
+    /** Returns the bytes of the columns of a group. */
     public long bytes(ColumnGroup group) {
         long bytes = 0;
         for (Column column : group.columns()) {

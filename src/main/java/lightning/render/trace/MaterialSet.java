@@ -3,7 +3,7 @@ package lightning.render.trace;
 import java.util.BitSet;
 import java.util.function.IntPredicate;
 
-/** A set of materials, told by their indices in a {@link MaterialTable}. Immutable. */
+/** Immutable set of materials, identified by their indices in a {@link MaterialTable}. */
 public final class MaterialSet {
     public static final MaterialSet NONE = new MaterialSet(new BitSet());
 
@@ -13,7 +13,7 @@ public final class MaterialSet {
         this.members = members;
     }
 
-    /** Those of materials {@code 0 … count − 1} that a condition holds for. */
+    /** Returns the materials among {@code 0 … count − 1} that satisfy a condition. */
     public static MaterialSet of(int count, IntPredicate condition) {
         BitSet members = new BitSet(count);
         for (int m = 0; m < count; m++) {
@@ -30,15 +30,15 @@ public final class MaterialSet {
         return members.isEmpty();
     }
 
-    /** Whether any of the rows is of one of these materials. */
+    /** Returns true if any of the rows has one of these materials. */
     public boolean intersects(HitRows rows) {
         return countIn(rows) > 0;
     }
 
-    /** How many of the rows are of these materials. */
+    /** Returns the number of rows with one of these materials. */
     public int countIn(HitRows rows) {
         if (isEmpty()) {
-            // Without a look at the rows: an update of lights asks this for every tile.
+            // Returns without scanning the rows: an update of lights calls this for every tile.
             return 0;
         }
         int count = 0;

@@ -17,19 +17,19 @@ import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 
 /**
- * The materials in use as plain columns: the place where the file's doubles become the floats of
- * the lighting equation. Colors are {@code float[3 * count]}: r g b of material 0, then of 1, ….
+ * Materials in use as columns, in which the file's doubles become the floats of the lighting equation. Colors are
+ * {@code float[3 * count]}: r g b of material 0, then of 1, ….
  *
- * <p>A material keeps its index however it is edited: indices follow the shapes that name the materials. The rows of a
- * tile are sorted by {@link #rank} instead, clear materials first, then others that are reflective, so that the rows that cast refracted rays are
- * a prefix, and those that cast mirrored ones.
+ * <p>A material keeps its index when it is edited: indices follow the order in which shapes name the materials. A tile's rows
+ * are sorted by {@link #rank} instead: transparent materials first, then other reflective ones. So the rows that cast refracted
+ * rays are a prefix, and so are the rows that cast reflected rays.
  */
 public final class MaterialTable {
-    /** The materials that mirror anything: clear ones do. */
+    /** Selects reflective materials; transparent ones are included. */
     public static final Predicate<Material> CASTS_REFLECTIONS = Material::spawnsSecondaryRays;
 
     private final List<Material> materials;
-    /** Which of them shapes with colors of their own have. */
+    /** Materials used by shapes with vertex colors. */
     private final boolean[] vertexColored;
     private final int reflectiveCount;
     private final int transparentCount;
@@ -39,15 +39,15 @@ public final class MaterialTable {
     private final float[] diffuse;
     private final float[] specular;
     private final float[] reflective;
-    /** Of metallic materials what a texture multiplies of F0; null where there is none. */
+    /** Part of F0 of metallic materials that a texture multiplies; null if there are none. */
     private final float[] metalF0;
 
     /**
-     * @param names the materials' names, each once: material {@code m} is that of name {@code m}
-     * @param vertexColorMaterials those that shapes have whose vertices are colored ({@link #vertexColored})
-     * @param scene says what they are
-     * @param previous  tells those that no shape has and the scene lacks; null where there are none
-     * @param castsReflections which of them cast mirrored rays: all that mirror, and perhaps others
+     * @param names unique material names; the index of a name is the index of the material
+     * @param vertexColorMaterials materials of shapes with vertex colors ({@link #vertexColored})
+     * @param scene defines the materials
+     * @param previous provides materials that no shape uses and the scene lacks; null if there are none
+     * @param castsReflections selects the materials that cast reflected rays: all reflective ones, and possibly others
      */
     MaterialTable(List<String> names, Set<String> vertexColorMaterials, Scene scene, MaterialTable previous,
             Predicate<Material> castsReflections) {
@@ -99,17 +99,17 @@ public final class MaterialTable {
         }
     }
 
-    /** The names of the materials that shapes use, each once, in the order of their first use. */
+    /** Returns the unique names of the materials that shapes use, in order of first use. */
     static List<String> materialNames(List<Shape> shapes) {
         return shapes.stream().map(Shape::material).distinct().toList();
     }
 
-    /** The same after some that keep their places, whether shapes use them or not. */
+    /** Returns existing names, used or not, at their indices, followed by new names that shapes use. */
     static List<String> materialNames(List<String> existing, List<Shape> shapes) {
         return Stream.concat(existing.stream(), shapes.stream().map(Shape::material)).distinct().toList();
     }
 
-    /** The names of the materials of shapes whose vertices have colors, which are shown. */
+    /** Returns the names of the materials of shapes whose vertex colors are visible. */
     static Set<String> vertexColorMaterials(List<Shape> shapes) {
         return shapes.stream().filter(s -> s.solid() instanceof Solid.TriangleMesh t && t.hasVertexColors()).map(Shape::material)
                 .collect(Collectors.toUnmodifiableSet());
@@ -129,57 +129,59 @@ public final class MaterialTable {
         return materials.get(m);
     }
 
-    /** Whether material {@code m} casts reflected rays. */
+    /** Returns true if material {@code m} casts reflected rays. */
     public boolean isReflective(int m) {
         return rank[m] < reflectiveCount;
     }
 
-    /** How many materials cast reflected rays: those with the lowest ranks. */
+    /** Returns the number of materials that cast reflected rays; they have the lowest ranks. */
     public int reflectiveCount() {
         return reflectiveCount;
     }
 
-    /** How many materials are clear: those with the lowest ranks. */
+    /** Returns the number of transparent materials; they have the lowest ranks. */
     public int transparentCount() {
         return transparentCount;
     }
 
-    /** Whether material {@code m} is clear. */
+    /** Returns true if material {@code m} is transparent. */
     public boolean isTransparent(int m) {
         return rank[m] < transparentCount;
     }
 
-    /** What passes through material {@code m}. */
+    /** Returns the transmission of material {@code m}. */
     public Transmission transmission(int m) {
         return materials.get(m).transmission();
     }
 
-    /** The place of material {@code m} in the order of a tile's rows: 0 … {@code count() − 1}. */
+    /** Returns the position of material {@code m} in the order of a tile's rows: 0 … {@code count() − 1}. */
     public int rank(int m) {
         return rank[m];
     }
 
-    /** The material of a rank. */
+    /** Returns the material of a rank. */
     public int materialAtRank(int r) {
         return materialByRank[r];
     }
 
-    /** Whether it is of the model {@link lightning.scene.ShadingModel#METALLIC}. */
+    /** Returns true for materials of the model {@link lightning.scene.ShadingModel#METALLIC}. */
     public boolean isMetallic(int m) {
         return metalF0 != null && materials.get(m).isMetallic();
     }
 
-    /** Whether rows of it have specular terms. */
+    /** Returns true if rows of the material have specular terms. */
     public boolean isSpecular(int m) {
         return isMetallic(m) || specular[3 * m] > 0 || specular[3 * m + 1] > 0 || specular[3 * m + 2] > 0;
     }
 
-    /** Whether rows of material {@code m} have texels: from its texture, or from the vertices of any shape that has it. */
+    /**
+     * Returns true if rows of material {@code m} have texels, from its texture or from vertex colors of any shape that uses it.
+     */
     public boolean isTextured(int m) {
         return vertexColored[m] || materials.get(m).texture().isPresent();
     }
 
-    /** The texture of material {@code m}; null where it has none. */
+    /** Returns the texture of material {@code m}; null if it has none. */
     public TextureMap texture(int m) {
         return materials.get(m).texture().orElse(null);
     }
@@ -188,42 +190,42 @@ public final class MaterialTable {
         return materials.get(m).shininess();
     }
 
-    /** The width α of the highlights of a metallic material. */
+    /** Returns the width α of the highlights of a metallic material. */
     public double alpha(int m) {
         return materials.get(m).alpha();
     }
 
-    /** Whether any throws no shadows. */
+    /** Returns true if any material casts no shadows. */
     public boolean hasShadowlessMaterials() {
         return materials.stream().anyMatch(m -> !m.transmission().castsShadows());
     }
 
-    /** Whether any is metallic. */
+    /** Returns true if any material is metallic. */
     public boolean hasMetallic() {
         return metalF0 != null;
     }
 
-    /** What no term of a light is above over rows of these materials. */
+    /** Returns an upper bound of any light's terms over rows of these materials. */
     public double maxTerm() {
         return materials.stream().mapToDouble(Material::maxTerm).reduce(1, Math::max);
     }
 
-    /** k<sub>ambient</sub> before the scene's ambience; {@code channel} 0, 1, 2 for red, green, blue. */
+    /** Returns k<sub>ambient</sub> without the scene's ambient light; {@code channel} is 0, 1, 2 for red, green, blue. */
     public float ambient(int m, int channel) {
         return ambient[3 * m + channel];
     }
 
-    /** k<sub>diffuse</sub> before the texture; of a metallic material base·(1 − metalness)·(1 − f0). */
+    /** Returns k<sub>diffuse</sub> without the texture; base·(1 − metalness)·(1 − f0) for a metallic material. */
     public float diffuse(int m, int channel) {
         return diffuse[3 * m + channel];
     }
 
-    /** k<sub>specular</sub>; of a metallic material (1 − metalness)·f0: the part of F0 that no texture multiplies. */
+    /** Returns k<sub>specular</sub>; for a metallic material (1 − metalness)·f0, the part of F0 that no texture multiplies. */
     public float specular(int m, int channel) {
         return specular[3 * m + channel];
     }
 
-    /** Of a metallic material base·metalness: the part of F0 that the texture multiplies; else 0. */
+    /** Returns the part of F0 that the texture multiplies: base·metalness for a metallic material, otherwise 0. */
     public float metalF0(int m, int channel) {
         return metalF0 == null ? 0 : metalF0[3 * m + channel];
     }

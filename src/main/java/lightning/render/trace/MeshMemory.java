@@ -8,17 +8,17 @@ import lightning.scene.Scene;
 import lightning.scene.Shape;
 import lightning.scene.Solid;
 
-/** How much memory a scene's meshes take, each once, before any tree is built. */
+/** Estimate of the memory that a scene's meshes need, before any BVH is built. Each mesh counts once. */
 public final class MeshMemory {
     /**
-     * Bytes of a triangle in its tree: 54 where leaves are as full as usual ({@code MeshRayQueryTest}), and the 28 of its box and number and
-     * about 20 of sets of triangles while the tree is built, with some room.
+     * Bytes of a triangle in its BVH: 54 with leaves of typical occupancy ({@code MeshRayQueryTest}). During the build, add 28
+     * for its box and index and about 20 for sets of triangles. The rest is reserve.
      */
     private static final long TREE_BYTES = 112;
 
     private MeshMemory() {}
 
-    /** The bytes of meshes and of the trees over them. */
+    /** Returns the bytes of meshes and of their BVHs. */
     public static long bytes(Scene scene) {
         Set<Mesh> meshes = Collections.newSetFromMap(new IdentityHashMap<>());
         for (Shape shape : scene.stage().shapes()) {

@@ -3,43 +3,43 @@ package lightning.render.trace;
 import lightning.base.math.Vec3;
 import lightning.render.trace.tree.RayBeam;
 
-/** The rays of one tile, up to 1024, in columns that share one index, and what they met. Reused; not shared between threads. */
+/** Rays of one tile, up to 1024, and their hits, as columns that share one index. Reused; not thread-safe. */
 public final class RayColumns {
-    /** As many rays as a tile has pixels. */
+    /** Maximum number of rays: one for each pixel of a tile. */
     static final int MAX_RAYS = 1024;
-    /** Lanes may run over the end of a column by less than this. */
+    /** Lanes may overrun the end of a column by less than this. */
     private static final int OVERRUN = 64;
 
-    /** How many rays there are. */
+    /** Number of rays. */
     public int count;
-    /** How many rays a line has, where they are those of all pixels of a rectangle, line by line; else 0. */
+    /** Rays per line if the rays are those of all pixels of a rectangle, line by line; otherwise 0. */
     public int columns;
-    /** Where rays of the eye leave from, render space. */
+    /** Origin of camera rays, render space. */
     private final Vec3 eye;
-    /** The rows that the rays leave from; null for rays of the eye. */
+    /** Rows that the rays start from; null for camera rays. */
     HitRows sourceRows;
-    /** Where rays leave from each row; null for rays of the eye. */
+    /** Origins of the rays by row; null for camera rays. */
     public float[] startX;
     public float[] startY;
     public float[] startZ;
-    /** Where a ray comes from: a row of {@link #sourceRows}, or a pixel or sample of the tile. */
+    /** Source of each ray: a row of {@link #sourceRows}, or a pixel or sample of the tile. */
     public final short[] slot = new short[MAX_RAYS];
     /** Directions, of any length. */
     public final double[] dx = new double[MAX_RAYS + OVERRUN];
     public final double[] dy = new double[MAX_RAYS + OVERRUN];
     public final double[] dz = new double[MAX_RAYS + OVERRUN];
-    /** The distance of the nearest hit, {@code +∞} for a miss. */
+    /** Distance of the nearest hit, {@code +∞} for a miss. */
     public final double[] t = new double[MAX_RAYS];
-    /** The primitive of the nearest hit, −1 for a miss. */
+    /** Primitive of the nearest hit, −1 for a miss. */
     public final int[] primitive = new int[MAX_RAYS];
-    /** The part of it that was hit. */
+    /** Part of the primitive that was hit. */
     public final int[] part = new int[MAX_RAYS];
 
-    /** How many rays hit something. */
+    /** Number of rays that hit a primitive. */
     public int hitCount;
-    /** Those rays, in the order of their rows. */
+    /** Rays that hit a primitive, in the order of their rows. */
     public final short[] order = new short[MAX_RAYS];
-    /** Where these hits lie in the own space of their shapes, in the same order; for textures. */
+    /** Hits in local coordinates of their shapes, in the same order; for textures. */
     public final double[] localX = new double[MAX_RAYS];
     public final double[] localY = new double[MAX_RAYS];
     public final double[] localZ = new double[MAX_RAYS];
@@ -50,7 +50,7 @@ public final class RayColumns {
         eye = camera.eye;
     }
 
-    /** Lets the rays leave from the eye. */
+    /** Sets the camera as the origin of the rays. */
     void startAtEye() {
         sourceRows = null;
         startX = null;
@@ -58,7 +58,7 @@ public final class RayColumns {
         startZ = null;
     }
 
-    /** Lets the rays leave from rows. */
+    /** Sets rows as the origins of the rays. */
     void startAtRows(HitRows rows, BounceKind bounce) {
         sourceRows = rows;
         startX = bounce.originX(rows);
@@ -78,7 +78,7 @@ public final class RayColumns {
         beam.addDirectionRange(axis, range[0], range[1]);
     }
 
-    /** The origin of a ray. */
+    /** Returns the x coordinate of a ray's origin. */
     public double originX(int ray) {
         return startX == null ? eye.x() : startX[slot[ray]];
     }

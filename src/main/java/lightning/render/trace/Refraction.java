@@ -3,14 +3,16 @@ package lightning.render.trace;
 import lightning.scene.Transmission;
 
 /**
- * What a clear surface does to a ray that meets it, from what a row keeps of both: unit normal N, which faces the ray, and unit direction V.
- * With c = −N·V, η the index of refraction before the surface over that behind it, and k = 1 − η²(1 − c²), the ray goes on in the direction
- * η·V + (η·c − √k)·N (Snell's law), or is mirrored in all where k is not above 0.
+ * Refraction and Fresnel reflection at a transparent surface, from the values that a row stores.
+ *
+ * <p>Unit normal N faces the ray; V is its unit direction; c = −N·V. η is the index of refraction in front of the surface
+ * divided by the index behind the surface; k = 1 − η²(1 − c²). By Snell's law the refracted direction is η·V + (η·c − √k)·N; for k ≤ 0
+ * reflection is total.
  */
 public final class Refraction {
     private Refraction() {}
 
-    /** η for a ray from outside, or from inside. */
+    /** Returns η for a ray from outside, or from inside. */
     public static double eta(Transmission transmission, boolean inside) {
         return transmission.thin() ? 1 : inside ? transmission.ior() : 1 / transmission.ior();
     }
@@ -20,10 +22,10 @@ public final class Refraction {
     }
 
     /**
-     * Writes the direction, of length 1, in which a ray goes on.
+     * Writes the direction, of length 1, of the refracted ray.
      *
-     * @param to gets x, y, z, {@code double[3]}
-     * @return whether it does; else nothing is written
+     * @param to receives x, y, z, {@code double[3]}
+     * @return true if there is a refracted ray; otherwise nothing is written
      */
     public static boolean writeDirection(float nx, float ny, float nz, float vx, float vy, float vz, double eta, double[] to) {
         double c = cosine(nx, ny, nz, vx, vy, vz);
@@ -43,9 +45,9 @@ public final class Refraction {
     }
 
     /**
-     * Which part of the light the surface mirrors, 0…1, by Fresnel's equations for light that is not polarized: the mean of
-     * ((η·c − √k)/(η·c + √k))² and ((c − η·√k)/(c + η·√k))². A pane has two such surfaces, and what they send to and fro between
-     * them adds up to 2F/(1 + F).
+     * Returns the reflected fraction of the light, 0…1, by Fresnel's equations for unpolarized light: the mean of ((η·c −
+     * √k)/(η·c + √k))² and ((c − η·√k)/(c + η·√k))². A pane has two such surfaces; with all inter-reflections it reflects 2F/(1
+     * + F).
      */
     public static float fresnelReflectance(Transmission transmission, boolean inside, float nx, float ny, float nz, float vx, float vy,
             float vz) {

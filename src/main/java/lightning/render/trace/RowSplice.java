@@ -6,27 +6,27 @@ import lightning.render.column.ColumnKind;
 import lightning.render.column.ColumnSet;
 
 /**
- * How the rows of a tile's level come from rows that are there already, some of which may go, and from rows that were
- * traced since: what it takes to let a material begin or cease to mirror without tracing what is known.
+ * Merge of a level's existing rows with newly traced ones; some existing rows may be removed. Lets a material become
+ * reflective, or stop being so, without tracing known rays again.
  *
- * <p>The result has the order of a fresh trace: by material, mirrors first, and by parent.
+ * <p>The result has the order of a fresh trace: by material, reflective materials first, then by parent.
  */
 public final class RowSplice {
     private final HitRows old;
     private final HitRows added;
     private HitRows rows;
-    /** Of each row of the result the old row, or {@code ~i} for row i of those added. */
+    /** For each resulting row the old row, or {@code ~i} for added row i. */
     private final int[] source;
-    /** Of each row of the result the end of the stretch whose sources follow one another, which is copied at once. */
+    /** For each resulting row the end of its range of consecutive sources, which is copied in one step. */
     private final int[] end;
-    /** Of each old row its row in the result, or −1. */
+    /** For each old row its resulting row, or −1. */
     private final int[] newIndex;
     private final int reflectiveCount;
     private final int transparentCount;
 
     /**
-     * @param order rows in the order that rows of one material keep, as {@link #source}
-     * @param count    how many they are
+     * @param order rows in the order within one material, encoded as in {@link #source}
+     * @param count number of rows
      */
     private RowSplice(HitRows old, HitRows added, int[] order, int count, MaterialTable materials) {
         this.old = old;
@@ -61,12 +61,12 @@ public final class RowSplice {
         }
     }
 
-    /** Whether all old rows stay where they are and none came: columns are shared, and none need be copied. */
+    /** Returns true if all old rows keep their positions and none were added; then columns are shared without copying. */
     public boolean isUnchanged() {
         return added == null && source.length == old.count && (source.length == 0 || source[0] == 0 && end[0] == source.length);
     }
 
-    /** @param ends for each rank the row behind the rows of all lower ranks */
+    /** @param ends exclusive end row of each rank, all lower ranks included */
     private HitRows allocateRows(int[] ends, MaterialTable materials) {
         boolean textured = false;
         for (int r = 0; r < materials.count(); r++) {
@@ -88,7 +88,7 @@ public final class RowSplice {
     private static int[] ends(int[] source) {
         int[] end = new int[source.length];
         for (int i = source.length - 1; i >= 0; i--) {
-            // Numbers of added rows count backwards: ~0, ~1, ….
+            // Indices of added rows count down: ~0, ~1, ….
             boolean follows = i + 1 < source.length && source[i + 1] == (source[i] < 0 ? source[i] - 1 : source[i] + 1)
                     && source[i] < 0 == source[i + 1] < 0;
             end[i] = follows ? end[i + 1] : i + 1;
@@ -96,7 +96,7 @@ public final class RowSplice {
         return end;
     }
 
-    /** Of each row the place of its material in the order of rows. */
+    /** Returns for each row the rank of its material. */
     private static int[] ranks(HitRows rows, MaterialTable materials) {
         int[] ranks = new int[rows.count];
         for (int r = 0; r < rows.runCount; r++) {
@@ -106,9 +106,9 @@ public final class RowSplice {
     }
 
     /**
-     * The same rows in the order that other materials ask for.
+     * Returns the same rows in the order of other materials.
      *
-     * @param retraced the parents of those that go, as their rays are traced anew
+     * @param retraced parents of removed rows, whose rays are traced again
      */
     public static RowSplice sort(HitRows old, BitSet retraced, MaterialTable materials) {
         int[] remaining = new int[old.count];
@@ -123,20 +123,20 @@ public final class RowSplice {
     }
 
     /**
-     * The rows that are seen from rows of the level above by rays that go on in one way.
+     * Returns the rows that rays of one kind from the previous level hit.
      *
-     * @param parentSplice what became of that level's rows; null if all of them are what they were
-     * @param rays  from how many rows of that level they go on now
-     * @param retraced  rows of that level, as it is now, whose rays are traced anew: what these hit goes
+     * @param parentSplice splice of the previous level; null if its rows are unchanged
+     * @param rays number of rows of the previous level that cast these rays now
+     * @param retraced rows of the previous level, by new index, whose rays are traced again; their old hits are removed
      */
     public static RowSplice mergeBounce(RowSplice parentSplice, int rays, HitRows old, BitSet retraced, MaterialTable materials) {
         return mergeBounce(parentSplice, rays, old, retraced, null, materials);
     }
 
     /**
-     * Rows put together of those that are there and those traced since.
+     * Joins existing rows and newly traced rows.
      *
-     * @param rays  how many parents there are
+     * @param rays number of parents
      * @param added rows of other parents
      */
     public static RowSplice join(int rays, HitRows old, HitRows added, MaterialTable materials) {
@@ -178,12 +178,12 @@ public final class RowSplice {
         }
     }
 
-    /** The rows as they are now. */
+    /** Returns the resulting rows. */
     public HitRows rows() {
         return rows;
     }
 
-    /** The old rows that are left, with all rows added since, as one step. */
+    /** Returns this splice and the next one as one step: the remaining old rows with all rows added since. */
     public RowSplice andThen(RowSplice next) {
         return new RowSplice(this, next);
     }
@@ -201,7 +201,7 @@ public final class RowSplice {
         Arrays.setAll(newIndex, i -> first.newIndex[i] < 0 ? -1 : second.newIndex[first.newIndex[i]]);
     }
 
-    /** The rows whose ray that goes on in some way is not known, because they are new or cast none before. */
+    /** Returns the rows whose secondary ray of a kind is unknown: they are new or cast none before. */
     public BitSet rowsWithoutRays(BounceKind bounce) {
         BitSet found = new BitSet();
         for (int i = 0; i < bounce.rowCount(rows); i++) {
@@ -211,11 +211,11 @@ public final class RowSplice {
     }
 
     /**
-     * Fills columns over the rows as they are now.
+     * Fills columns over the resulting rows.
      *
-     * @param columns where a column is missing below, its rows stay what they are
-     * @param oldColumns   columns over the old rows
-     * @param addedColumns columns over the added ones; unread where there are none
+     * @param columns columns to fill; where a source column below is missing, its rows keep their values
+     * @param oldColumns columns over the old rows
+     * @param addedColumns columns over the added rows; unused if there are none
      */
     public <C extends Enum<C> & ColumnKind> void fill(ColumnSet<C> columns, ColumnSet<C> oldColumns, ColumnSet<C> addedColumns) {
         for (int i = 0; i < source.length; i = end[i]) {

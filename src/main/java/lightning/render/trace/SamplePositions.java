@@ -3,24 +3,24 @@ package lightning.render.trace;
 import lightning.render.trace.tree.RayBeam;
 
 /**
- * Where in the picture the eye's rays of a tile go: through the centers of its pixels, or through finer samples of some.
+ * Image positions of a tile's camera rays: the centers of its pixels, or finer samples of some of them.
  *
- * @param x0     the tile's left pixel
- * @param y0     the tile's upper pixel
- * @param pixels indices in a tile of 32×32 pixels, ascending; those from {@code from} to before {@code to} have samples,
- *               first all of the first pixel, line by line. Null for the centers of all pixels: then a ray's number is its
- *               pixel's index
- * @param grid   samples along each side of a pixel
+ * @param x0 left pixel of the tile
+ * @param y0 top pixel of the tile
+ * @param pixels indices in a tile of 32×32 pixels, ascending; those from {@code from} to before {@code to} have samples, first
+ *     all samples of the first pixel, line by line. Null for the centers of all pixels; then a ray's number is its pixel's
+ *     index
+ * @param grid samples along each side of a pixel
  */
 public record SamplePositions(int x0, int y0, short[] pixels, int from, int to, int grid) {
     static final int SIDE = 32;
 
-    /** The centers of the pixels of the tile whose upper left pixel is {@code x0, y0}. */
+    /** Returns the pixel centers of the tile whose upper left pixel is {@code x0, y0}. */
     public static SamplePositions centers(int x0, int y0) {
         return new SamplePositions(x0, y0, null, 0, SIDE * SIDE, 1);
     }
 
-    /** How many rays there are. */
+    /** Returns the number of rays. */
     public int count() {
         return (to - from) * grid * grid;
     }
@@ -29,17 +29,20 @@ public record SamplePositions(int x0, int y0, short[] pixels, int from, int to, 
         return pixels == null ? ray : pixels[from + ray / (grid * grid)];
     }
 
-    /** How far a ray's place is from the left, pixels. */
+    /** Returns a ray's distance from the left of the image, pixels. */
     public double x(int ray) {
         return x0 + pixel(ray) % SIDE + offset(ray % grid, grid);
     }
 
-    /** How far a ray's place is from the top, pixels. */
+    /** Returns a ray's distance from the top of the image, pixels. */
     public double y(int ray) {
         return y0 + pixel(ray) / SIDE + offset(ray / grid % grid, grid);
     }
 
-    /** Writes {@link #x} and {@link #y} of {@code count} rays from {@code first} on, counting on where each place by itself divides. */
+    /**
+     * Writes {@link #x} and {@link #y} of {@code count} rays starting with {@code first}. Increments counters instead of
+     * dividing for each ray.
+     */
     public void writePositions(int first, int count, double[] x, double[] y) {
         int samplesPerPixel = grid * grid;
         int pixelIndex = first / samplesPerPixel;
@@ -56,12 +59,12 @@ public record SamplePositions(int x0, int y0, short[] pixels, int from, int to, 
         }
     }
 
-    /** How far the middle of column or line {@code cell} of a pixel's samples is from the pixel's side, in pixels. */
+    /** Returns the distance of the center of column or line {@code cell} of a pixel's samples from the pixel's side, pixels. */
     static double offset(int cell, int grid) {
         return (2 * cell + 1) / (2.0 * grid);
     }
 
-    /** Makes the beam of all rays through the smallest rectangle that holds the pixels; there must be any. */
+    /** Sets a beam to bound all rays through the bounding rectangle of the pixels; there must be at least one. */
     void boundBeam(RayBeam beam, CameraRays camera) {
         int left = SIDE;
         int right = 0;

@@ -7,7 +7,7 @@ import lightning.render.trace.tree.BoxRay;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.ShadowRayTarget;
 
-/** {@link Tracer#findHits} way by way. Holds scratch memory: one for each thread. */
+/** Scalar implementation of {@link Tracer#findHits}, one shadow ray at a time. Holds scratch memory: use one per thread. */
 public final class ShadowRayHitFinder {
     private final PrimitiveTable primitives;
     private final BoxRay boxRay = new BoxRay();
@@ -17,7 +17,7 @@ public final class ShadowRayHitFinder {
         this.primitives = primitives;
     }
 
-    /** Finds the places of the ways from chosen rows. */
+    /** Finds the hits of the shadow rays from selected rows. */
     public void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
         for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
             for (int left = selected[b]; left != 0; left &= left - 1) {
@@ -48,7 +48,7 @@ public final class ShadowRayHitFinder {
         }
     }
 
-    /** Adds the places where one way, which does not end on primitive {@code s}, meets it. */
+    /** Adds the hits of one shadow ray, which does not end on primitive {@code s}, on that primitive. */
     public void findHits(int s, double ox, double oy, double oz, double dx, double dy, double dz, double limit, ShadowRayHits hits) {
         primitives.addHits(s, ox, oy, oz, dx, dy, dz, false, limit, probe, false, hits);
     }

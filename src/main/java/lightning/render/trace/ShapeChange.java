@@ -12,24 +12,28 @@ import lightning.scene.Scene;
 import lightning.scene.ShapeLinks;
 
 /**
- * Which primitives differ between two geometries that are seen from the same place, and where: what rays of the one met that
- * touch none of the boxes here, rays of the other meet too. Immutable; shared between threads.
+ * Difference between the primitives of two geometries seen from the same position. A ray that touches none of the boxes here
+ * hits the same primitive in both. Immutable and thread-safe.
  *
- * <p>Shapes are told by their names. A primitive is the same where all that rays read of it has the same bits, and where those
- * that are the same have the same order, which decides among equal distances. Let a ray touch no box of a primitive that is not the
- * same, neither here nor there: boxes hold all that rays can meet of a primitive, whatever rounds ({@link PrimitiveBoxes}), so it
- * meets none of these, and of the others the same one at the same distance, whatever form the trees have.
+ * <p>Shapes are matched by name. A primitive is unchanged if all values that rays read of it have the same bits; unchanged
+ * primitives keep their order, which breaks ties between equal distances. Boxes contain every point at which a ray can hit a
+ * primitive, including rounding errors ({@link PrimitiveBoxes}). So a ray that touches no box of a changed primitive, before or
+ * after, misses all of these. Among the others it hits the same one at the same distance, whatever the topology of the BVHs.
  *
- * <p>A way to a light on a surface does not meet that surface at its end ({@link ShadowRayTarget}). That is a matter of the primitive, the
- * point, and of its padded box, which depends on how far the whole scene reaches: {@link #hasSameTarget} tells whether it is as before.
+ * <p>A shadow ray to a light on a surface does not hit that surface at its end ({@link ShadowRayTarget}). This depends on the
+ * primitive, the point, and the primitive's padded box, which depends on the extent of the whole scene. {@link #hasSameTarget}
+ * checks that it is unchanged.
  */
 public final class ShapeChange {
-    /** The same shapes before and after. */
+    /** No difference. */
     public static final ShapeChange NONE = new ShapeChange();
 
     private final Geometry before;
     private final Geometry after;
-    /** Of each primitive before the index it has now, perhaps with another material, other normals or without its colors; −1 where it is gone or not the same. */
+    /**
+     * For each old primitive its new index, possibly with another material, other normals or without colors; −1 if it is
+     * removed or changed.
+     */
     private final int[] newIndex;
     private final boolean hasUnchanged;
     private final boolean hasSameIndices;
@@ -50,7 +54,7 @@ public final class ShapeChange {
         tintChanges = BoxSet.NONE;
     }
 
-    /** @param before its materials keep their indices in {@code after} */
+    /** @param before geometry whose materials keep their indices in {@code after} */
     ShapeChange(Geometry before, Geometry after) {
         this.before = before;
         this.after = after;
@@ -98,7 +102,7 @@ public final class ShapeChange {
         visibleChanges = this.removedBoxes.union(this.addedBoxes).union(BoxSet.of(after.bvh(), restyled, restyledCount));
     }
 
-    /** The change of ways to a light alone. */
+    /** Creates the difference for shadow rays alone. */
     private ShapeChange(ShapeChange source, BoxSet removed, BoxSet added, BoxSet tintBoxes) {
         before = source.before;
         after = source.after;
@@ -112,12 +116,12 @@ public final class ShapeChange {
     }
 
     /**
-     * What becomes of the ways to a light that only some shapes shadow: the same where a primitive that throws no shadow counts as
-     * none. Of a tree that lacks it, rays find what this one's would if it were not there.
+     * Returns the difference for shadow rays to a light with shadow links. Primitives that cast no shadows count as absent,
+     * which is exact: a BVH without them gives the same answers as one that skips them.
      *
-     * @param previous what rays could meet before
-     * @param from  the shapes that threw shadows
-     * @param to    those that throw them now
+     * @param previous old geometry
+     * @param from old shadow links
+     * @param to new shadow links
      */
     public ShapeChange shadowChange(Geometry previous, ShapeLinks from, ShapeLinks to) {
         Geometry next = after(previous);
@@ -143,7 +147,7 @@ public final class ShapeChange {
                 tintChanges(previous, next, from, to));
     }
 
-    /** Where light passes shapes as it did not, or passes no more, or otherwise. */
+    /** Returns the boxes in which the transmission of light through shapes starts, ends or changes. */
     private BoxSet tintChanges(Geometry previous, Geometry next, ShapeLinks from, ShapeLinks to) {
         boolean[] oldTints = previous.tintCasters(from);
         boolean[] newTints = next.tintCasters(to);
@@ -163,7 +167,7 @@ public final class ShapeChange {
         return BoxSet.of(previous.bvh(), removed, removedCount).union(BoxSet.of(next.bvh(), added, added.length));
     }
 
-    /** How many primitives, the first ones, have the same names. */
+    /** Returns the number of leading primitives with the same names. */
     private int commonPrefix() {
         int minCount = Math.min(before.primitiveCount(), after.primitiveCount());
         int s = 0;
@@ -174,50 +178,53 @@ public final class ShapeChange {
     }
 
     /**
-     * What rays can meet afterwards.
+     * Returns the new geometry.
      *
-     * @param previous what they could meet before
+     * @param previous old geometry
      */
     public Geometry after(Geometry previous) {
         return after == null ? previous : after;
     }
 
-    /** Whether any primitive stays as it is, its material too. */
+    /** Returns true if any primitive is completely unchanged, including its material. */
     public boolean hasUnchanged() {
         return hasUnchanged;
     }
 
-    /** Whether rays meet what they met: only names of groups are others, or shapes that nobody sees. */
+    /** Returns true if all rays hit the same surfaces: only names of groups or invisible shapes differ. */
     public boolean isEmpty() {
         return visibleChanges.isEmpty();
     }
 
-    /** Where eye rays and mirrored rays may find something else than before. */
+    /** Returns the boxes in which camera rays and reflected rays may have other hits. */
     public BoxSet visibleChanges() {
         return visibleChanges;
     }
 
-    /** Where ways to lights that were blocked may be free: no other may. */
+    /** Returns the boxes in which blocked shadow rays may become free; no others may. */
     public BoxSet removedBoxes() {
         return removedBoxes;
     }
 
-    /** Where ways to lights that were free may be blocked: no other may. */
+    /** Returns the boxes in which free shadow rays may become blocked; no others may. */
     public BoxSet addedBoxes() {
         return addedBoxes;
     }
 
-    /** Where what passes of the light of free ways may be another. */
+    /** Returns the boxes in which the transmittance of free shadow rays may change. */
     public BoxSet tintChanges() {
         return tintChanges;
     }
 
-    /** Whether every primitive that is the same has the index that it had. */
+    /** Returns true if every unchanged primitive keeps its index. */
     public boolean hasSameIndices() {
         return hasSameIndices;
     }
 
-    /** The indices that primitives have now, −1 for none; a ray that touches no box of {@link #visibleChanges} met one that has one. */
+    /**
+     * Returns the new indices of primitives, −1 for none. A ray that touches no box of {@link #visibleChanges} hit a primitive
+     * that has one.
+     */
     public int[] mapIndices(int[] primitives) {
         if (before == null) {
             return primitives;
@@ -229,7 +236,7 @@ public final class ShapeChange {
         return mapped;
     }
 
-    /** Whether the primitives that are the same are linked as they were. */
+    /** Returns true if the unchanged primitives are linked as before. */
     public boolean hasSameLinks(Scene previous, Scene target, ShapeLinks links) {
         if (before == null || links.isAll()) {
             return true;
@@ -239,13 +246,13 @@ public final class ShapeChange {
         return IntStream.range(0, newIndex.length).allMatch(s -> newIndex[s] < 0 || oldLinks[s] == newLinks[newIndex[s]]);
     }
 
-    /** Whether ways to a point in render space pass the same ends of those primitives that cast the same shadows. */
+    /** Returns true if shadow rays to a point in render space end on the same unchanged primitives as before. */
     public boolean hasSameTarget(Vec3 point) {
         return before == null
                 || before.shadowRayTarget(point).hasSameContacts(after.shadowRayTarget(point), s -> newIndex[s], this::existedBefore);
     }
 
-    /** Whether a primitive of now was there before. */
+    /** Returns true if a new primitive existed before. */
     private boolean existedBefore(int primitive) {
         for (int s : newIndex) {
             if (s == primitive) {

@@ -5,27 +5,27 @@ import lightning.base.math.Vec3;
 import lightning.scene.Transmission;
 
 /**
- * One hit row on its own: what a ray met, as shading sees it.
+ * Single hit with the data for shading: one row of {@link HitRows} as a record.
  *
  * @param primitive index of the primitive
  * @param material index of its material
- * @param px       the point, off the surface, render space; likewise {@code py}, {@code pz}
- * @param nx       the unit normal that faces the ray; likewise {@code ny}, {@code nz}
- * @param vx       the unit direction of the ray; likewise {@code vy}, {@code vz}
- * @param diffuse  k<sub>diffuse</sub> with the texture in it, linear RGB, {@code float[3]}
- * @param specular k<sub>specular</sub>, or F0 with the texture in it, linear RGB, {@code float[3]}
- * @param backSide   where rays go on behind the surface; null where nothing is seen through it
- * @param texel    the texture's color alone, linear RGB, {@code float[3]}; white where there is none
+ * @param px point, offset from the surface, render space; also {@code py}, {@code pz}
+ * @param nx unit normal, facing the ray; also {@code ny}, {@code nz}
+ * @param vx unit direction of the ray; also {@code vy}, {@code vz}
+ * @param diffuse k<sub>diffuse</sub> including the texture, linear RGB, {@code float[3]}
+ * @param specular k<sub>specular</sub>, or F0 including the texture, linear RGB, {@code float[3]}
+ * @param backSide start of the refracted ray; null for opaque materials
+ * @param texel texture color alone, linear RGB, {@code float[3]}; white if there is none
  */
 public record SurfacePoint(int primitive, int material, float px, float py, float pz, float nx, float ny, float nz,
         float vx, float vy, float vz, float[] diffuse, float[] specular, float[] texel, BackSide backSide) {
 
     /**
-     * Where rays go on behind a surface.
+     * Start of a ray behind a transparent surface.
      *
-     * @param transmission of its material
-     * @param x       the point, off the surface, render space; likewise {@code y}, {@code z}
-     * @param insideDistance  the way that the ray came inside, scene units; below 0 where it came from outside
+     * @param transmission transmission of the material
+     * @param x point, offset from the surface, render space; also {@code y}, {@code z}
+     * @param insideDistance length of the ray inside the body, scene units; below 0 if it came from outside
      */
     public record BackSide(Transmission transmission, float x, float y, float z, float insideDistance) {
         public boolean isInside() {
@@ -33,19 +33,19 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
         }
     }
 
-    /** The refracted ray; null where the surface mirrors all. */
+    /** Returns the refracted ray; null if reflection is total. */
     public Ray refractedRay() {
         double[] d = new double[3];
         boolean passes = Refraction.writeDirection(nx, ny, nz, vx, vy, vz, Refraction.eta(backSide.transmission(), backSide.isInside()), d);
         return passes ? new Ray(new Vec3(backSide.x(), backSide.y(), backSide.z()), new Vec3(d[0], d[1], d[2])) : null;
     }
 
-    /** Which part of the light a clear surface mirrors. */
+    /** Returns the reflected fraction of the light at a transparent surface. */
     public float reflectance() {
         return Refraction.fresnelReflectance(backSide.transmission(), backSide.isInside(), nx, ny, nz, vx, vy, vz);
     }
 
-    /** The mirrored ray, V + 2|N·V|N at length 1: away from the surface whatever the rounding. */
+    /** Returns the reflected ray with direction V + 2|N·V|N, normalized. It leaves the surface whatever the rounding. */
     public Ray reflectedRay() {
         double[] d = new double[3];
         writeReflection(nx, ny, nz, vx, vy, vz, d);
@@ -53,9 +53,9 @@ public record SurfacePoint(int primitive, int material, float px, float py, floa
     }
 
     /**
-     * Writes the direction of the mirrored ray.
+     * Writes the direction of the reflected ray.
      *
-     * @param to gets x, y, z, {@code double[3]}
+     * @param to receives x, y, z, {@code double[3]}
      */
     public static void writeReflection(float nx, float ny, float nz, float vx, float vy, float vz, double[] to) {
         double twice = 2 * Math.abs((double) nx * vx + (double) ny * vy + (double) nz * vz);

@@ -9,12 +9,13 @@ import lightning.scene.BumpMapping;
 import lightning.scene.Transmission;
 
 /**
- * Tells what single rays meet, with all that lighting needs of it.
+ * Computes the surface points of single rays with all data for lighting.
  *
- * @param materials of the primitives
+ * @param primitives primitives that rays hit
+ * @param materials materials of the primitives
  */
 record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
-    /** What a ray meets on a part of a primitive at a distance. */
+    /** Computes the surface point of a ray on a part of a primitive at a distance. */
     SurfacePoint surfacePoint(int primitive, int part, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
@@ -45,7 +46,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                 (float) d.x(), (float) d.y(), (float) d.z(), diffuse, specular, texel, backSide);
     }
 
-    /** How the normal came about by which a ray's hit is shaded; null where it is the surface's own. */
+    /** Returns the steps from the geometric normal to the shading normal at a ray's hit; null if both are equal. */
     NormalSteps normalSteps(int primitive, int part, Ray ray, double t) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();
@@ -62,7 +63,7 @@ record SurfacePointBuilder(PrimitiveTable primitives, MaterialTable materials) {
                 : new NormalSteps(surface.geometricNormal(), smooth, bumped, isBent, isSmooth ? surface.liftDistance() : 0);
     }
 
-    /** The way that a ray came inside to a surface that was computed last; below 0 where it came from outside. */
+    /** Returns the length inside the body of the ray to the surface computed last; below 0 if it came from outside. */
     static float insideDistance(Transmission transmission, SurfaceHit surface, double t) {
         return surface.isInside() && !transmission.thin() ? (float) t : -1;
     }

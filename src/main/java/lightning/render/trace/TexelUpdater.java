@@ -5,8 +5,8 @@ import lightning.render.trace.tree.RayBeam;
 import lightning.scene.Scene;
 
 /**
- * Gives the rows of a tile their texels anew after a texture changed, came or went: the distance of each row's ray to its
- * own shape is computed again, and no other is searched for. Holds scratch memory: one for each thread.
+ * Recomputes the texels of a tile's rows after a texture was changed, added or removed. Intersects each row's ray only with its
+ * known shape. Holds scratch memory: use one per thread.
  */
 public final class TexelUpdater {
     private final Geometry geometry;
@@ -17,12 +17,12 @@ public final class TexelUpdater {
     private final RayBeam beam = new RayBeam();
     private final CandidateList candidates = new CandidateList();
     private final RayColumns rays;
-    /** The directions of all rays of the eye through the tile's places. */
+    /** Directions of all camera rays through the tile's sample positions. */
     private final RayColumns eyeRays;
     private final double[] direction = new double[3];
     private long rowsTouched;
 
-    /** @param geometry with the materials as they are wanted */
+    /** @param geometry geometry with the target materials */
     public TexelUpdater(Geometry geometry, Scene scene, Tracer tracer) {
         this.geometry = geometry;
         this.tracer = tracer;
@@ -33,26 +33,26 @@ public final class TexelUpdater {
         texels = new TexelWriter(geometry);
     }
 
-    /** Rows whose texels were written since the start. */
+    /** Returns the number of rows whose texels were written so far. */
     public long rowsTouched() {
         return rowsTouched;
     }
 
     /**
-     * The rows of a tile's first level with their texels.
+     * Returns the rows of a tile's first level with new texels.
      *
-     * @param positions  where their rays go
-     * @param changed the materials whose textures changed, went or came
-     * @return the same object where nothing changes; all other columns are shared
+     * @param positions image positions of their rays
+     * @param changed materials whose textures were changed, added or removed
+     * @return the same object if nothing changes; all other columns are shared
      */
     public HitRows updateEyeRows(HitRows rows, SamplePositions positions, MaterialSet changed) {
         return updateTexels(rows, null, null, positions, changed);
     }
 
     /**
-     * The same for rows that are seen from others.
+     * Returns the rows of a deeper level with new texels.
      *
-     * @param parentRows the level that they are seen from
+     * @param parentRows rows of the previous level
      */
     public HitRows updateBounceRows(HitRows rows, HitRows parentRows, BounceKind bounce, MaterialSet changed) {
         return updateTexels(rows, parentRows, bounce, null, changed);
@@ -106,7 +106,7 @@ public final class TexelUpdater {
             setBounceDirections(parentRows, bounce);
         }
         candidates.collect(geometry.bvh(), beam);
-        // What a row hit is the nearest of all shapes, and so of those of its material.
+        // A row's hit is the nearest of all shapes, and therefore of those with its material.
         candidates.retainMaterial(geometry.primitives(), rows.runMaterial[run]);
         tracer.findNearest(rays, candidates);
         tracer.writeLocalPoints(rays);

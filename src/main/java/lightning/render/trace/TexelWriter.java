@@ -4,7 +4,7 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.primitive.TextureLookup;
 import lightning.scene.TextureMap;
 
-/** Writes the texels of rows whose surfaces were just computed. Holds scratch memory: one for each thread. */
+/** Writes the texels of rows whose surfaces were just computed. Holds scratch memory: use one per thread. */
 final class TexelWriter {
     private final PrimitiveTable primitives;
     private final MaterialTable materials;
@@ -16,7 +16,9 @@ final class TexelWriter {
         materials = geometry.materials();
     }
 
-    /** Writes the rows from {@code row} on, which are the hits of the rays in their order: often one primitive's after the other. */
+    /**
+     * Writes texels from {@code row} on. The rows are the rays' hits in order; consecutive ones often have the same primitive.
+     */
     void write(HitRows rows, int row, RayColumns rays) {
         int lastPrimitive = -1;
         boolean textured = false;

@@ -10,12 +10,9 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.RayBeam;
 import lightning.scene.Scene;
 
-/**
- * The first stage: finds what the rays of one tile hit and writes the hit rows. Holds scratch
- * memory: one for each thread.
- */
+/** Visibility pass: traces the rays of one tile and writes the hit rows. Holds scratch memory: use one per thread. */
 public final class TileVisibility {
-    /** Gives the columns that rows are written to: new ones to keep, or the same again and again. */
+    /** Provides the columns for the rows: new ones to keep, or reused ones. */
     @FunctionalInterface
     public interface Allocator {
         HitRows allocate(int count, boolean textured, boolean transparent);
@@ -33,10 +30,10 @@ public final class TileVisibility {
     private final CandidateList candidates = new CandidateList();
     private final RayColumns rays;
     private final int[] starts;
-    /** Of the material that each ray hit, −1 for a miss. */
+    /** Rank of the material that each ray hit, −1 for a miss. */
     private final int[] ranks = new int[RayColumns.MAX_RAYS];
     private final double[] direction = new double[3];
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private SurfaceHit surface;
     private final TexelWriter texels;
 
@@ -54,10 +51,10 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces the eye rays of the tile whose upper left pixel is {@code x0, y0}.
+     * Traces the camera rays of the tile whose upper left pixel is {@code x0, y0}.
      *
      * @param size pixels along a side of the tile, at most 32
-     * @return the rows of the pixels that hit something; {@code parent} is the pixel's index in the tile
+     * @return rows of the pixels that hit a shape; {@code parent} is the pixel's index in the tile
      */
     public HitRows traceEyeRays(int x0, int y0, int size, Allocator allocator) {
         int columns = Math.min(size, width - x0);
@@ -91,7 +88,7 @@ public final class TileVisibility {
         tracer.directSampleRays(camera, positions, rays);
     }
 
-    /** Directs the eye rays of some places; of the centers of pixels those in the picture. */
+    /** Sets the camera rays of some positions; of the pixel centers only those inside the image. */
     private void setEyeRays(SamplePositions positions) {
         if (positions.pixels() == null) {
             int columns = Math.min(SamplePositions.SIDE, width - positions.x0());
@@ -112,7 +109,7 @@ public final class TileVisibility {
         return boxes.intersects(beam);
     }
 
-    /** The numbers of those of the places whose eye rays can meet any of the boxes. */
+    /** Returns the indices of the positions whose camera rays can hit any of the boxes. */
     public BitSet eyeRaysThroughBoxes(SamplePositions positions, BoxSet boxes) {
         if (boxes.isEmpty() || !canEyeRaysHit(positions, boxes)) {
             return new BitSet();
@@ -121,7 +118,7 @@ public final class TileVisibility {
         return raysThroughBoxes(boxes);
     }
 
-    /** The rows of a level whose rays that go on in some way can meet any of the boxes. */
+    /** Returns the rows of a level whose secondary rays of a kind can hit any of the boxes. */
     public BitSet raysThroughBoxes(HitRows parentRows, BounceKind bounce, BoxSet boxes) {
         if (bounce.rowCount(parentRows) == 0 || boxes.isEmpty()) {
             return new BitSet();
@@ -146,10 +143,10 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces the eye rays of some places.
+     * Traces the camera rays of some positions.
      *
-     * @param selected the numbers of those places, at least one
-     * @return the rows of those that hit something; {@code parent} is the place's number
+     * @param selected indices of those positions, at least one
+     * @return rows of the rays that hit a shape; {@code parent} is the position's index
      */
     public HitRows traceEyeRays(SamplePositions positions, BitSet selected, Allocator allocator) {
         setEyeRays(positions);
@@ -175,8 +172,8 @@ public final class TileVisibility {
     /**
      * Traces finer samples of some pixels of a tile.
      *
-     * @param positions of all of them, at most 1024
-     * @return the rows of the samples that hit something; {@code parent} is the sample's number
+     * @param positions sample positions, at most 1024
+     * @return rows of the samples that hit a shape; {@code parent} is the sample's number
      */
     public HitRows traceSamples(SamplePositions positions, Allocator allocator) {
         setSampleRays(positions);
@@ -187,10 +184,10 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces the rays that go on from a level's rows in some way.
+     * Traces the secondary rays of a kind from a level's rows.
      *
-     * @param knownPrimitives the shape that each ray hits, −1 for none, where that is known; else null
-     * @return the rows that were hit; {@code parent} is the row they are seen from
+     * @param knownPrimitives shape that each ray hits, −1 for none, if known; otherwise null
+     * @return hit rows; {@code parent} is the row that cast the ray
      */
     public HitRows traceBounceRays(HitRows parentRows, BounceKind bounce, int[] knownPrimitives, Allocator allocator) {
         setBounceRays(parentRows, bounce);
@@ -204,10 +201,10 @@ public final class TileVisibility {
     }
 
     /**
-     * Traces the rays that go on from some of those rows.
+     * Traces the secondary rays of a kind from some of a level's rows.
      *
      * @param selected those rows
-     * @return as {@link #traceBounceRays(HitRows, BounceKind, int[], Allocator)}
+     * @return rows as from {@link #traceBounceRays(HitRows, BounceKind, int[], Allocator)}
      */
     public HitRows traceSelectedBounceRays(HitRows parentRows, BounceKind bounce, BitSet selected, Allocator allocator) {
         int count = 0;
@@ -219,12 +216,12 @@ public final class TileVisibility {
         return buildRows(allocator);
     }
 
-    /** How many rays were traced last. */
+    /** Returns the number of rays of the latest trace. */
     public int rayCount() {
         return rays.count;
     }
 
-    /** Directs the rays of all rows. */
+    /** Sets the secondary rays of all rows. */
     private void setBounceRays(HitRows parentRows, BounceKind bounce) {
         int count = bounce.rowCount(parentRows);
         for (int i = 0; i < count; i++) {
@@ -233,7 +230,7 @@ public final class TileVisibility {
         setBounceRays(parentRows, bounce, count);
     }
 
-    /** Directs the rays of the rows in the first {@code count} slots; rows from which none goes on lose their slots. */
+    /** Sets the secondary rays of the rows in the first {@code count} slots. Drops the slots of rows that cast no ray. */
     private void setBounceRays(HitRows parentRows, BounceKind bounce, int count) {
         rays.startAtRows(parentRows, bounce);
         rays.columns = 0;
@@ -249,7 +246,7 @@ public final class TileVisibility {
         rays.count = castCount;
     }
 
-    /** Finds what rays from rows hit. */
+    /** Finds the nearest hits of rays from rows. */
     private void findNearest(BounceKind bounce) {
         if (rays.count == 0) {
             return;
@@ -259,7 +256,7 @@ public final class TileVisibility {
         tracer.findNearest(rays, candidates);
     }
 
-    /** Makes the beam of the rays from rows; there must be any. */
+    /** Sets the beam to bound the rays from rows; there must be at least one. */
     private void boundBeam(BounceKind bounce) {
         beam.clear();
         if (rays.count == bounce.rowCount(rays.sourceRows)) {
@@ -272,7 +269,7 @@ public final class TileVisibility {
         rays.addDirectionsTo(beam, tracer);
     }
 
-    /** The shapes that the rays traced last hit, −1 for none, one for each ray. */
+    /** Returns the shape that each ray of the latest trace hit, −1 for none. */
     public int[] hitShapes() {
         return Arrays.copyOf(rays.primitive, rays.count);
     }
@@ -313,7 +310,7 @@ public final class TileVisibility {
         return rows;
     }
 
-    /** Rows beside each other mostly show the same primitive, whose number is found once. */
+    /** Writes the edge detection codes. Adjacent rows mostly have the same primitive, whose hash is computed once. */
     private void writeCodes(HitRows rows) {
         int last = -1;
         int number = 0;
@@ -350,7 +347,7 @@ public final class TileVisibility {
         }
     }
 
-    /** Writes where the ray of a row of a clear material goes on behind the surface. */
+    /** Writes the start of the refracted ray of a row with a transparent material. */
     private void writeBackSide(HitRows rows, int row) {
         surface = surface == null ? new SurfaceHit() : surface;
         int ray = rays.order[row];
@@ -365,7 +362,7 @@ public final class TileVisibility {
                 SurfacePointBuilder.insideDistance(materials.transmission(primitives.material[primitive]), surface, rays.t[ray]);
     }
 
-    /** Finds the place in the order of rows of the material that each ray hit; rays beside each other mostly hit the same primitive. */
+    /** Finds the rank of the material that each ray hit; adjacent rays mostly hit the same primitive. */
     private void rankHits() {
         int last = -1;
         int rank = -1;

@@ -6,65 +6,71 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.PointBox;
 
 /**
- * Finds what the rays of a tile meet, all of them in one call. Whoever does it gives the same bits as the scalar functions of
- * {@link Geometry} and {@link SurfaceHit}. Holds scratch memory: one for each thread.
+ * Traces all rays of a tile in one call. Every implementation returns the same bits as the scalar functions of {@link Geometry}
+ * and {@link SurfaceHit}. Implementations hold scratch memory: use one per thread.
  *
- * <p>Sets of rows are bits of {@code int}s, {@link #ROWS_PER_WORD} in each, the lowest for the first row.
+ * <p>Sets of rows are bits of {@code int}s, {@link #ROWS_PER_WORD} in each, the lowest bit for the first row.
  */
 public interface Tracer {
-    /** Rows in an {@code int} of a set. */
+    /** Rows per {@code int} of a set. */
     int ROWS_PER_WORD = 16;
 
-    /** Directs rays of the eye through the centers of a rectangle of pixels, line by line. */
+    /** Sets camera rays through the centers of a rectangle of pixels, line by line. */
     void directEyeRays(CameraRays camera, int column, int row, int columns, int lines, RayColumns rays);
 
-    /** Directs rays of the eye through finer samples, at most 1024. */
+    /** Sets camera rays through finer samples, at most 1024. */
     void directSampleRays(CameraRays camera, SamplePositions positions, RayColumns rays);
 
     /**
      * Writes {@code t} and {@code primitive} of all rays.
      *
-     * @param candidates of a beam that all rays are in
+     * @param candidates candidates of a beam that contains all rays
      */
     void findNearest(RayColumns rays, CandidateList candidates);
 
-    /** Writes {@code t} of all rays, whose {@code primitive} is known without a search. */
+    /** Writes {@code t} of all rays, whose {@code primitive} is already known. */
     void writeDistances(RayColumns rays);
 
-    /** Writes points and normals of all hits, in their order, to rows, and {@link RayColumns#localX} and its like if {@code withLocalPoints}. */
+    /**
+     * Writes points and normals of all hits, in order, to rows; with {@code withLocalPoints} also {@link RayColumns#localX} to
+     * {@code localZ}.
+     */
     void writeSurfaces(RayColumns rays, HitRows rows, boolean withLocalPoints);
 
-    /** Writes {@link RayColumns#localX} and its like of all hits alone. */
+    /** Writes only {@link RayColumns#localX} to {@code localZ} of all hits. */
     void writeLocalPoints(RayColumns rays);
 
     /**
-     * Finds out from which rows a light is not seen.
+     * Finds the rows from which a light is blocked.
      *
-     * @param selected     the rows to ask
-     * @param shadowRays       where the ways from the rows lead
-     * @param candidates of a beam that all ways are in
-     * @param blocked    gets those rows among the chosen
+     * @param selected rows to test
+     * @param shadowRays shadow rays from the rows
+     * @param candidates candidates of a beam that contains all shadow rays
+     * @param blocked receives the blocked rows among the selected
      */
     void findBlocked(HitRows rows, int[] selected, ShadowRays shadowRays, CandidateList candidates, int[] blocked);
 
-    /** The same where each row's way leads elsewhere. */
+    /** Finds the rows from which a light is blocked; each row has a shadow ray of its own. */
     void findBlocked(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, int[] blocked);
 
     /**
-     * Finds all places where ways from rows meet some shapes.
+     * Finds all hits of shadow rays from rows on some shapes.
      *
-     * @param selected     the rows to ask
-     * @param candidates of a beam that all ways are in, not too many
-     * @param hits         gets the places, of ways with the numbers of the rows
+     * @param selected rows to test
+     * @param candidates candidates of a beam that contains all shadow rays; their number is limited
+     * @param hits receives the hits; shadow rays have the numbers of the rows
      */
     void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits);
 
-    /** One that does it the same way among other shapes. */
+    /** Returns a tracer of the same kind for another geometry. */
     Tracer withGeometry(Geometry geometry);
 
-    /** The box of points {@code from … to − 1}, at least one. */
+    /** Returns the bounds of points {@code from … to − 1}, at least one. */
     PointBox bounds(float[] x, float[] y, float[] z, int from, int to);
 
-    /** Writes the least and the greatest of the values {@code 0 … count − 1}, at least one, to {@code range[0]} and {@code range[1]}. */
+    /**
+     * Writes the minimum and the maximum of the values {@code 0 … count − 1}, at least one, to {@code range[0]} and
+     * {@code range[1]}.
+     */
     void range(double[] values, int count, double[] range);
 }

@@ -9,16 +9,11 @@ import lightning.render.trace.Geometry;
 import lightning.scene.Scene;
 
 /**
- * Warms the lanes up beside a work that turns out to be long, for the tiles that then are left; of a shorter one it takes nothing.
- *
- * <pre>{@code
- * try (var warm = new DelayedWarmUp(scene)) {
- *     renderer.render(scene, progress);
- * }
- * }</pre>
+ * Background warm-up of the lane engine during a long render, for its remaining tiles. Has no cost for short renders.
+ * <pre>{@code try (var warm = new DelayedWarmUp(scene)) { renderer.render(scene, progress); } }</pre>
  */
 public final class DelayedWarmUp implements AutoCloseable {
-    /** Compiling the lanes takes about as long: a work that ends soon after has nothing of them. */
+    /** Compiling the lanes takes about as long; a render that ends soon after would not benefit. */
     private static final long DELAY_SECONDS = 10;
 
     private final CountDownLatch closed = new CountDownLatch(1);
@@ -35,11 +30,11 @@ public final class DelayedWarmUp implements AutoCloseable {
                 WarmUp.run(scene, new Geometry(scene), untilClosed());
             }
         } catch (CancellationException e) {
-            // The work has ended before.
+            // The render ended first.
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } catch (OutOfMemoryError e) {
-            // The picture needs all there is; it is made all the same.
+            // Ignored: the render needs the memory, and completes without the warm-up.
         }
     }
 

@@ -13,25 +13,24 @@ import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
 /**
- * Brings the lanes of this process to speed where nobody waits for what they make: by small copies of a picture that nobody
- * sees, on the thread that asks and no other.
+ * Warm-up of this process's lane engine: renders small copies of an image, which are discarded, on the calling thread only.
  *
- * <p>Lanes are interpreted until they are compiled and are then slower than plain loops by far. So the same picture is made
- * both ways, in turns, until the lanes have been faster several times running; only then the process's tiles come from them.
+ * <p>Lanes are interpreted until they are compiled, and are then far slower than scalar loops. So both engines render the same
+ * image in turn until the lanes were faster several times in a row; only then the process uses them.
  */
 public final class WarmUp {
-    /** The longer side of the small picture, pixels: enough tiles to run all kernels, each of them made both ways. */
+    /** Longer side of the small image, pixels: enough tiles to run all kernels with both engines. */
     private static final int SIDE = 160;
     private static final int REQUIRED_WINS = 4;
 
     private WarmUp() {}
 
     /**
-     * Warms the lanes up and lets the process use them; does nothing where it does already.
+     * Warms up the lanes and switches the process to them; does nothing if they are already in use.
      *
-     * @param scene    what is traced
-     * @param geometry serves it
-     * @throws CancellationException if {@code progress} asked to stop; what is compiled by then stays so
+     * @param scene scene to trace
+     * @param geometry geometry that can serve the scene
+     * @throws CancellationException if {@code progress} requested to stop; code compiled by then stays compiled
      */
     public static void run(Scene scene, Geometry geometry, Progress progress) {
         if (Engines.isFastestInUse()) {
@@ -49,7 +48,7 @@ public final class WarmUp {
         Engines.use(Engines.FASTEST);
     }
 
-    /** A small picture of a scene, made again and again. */
+    /** Small image of a scene, rendered repeatedly. */
     private record SmallRender(TraditionalTracer tracer, int[] tiles) {
         SmallRender(Scene scene, Geometry geometry) {
             this(new TraditionalTracer(shrink(scene), geometry), tiles(shrink(scene).picture()));

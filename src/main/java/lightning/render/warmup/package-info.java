@@ -1,2 +1,5 @@
-/** {@link lightning.render.warmup.WarmUp}: how a process comes from the engine that is quick at once to the one that is fastest. */
+/**
+ * Transition of a process from the engine that is fast immediately to the one that is fastest when compiled:
+ * {@link lightning.render.warmup.WarmUp}.
+ */
 package lightning.render.warmup;

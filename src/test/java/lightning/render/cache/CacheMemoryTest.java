@@ -34,17 +34,17 @@ import lightning.scene.Transmission;
 import lightning.scene.World;
 import org.junit.jupiter.api.Test;
 
-/** The formula of docs/architecture.md against the arrays, and the arrays against the heap. */
+/** Tests the memory formula of docs/architecture.md against the arrays, and the arrays against the heap. */
 @Slow
 class CacheMemoryTest {
     private static final int SIZE = 512;
     private static final int PIXELS = SIZE * SIZE;
-    /** Of a plane's rows: the normal, and the height of the point. */
+    /** Bytes per row that a plane's rows share: the normal, and one coordinate of the point. */
     private static final int PLANE = 16;
-    /** A byte of each row for each of four lights. */
+    /** One byte per row for each of four lights. */
     private static final int STATES = 4;
 
-    /** A mirroring, shining, textured floor that fills the picture, lit everywhere by {@code lights} spots. */
+    /** Creates a reflective, glossy, textured floor that fills the image, lit everywhere by {@code lights} spots. */
     private static Scene sceneWithAllFeatures(int lights) {
         Texture texture = new Texture(1, 1, new float[] {1, 0.5f, 0.25f});
         Material material = Material.of("floor").withAmbient(Rgb.gray(0.1)).withDiffuse(Rgb.WHITE).withSpecular(Rgb.gray(0.5))
@@ -80,7 +80,7 @@ class CacheMemoryTest {
     @Test
     void rowsWithoutHighlight_storeNoSpecularColumn() {
         Material polished = sceneWithAllFeatures(1).materials().getFirst().withShininess(100_000);
-        // Below lights of a direction of its own a mirror shows the eye a single place of the floor, if any.
+        // Below directional lights a mirror reflects at most a single point of the floor to the eye.
         PixelCache cache = cache(scene(polished, 2, LightType.DIRECTIONAL), Accuracy.EXACT);
         long withColumn = cache(scene(polished.withShininess(1), 2, LightType.DIRECTIONAL), Accuracy.EXACT).bytes();
         assertThat(cache.bytes()).isLessThan(withColumn - 7L * PIXELS);
@@ -98,11 +98,14 @@ class CacheMemoryTest {
     void unneededColumns_takeNoMemory() {
         Material matt = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1);
         PixelCache cache = cache(scene(matt, 4, LightType.DIRECTIONAL), Accuracy.EXACT);
-        // No texture, no mirror; of each layer the state and the cosine, which all rows share.
+        // No texture, no reflection; each layer has a state per row, and its cosine is shared by all rows.
         assertThat(cache.bytes()).isEqualTo((38L - PLANE) * PIXELS);
     }
 
-    /** The point behind and the way inside of each row, and what its two rays bring; nothing is followed here. */
+    /**
+     * Covers the point behind and the length inside for each row, and the colors of its two secondary rays, which are not
+     * followed here.
+     */
     @Test
     void clearMaterialRows_take40MoreBytes() {
         Material glass = Material.of("floor").withDiffuse(Rgb.WHITE).withShininess(1)
@@ -128,7 +131,7 @@ class CacheMemoryTest {
         assertThat(grown).isCloseTo(cache.bytes() + 12L * PIXELS, withPercentage(3));
     }
 
-    /** The bytes of all live objects; not of those with which the collector fills gaps, which it leaves as it likes. */
+    /** Returns the bytes of all live objects, without the filler objects of the collector, whose size varies. */
     private static long usedHeap() throws JMException {
         String histogram = (String) ManagementFactory.getPlatformMBeanServer().invoke(
                 new ObjectName("com.sun.management:type=DiagnosticCommand"), "gcClassHistogram", new Object[] {new String[0]},

@@ -12,7 +12,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** Columns come back as they were written, or not at all. */
+/** Tests that columns are read back as written, or not at all. */
 class ColumnWriterTest {
     private static byte[] writeColumns(byte[] bytes, short[] shorts, int[] ints, float[][] floats) throws IOException {
         var out = new ByteArrayOutputStream();
@@ -28,7 +28,7 @@ class ColumnWriterTest {
         return out.toByteArray();
     }
 
-    /** In memory that is no array of bytes, as a mapped file. */
+    /** Uses memory without a byte array, as a mapped file. */
     private static ColumnReader reader(byte[] bytes) throws IOException {
         ByteBuffer direct = ByteBuffer.allocateDirect(bytes.length);
         direct.put(bytes).flip();

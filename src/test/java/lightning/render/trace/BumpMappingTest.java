@@ -29,18 +29,18 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 
-/** Normals that bump and normal maps bend: against what they are on paper. */
+/** Tests normals bent by bump and normal maps against calculations by hand. */
 class BumpMappingTest {
     private static final Vec3 EYE = new Vec3(0.3, 20, 30);
-    /** Rises by 1 from left to right, but for its edge. */
+    /** Rises by 1 from left to right, except at its edge. */
     private static final Texture RAMP_U = heights(4, 1, 0, 0.25f, 0.5f, 0.75f);
-    /** Rises by 1 from its bottom to its top, but for its edge. */
+    /** Rises by 1 from its bottom to its top, except at its edge. */
     private static final Texture RAMP_V = heights(1, 4, 0.75f, 0.5f, 0.25f, 0);
 
     @Example
     void rampAlongUOnSquare_tiltsNormalAgainstU() {
         BumpMapping relief = bump(RAMP_U, 0.5);
-        // Two units wide, so that it rises by a quarter of a unit each.
+        // Two units wide, so it rises by a quarter per unit.
         assertNormal(plane(relief, 2), new Vec3(0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(-0.25, 1, 0));
     }
 
@@ -80,7 +80,7 @@ class BumpMappingTest {
 
     @Example
     void rampOnTriangle_tiltsByTextureCoordinates() {
-        // u along x, v along −z: half a picture each unit.
+        // u along x, v along −z: half an image per unit.
         Mesh mesh = new Mesh(new float[] {-1, 0, 1, 1, 0, 1, -1, 0, -1}, new int[] {0, 1, 2}, null, new float[] {0, 0, 1, 0, 0, 1}, null);
         Scene scene = scene(new Solid.TriangleMesh("a.ply", "", true, mesh), bump(RAMP_U, 0.5), Placement.IDENTITY);
         assertNormal(scene, new Vec3(-0.01, 5, 0.02), new Vec3(0, -1, 0), new Vec3(-0.25, 1, 0));
@@ -101,7 +101,7 @@ class BumpMappingTest {
                 new Vec3(0, 0.6, 0.8));
     }
 
-    /** No picture of normals has such pixels; a photograph has. */
+    /** Normal maps do not contain such pixels, but photographs do. */
     @Example
     void normalPointingIntoSurface_isBentTowardViewer() {
         SurfacePoint at =
@@ -112,7 +112,7 @@ class BumpMappingTest {
         assertThat(steps.isBent()).isTrue();
     }
 
-    /** As the coordinates would have it, a quarter turn from that, and with the other hand. */
+    /** Tangents as from the coordinates, rotated by 90 degrees, and with the other handedness. */
     @Example
     void meshTangents_orientNormalMap() {
         Vec3 from = new Vec3(-0.01, 5, 0.02);
@@ -122,7 +122,7 @@ class BumpMappingTest {
         assertNormal(tiltedNormalMap(1, 0, 0, -1, Placement.IDENTITY), from, down, new Vec3(0.48, 0.8, 0.36));
     }
 
-    /** A tangent is stretched as the surface is; a mirrored mesh shows a mirrored picture. */
+    /** A tangent is stretched like the surface; a mirrored mesh shows a mirrored image. */
     @Example
     void placedMeshTangents_followPlacement() {
         float half = (float) Math.sqrt(0.5);
@@ -165,7 +165,7 @@ class BumpMappingTest {
                 .isNull();
     }
 
-    /** A mirror on that slope would look below the square. */
+    /** A reflection on that slope would point below the square. */
     @Example
     void steepSlopeAtGrazingAngle_isReportedAsBent() {
         Scene scene = plane(normals(0.6f, 0, 0.8f, 1), 2);
@@ -183,7 +183,7 @@ class BumpMappingTest {
     void smoothMeshSteps_startWithInterpolatedNormal() {
         Scene scene = scene(SampleMeshes.solid(SampleMeshes.ball(6, 9, true)), bump(RAMP_U, 0.2), Placement.IDENTITY);
         NormalSteps steps = normalSteps(scene, new Vec3(0.03, 0.21, 9), new Vec3(0, 0, -1));
-        // A ball's normals lead away from its middle; the triangle is flat.
+        // A ball's normals point away from its center; the triangle is flat.
         Vec3 out = new Vec3(0.03, 0.21, Math.sqrt(1 - 0.03 * 0.03 - 0.21 * 0.21));
         assertThat(steps.smooth().dot(out)).isGreaterThan(Math.cos(Math.toRadians(4)));
         assertThat(steps.geometric().dot(steps.smooth())).isBetween(0.9, 1 - 1e-6);
@@ -203,7 +203,7 @@ class BumpMappingTest {
         assertThat(hasSameBits(smooth, new Geometry(scene(Solid.SPHERE, normals(0, 0, 1, 5), placed)).surface(0, ray))).isTrue();
     }
 
-    /** However steep bumps are: the surface itself is in between. */
+    /** The surface itself blocks the light, however steep the bumps are. */
     @Property(tries = 30)
     void lightBelowSurface_contributesNothing(@ForAll @DoubleRange(min = -9, max = 9) double exponent) {
         double height = Math.pow(10, exponent);
@@ -231,7 +231,7 @@ class BumpMappingTest {
         assertThat(seen).isGreaterThan(100);
     }
 
-    /** A triangle whose coordinates are u along x, v along −z, under a normal that leans by 0.48 along u and 0.36 along v. */
+    /** Creates a triangle with coordinates u along x, v along −z, and a normal that leans by 0.48 along u and 0.36 along v. */
     private static Scene tiltedNormalMap(float x, float y, float z, float hand, Placement placement) {
         float[] tangents = {x, y, z, hand, x, y, z, hand, x, y, z, hand};
         Mesh mesh = new Mesh(new float[] {-1, 0, 1, 1, 0, 1, -1, 0, -1}, new int[] {0, 1, 2}, new float[] {0, 1, 0, 0, 1, 0, 0, 1, 0},

@@ -8,13 +8,13 @@ import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SolidKind;
 import lightning.scene.Solid;
 
-/** The solids of the tests, and distances to them in their own space, without a place in a scene. */
+/** Solids for tests, with their distances in local space. */
 final class CanonicalSolids {
-    /** One of each kind. */
+    /** One solid of each kind. */
     static final List<Solid.Canonical> BASIC = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM);
-    /** Those with an inside. */
+    /** Solids with an inside. */
     static final List<Solid.Canonical> CLOSED = Stream.concat(Stream.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER), frustums(true)).toList();
-    /** Those whose inside is seen. */
+    /** Solids whose inside is visible. */
     static final List<Solid.Canonical> OPEN =
             Stream.concat(Stream.of(new Solid.Cone(false), new Solid.Cylinder(false)), frustums(false)).toList();
     static final List<Solid.Canonical> ALL = Stream.of(CLOSED.stream(), OPEN.stream(), Stream.of(Solid.PLANE)).flatMap(s -> s).toList();
@@ -25,12 +25,12 @@ final class CanonicalSolids {
         return Stream.of(0.5, 1e-9, 1 - 0x1p-53, 1 + 1e-9, 3.0, 1000.0).map(top -> new Solid.Frustum(top, caps));
     }
 
-    /** Those without sharp edges. */
+    /** Returns solids without sharp edges. */
     static List<Solid.Canonical> blunt() {
         return ALL.stream().filter(s -> topRadius(s) < 10).toList();
     }
 
-    /** Any solid, tops of frustums included that only few have. */
+    /** Returns a random solid, including frustums with unusual tops. */
     static Solid.Canonical randomSolid(Random random) {
         return switch (random.nextInt(7)) {
             case 0, 1, 2 -> BASIC.get(random.nextInt(4));
@@ -50,7 +50,7 @@ final class CanonicalSolids {
         };
     }
 
-    /** The radius of a round solid at y = 1. */
+    /** Returns the radius of a round solid at y = 1. */
     static double topRadius(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cylinder _ -> 1;
@@ -59,7 +59,7 @@ final class CanonicalSolids {
         };
     }
 
-    /** A point well inside; the patch's is on it. */
+    /** Returns a point well inside; for the plane, a point on it. */
     static Vec3 center(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _ -> new Vec3(0.1, 0.2, -0.1);
@@ -77,7 +77,7 @@ final class CanonicalSolids {
         return data;
     }
 
-    /** The smallest box that holds it, of its form: least x, y, z, greatest x, y, z. */
+    /** Returns the bounds of the shape: min x, y, z, max x, y, z. */
     static double[] extent(Solid.Canonical solid) {
         double[] box = new double[6];
         for (int axis = 0; axis < 3; axis++) {
@@ -86,7 +86,7 @@ final class CanonicalSolids {
         return box;
     }
 
-    /** Whether a point belongs to the round side. */
+    /** Returns true if a point belongs to the round side. */
     static boolean isSide(Solid.Canonical solid, double x, double y, double z) {
         double[] out = new double[3];
         SolidKind.of(solid).geometry().outwardNormal(data(solid), 0, x, y, z, out);

@@ -25,9 +25,9 @@ import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Scale;
 
-/** Cut-outs where it is hard to tell whether something is there. */
+/** Tests cutouts in numerically difficult cases. */
 class CutoutPrecisionTest {
-    /** What is there rises from 0 at the left to 1 at the right, but for half a pixel at both ends. */
+    /** Opacity that rises from 0 at the left to 1 at the right, except for half a pixel at both ends. */
     private static final Texture RAMP = grayImage(256, 1, 0);
 
     private static Texture grayImage(int width, int height, float plain) {
@@ -48,7 +48,7 @@ class CutoutPrecisionTest {
         return new Shape(solid, "s" + at.y(), material, new Placement(at, Vec3.ZERO, scale));
     }
 
-    /** Shares of four equal pixels are rounded; their sum is the pixel all the same. */
+    /** Weights of four equal pixels are rounded; their sum must still be the pixel. */
     @Property(tries = 300)
     void surfaceAtCutoff_hasNoSpeckles(@ForAll @Scale(12) @DoubleRange(min = 0.001, max = 0.999) double value,
             @ForAll @Scale(12) @DoubleRange(min = -0.49, max = 0.49) double x,
@@ -62,7 +62,7 @@ class CutoutPrecisionTest {
         assertThat(geometry(even, Math.nextUp(there), eye, card).distance(0, ray)).isEqualTo(SolidGeometry.MISS);
     }
 
-    /** However flat a ray comes: what counts is where it crosses the card. */
+    /** The crossing with the card decides, however flat the ray is. */
     @Property(tries = 300)
     void grazingRay_hitsOpaquePartAtItsCrossing(@ForAll @Scale(12) @DoubleRange(min = 0.05, max = 0.95) double u,
             @ForAll @IntRange(min = 0, max = 7) int flat, @ForAll @Scale(12) @DoubleRange(min = 1, max = 1000) double from) {
@@ -70,14 +70,14 @@ class CutoutPrecisionTest {
         Vec3 eye = new Vec3(u - 0.5 - from, from * Math.pow(10, -flat), 0);
         Geometry geometry = geometry(RAMP, threshold, eye, shape(Solid.PLANE, "leaf", Vec3.ZERO, Vec3.ONE));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(u - 0.5, 0, 0).minus(eye).normalized());
-        // The ramp rises by 1 from the middle of the first pixel to that of the last.
+        // The ramp rises by 1 from the center of the first pixel to that of the last.
         double there = (u - 0.5 / 256) * 256 / 255;
         if (Math.abs(there - threshold) > 1e-4) {
             assertThat(geometry.distance(0, ray) < SolidGeometry.MISS).isEqualTo(there > threshold);
         }
     }
 
-    /** Nothing begins anew behind a hole, so that nothing is skipped there, however near it is. */
+    /** Rays do not restart after a hole, so they skip nothing, however near it is. */
     @Property(tries = 100)
     void surfaceCloseBehindHole_isHit(@ForAll @Scale(12) @DoubleRange(min = -15, max = 0) double power,
             @ForAll @Scale(12) @DoubleRange(min = -0.4, max = 0.4) double x) {
@@ -88,12 +88,12 @@ class CutoutPrecisionTest {
         assertThat(geometry.nearestBruteForce(new Ray(Vec3.ZERO, new Vec3(x, 0, -x).minus(eye)))).isEqualTo(1);
     }
 
-    /** A light that lies on a ball shines through it where the other side has a hole, and nowhere else; whether it lies in one tells nothing. */
+    /** A light on a ball shines through it only where the far side has a hole; holes at the light itself are irrelevant. */
     @Example
     void shadowRayToLightOnCutoutBall_testsFarSide() {
         Vec3 eye = new Vec3(0, -5, 0);
         Shape ball = shape(Solid.SPHERE, "leaf", Vec3.ZERO, Vec3.ONE);
-        // v runs upwards from the bottom row: the picture's lower half is the ball's.
+        // v points up from the bottom row: the lower half of the image is that of the ball.
         Texture lower = new Texture(1, 2, new float[] {0, 0, 0, 1, 1, 1});
         Texture upper = new Texture(1, 2, new float[] {1, 1, 1, 0, 0, 0});
         Vec3 top = new Vec3(0, 1, 0).minus(eye);

@@ -8,7 +8,7 @@ import lightning.base.math.Vec3;
 import lightning.scene.Placement;
 import lightning.scene.Solid;
 
-/** A shape in groups, of scales from 10⁻⁶ to 10⁶, and a camera, with numbers of many digits. */
+/** Shape in nested groups, with scales from 10⁻⁶ to 10⁶, and a camera, in arbitrary precision. */
 record ExactPlacedSolid(Solid.Canonical solid, List<Placement> placements, Vec3 camera, ExactPlacement exact, Geometry geometry) {
     private static final double[] SCALES = {1e-6, 1e-3, 0.37, 1, 1, 7, 1e3, 1e6};
 
@@ -62,7 +62,7 @@ record ExactPlacedSolid(Solid.Canonical solid, List<Placement> placements, Vec3 
         return doubles(exact.toScene(exact(local))).minus(camera);
     }
 
-    /** Own coordinates of a point of render space. */
+    /** Returns the local coordinates of a point in render space. */
     BigDecimal[] toLocal(Vec3 render) {
         BigDecimal[] r = exact(render);
         BigDecimal[] c = exact(camera);

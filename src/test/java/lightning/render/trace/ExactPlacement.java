@@ -6,19 +6,19 @@ import java.util.List;
 import lightning.base.math.Vec3;
 import lightning.scene.Placement;
 
-/** Where placed shapes stand, in many digits, from the numbers of the scene alone. */
+/** Transforms of placed shapes in arbitrary precision, computed only from the numbers of the scene. */
 final class ExactPlacement {
     private static final MathContext DIGITS = new MathContext(100);
     private static final BigDecimal PI = pi();
 
     private final List<Placement> placements;
 
-    /** @param placements from the outermost group to the shape */
+    /** @param placements placements from the outermost group to the shape */
     ExactPlacement(List<Placement> placements) {
         this.placements = placements;
     }
 
-    /** The point of the scene that has own coordinates {@code local}. */
+    /** Returns the scene point with local coordinates {@code local}. */
     BigDecimal[] toScene(BigDecimal[] local) {
         BigDecimal[] p = local;
         for (Placement placement : placements.reversed()) {
@@ -32,7 +32,7 @@ final class ExactPlacement {
         return p;
     }
 
-    /** The own coordinates of a point of the scene. */
+    /** Returns the local coordinates of a scene point. */
     BigDecimal[] toLocal(BigDecimal[] scene) {
         BigDecimal[] p = scene;
         for (Placement placement : placements) {
@@ -47,7 +47,7 @@ final class ExactPlacement {
         return p;
     }
 
-    /** Counter-clockwise about an axis, seen from its positive end. */
+    /** Rotates counterclockwise around an axis, seen from its positive end. */
     private static BigDecimal[] rotate(BigDecimal[] p, int axis, double degrees) {
         BigDecimal radians = exact(degrees).remainder(BigDecimal.valueOf(360)).multiply(PI).divide(BigDecimal.valueOf(180), DIGITS);
         BigDecimal sine = series(radians, radians, 2);
@@ -60,7 +60,7 @@ final class ExactPlacement {
         return q;
     }
 
-    /** first − first·x²/(k(k + 1)) + …, the series of sine and cosine. */
+    /** Computes first − first·x²/(k(k + 1)) + …, the series of sine and cosine. */
     private static BigDecimal series(BigDecimal first, BigDecimal x, int k) {
         BigDecimal square = round(x.multiply(x));
         BigDecimal term = first;
@@ -72,7 +72,7 @@ final class ExactPlacement {
         return sum;
     }
 
-    /** Machin: π = 16·arctan(1/5) − 4·arctan(1/239). */
+    /** Computes π by Machin's formula 16·arctan(1/5) − 4·arctan(1/239). */
     private static BigDecimal pi() {
         return arctan(5).multiply(BigDecimal.valueOf(16)).subtract(arctan(239).multiply(BigDecimal.valueOf(4)));
     }

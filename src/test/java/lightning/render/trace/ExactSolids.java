@@ -6,21 +6,20 @@ import lightning.render.trace.solid.SolidGeometry;
 import lightning.scene.Solid;
 
 /**
- * The canonical solids in numbers of 130 digits: what {@link SolidGeometry} should say.
+ * Reference intersection of the canonical solids with 130 digits, for tests of {@link SolidGeometry}.
  *
- * <p>A solid may be grown or shrunk by a margin. A distance is right if it is right for some solid between
- * the shrunk and the grown one: then it is the exact answer to a ray, or to a shape, that differs from the given
- * one by no more than the margin.
+ * <p>A solid may be grown or shrunk by a margin. A distance is correct if it is correct for any solid between the shrunk and
+ * the grown one: then it is the exact result for a ray, or a shape, that differs from the given one by no more than the margin.
  */
 final class ExactSolids {
     private static final MathContext DIGITS = new MathContext(130);
     private static final BigDecimal TWO = BigDecimal.TWO;
-    /** Stands for an endless interval: farther than any distance of the tests. */
+    /** End of an infinite interval: greater than any distance of the tests. */
     private static final BigDecimal INFINITE = new BigDecimal("1e400");
 
     private ExactSolids() {}
 
-    /** An interval of distances along a ray. */
+    /** Interval of distances along a ray. */
     record Interval(BigDecimal in, BigDecimal out) {
         boolean isEmpty() {
             return in.compareTo(out) > 0;
@@ -47,11 +46,11 @@ final class ExactSolids {
     }
 
     /**
-     * Why a distance is wrong, or null where it is right.
+     * Returns the error of a distance as text, or null if it is correct.
      *
-     * @param solid   not a plane
-     * @param t      what was computed, {@code +∞} for a miss
-     * @param margin how much the solid may be grown or shrunk, own units
+     * @param solid any solid except a plane
+     * @param t computed distance, {@code +∞} for a miss
+     * @param margin distance by which the solid may be grown or shrunk, local units
      */
     static String error(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, double margin) {
         if (CanonicalSolids.isOpen(solid)) {
@@ -61,14 +60,14 @@ final class ExactSolids {
         Interval grown = insideInterval(solid, o, d, new BigDecimal(margin));
         Interval shrunk = insideInterval(solid, o, d, new BigDecimal(-margin));
         if (t == SolidGeometry.MISS) {
-            return shrunk.isEmpty() || shrunk.out.compareTo(zero) <= 0 ? null : "missed, though inside at " + text(shrunk);
+            return shrunk.isEmpty() || shrunk.out.compareTo(zero) <= 0 ? null : "missed, although inside at " + text(shrunk);
         }
         if (!(t > 0)) {
             return "distance " + t;
         }
         BigDecimal at = new BigDecimal(t);
         if (grown.isEmpty() || at.compareTo(grown.in) < 0 || at.compareTo(grown.out) > 0) {
-            return "hit at " + t + " in the open: the grown solid is at " + text(grown);
+            return "hit at " + t + " outside: the grown solid is at " + text(grown);
         }
         if (shrunk.isEmpty() || shrunk.out.compareTo(zero) <= 0) {
             return null;
@@ -78,7 +77,10 @@ final class ExactSolids {
         return first || last ? null : "hit at " + t + " is not the first surface: inside at " + text(shrunk);
     }
 
-    /** The same for a side alone, which is crossed between the ends of the shrunk interval and those of the grown one. */
+    /**
+     * Returns the error for a side without caps, which is crossed between the ends of the shrunk interval and those of the
+     * grown one.
+     */
     private static String openSolidError(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, double t, BigDecimal margin) {
         Interval grown = sideInterval(solid, o, d, margin);
         Interval shrunk = sideInterval(solid, o, d, margin.negate());
@@ -86,22 +88,22 @@ final class ExactSolids {
         boolean first = !shrunk.isEmpty() && grown.in.signum() > 0 && rims.contains(grown.in) && rims.contains(shrunk.in);
         boolean last = !shrunk.isEmpty() && shrunk.out.signum() > 0 && rims.contains(shrunk.out) && rims.contains(grown.out);
         if (t == SolidGeometry.MISS) {
-            return first || last ? "missed, though within the side at " + text(shrunk) : null;
+            return first || last ? "missed, although inside the side at " + text(shrunk) : null;
         }
         BigDecimal at = new BigDecimal(t);
         if (!(t > 0) || grown.isEmpty() || !grown.contains(at) || !rimInterval(o, d, margin).contains(at)) {
-            return "hit at " + t + " in the open: the grown side is at " + text(grown);
+            return "hit at " + t + " outside: the grown side is at " + text(grown);
         }
         boolean within = !shrunk.isEmpty() && at.compareTo(shrunk.in) > 0 && at.compareTo(shrunk.out) < 0;
         boolean late = first && at.compareTo(shrunk.in) > 0;
-        return within || late ? "hit at " + t + " is not the first crossing: within the side at " + text(shrunk) : null;
+        return within || late ? "hit at " + t + " is not the first crossing: inside the side at " + text(shrunk) : null;
     }
 
     private static String text(Interval i) {
         return i.isEmpty() ? "nowhere" : i.in.doubleValue() + " … " + i.out.doubleValue();
     }
 
-    /** Where a ray is inside the solid grown by a margin. */
+    /** Returns the interval of a ray inside the solid grown by a margin. */
     static Interval insideInterval(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         if (solid instanceof Solid.Sphere) {
             BigDecimal radius = BigDecimal.ONE.add(grow);
@@ -110,7 +112,10 @@ final class ExactSolids {
         return sideInterval(solid, o, d, grow).intersect(rimInterval(o, d, grow));
     }
 
-    /** Where a ray is within the endless side of a round solid, grown by a margin at a right angle to it or, up to a cone, along x and z. */
+    /**
+     * Returns the interval of a ray inside the infinite side of a round solid. The side is grown by a margin perpendicular to
+     * it or, up to a cone, along x and z.
+     */
     static Interval sideInterval(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         BigDecimal lean = BigDecimal.ONE.subtract(new BigDecimal(CanonicalSolids.topRadius(solid)));
         BigDecimal base = BigDecimal.ONE.add(grow.multiply(lean.abs().max(BigDecimal.ONE)));
@@ -120,28 +125,31 @@ final class ExactSolids {
                 : coneInterval(o, d, base.subtract(lean.multiply(o[1])), lean.multiply(d[1]).negate());
     }
 
-    /** Where a ray is inside what {@link lightning.render.trace.solid.SolidGeometry} takes as convex: the solid or, without caps, its endless side. */
+    /**
+     * Returns the interval of a ray inside the convex set of {@link lightning.render.trace.solid.SolidGeometry}: the solid or,
+     * without caps, its infinite side.
+     */
     static Interval convexInterval(Solid.Canonical solid, BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         return CanonicalSolids.isOpen(solid) ? sideInterval(solid, o, d, grow) : insideInterval(solid, o, d, grow);
     }
 
-    /** Whether a part of a ray is surely between the rims. */
+    /** Returns true if a part of a ray is certainly between the rims. */
     static boolean isBetweenRims(BigDecimal[] o, BigDecimal[] d, BigDecimal from, BigDecimal to, double error) {
         Interval rims = rimInterval(o, d, new BigDecimal(-error));
         return rims.contains(from) && rims.contains(to);
     }
 
-    /** Whether a part of a ray is surely beyond the rims. */
+    /** Returns true if a part of a ray is certainly beyond the rims. */
     static boolean isBeyondRims(BigDecimal[] o, BigDecimal[] d, BigDecimal from, BigDecimal to, double error) {
         return rimInterval(o, d, new BigDecimal(error)).intersect(new Interval(from, to)).isEmpty();
     }
 
-    /** Where a ray is between the rims of a round solid, moved outwards by a margin. */
+    /** Returns the interval of a ray between the rims of a round solid, moved outward by a margin. */
     static Interval rimInterval(BigDecimal[] o, BigDecimal[] d, BigDecimal grow) {
         return slabInterval(o[1], d[1], grow.negate(), BigDecimal.ONE.add(grow));
     }
 
-    /** Where a·t² − 2·b·t + c ≤ 0, for a ≥ 0. */
+    /** Solves a·t² − 2·b·t + c ≤ 0, for a ≥ 0. */
     private static Interval rootInterval(BigDecimal a, BigDecimal b, BigDecimal c) {
         if (a.signum() == 0) {
             return c.signum() <= 0 ? ALL_REALS : EMPTY;
@@ -163,7 +171,7 @@ final class ExactSolids {
         return new Interval(t0.min(t1), t0.max(t1));
     }
 
-    /** Where √(x² + z²) ≤ h + t·dh: one interval, because that is convex. */
+    /** Solves √(x² + z²) ≤ h + t·dh: one interval, because that is convex. */
     private static Interval coneInterval(BigDecimal[] o, BigDecimal[] d, BigDecimal h, BigDecimal dh) {
         BigDecimal a = square(d[0]).add(square(d[2])).subtract(square(dh));
         BigDecimal b = h.multiply(dh).subtract(o[0].multiply(d[0])).subtract(o[2].multiply(d[2]));
@@ -173,7 +181,7 @@ final class ExactSolids {
                 return c.signum() <= 0 && h.signum() >= 0 ? ALL_REALS : EMPTY;
             }
             if (b.signum() * dh.signum() < 0) {
-                return EMPTY; // along a generator, within the other half of the double cone, where the radius is below 0
+                return EMPTY; // along a generator, inside the other half of the double cone, where the radius is below 0
             }
             BigDecimal t = c.divide(b.multiply(TWO), DIGITS);
             return b.signum() > 0 ? new Interval(t, INFINITE) : new Interval(INFINITE.negate(), t);

@@ -15,8 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A surface on which the eye lies does not hide what is before it; through the solid under it, its far side is seen. Each answer
- * is compared with one of many digits. {@code -Dlightning.places=100000} takes as many eyes for each solid of shape.
+ * Tests eyes on surfaces: such a surface hides nothing from the eye, and of a solid only the far side is visible. Compares each
+ * result with one in arbitrary precision. {@code -Dlightning.places=100000} tests as many eyes for each kind of solid.
  */
 @Slow
 class EyeOnSurfaceTest {
@@ -46,10 +46,10 @@ class EyeOnSurfaceTest {
                 }
             }
         }
-        assertThat(missCount).as("rays that must meet nothing").isGreaterThan(PLACEMENTS * RAYS / 4);
-        assertThat(hitCount).as("rays that must meet the far side")
+        assertThat(missCount).as("rays that must miss").isGreaterThan(PLACEMENTS * RAYS / 4);
+        assertThat(hitCount).as("rays that must hit the far side")
                 .isGreaterThan(solid.equals(Solid.PLANE) ? -1 : PLACEMENTS * RAYS / (CanonicalSolids.isOpen(solid) ? 40 : 4));
-        assertThat(undecidedCount).as("rays of which the bound lets nobody tell").isLessThan(PLACEMENTS * RAYS / 20);
+        assertThat(undecidedCount).as("rays that are undecidable within the bound").isLessThan(PLACEMENTS * RAYS / 20);
     }
 
     private void check(ExactPlacedSolid placedSolid, BigDecimal[] eye, Vec3 direction, double error) {

@@ -5,16 +5,16 @@ import lightning.base.math.Ray;
 import lightning.base.math.Vec3;
 import lightning.scene.Solid;
 
-/** The configurations in which rays are known to go wrong, in the own space of a canonical solid. */
+/** Ray configurations that are known to be numerically difficult, in local space of a canonical solid. */
 enum HardRay {
-    /** From anywhere, up to 10⁸ away, to any point about the solid. */
+    /** From anywhere, up to 10⁸ away, to any point near the solid. */
     FROM_AFAR {
         @Override
         Ray create(Solid.Canonical solid, Random random) {
             return aimedRay(pointInBox(solid, random), direction(random), distance(random));
         }
     },
-    /** Across the silhouette, nearer and nearer to it. */
+    /** Across the silhouette, at decreasing distances. */
     TANGENT {
         @Override
         Ray create(Solid.Canonical solid, Random random) {
@@ -46,7 +46,7 @@ enum HardRay {
             return aimedRay(pointOnCircle(random).times(r).plus(new Vec3(0, random.nextDouble(), 0)), d, distance(random));
         }
     },
-    /** Through the apex or past it. */
+    /** Through the apex or near it. */
     THROUGH_THE_APEX {
         @Override
         Ray create(Solid.Canonical solid, Random random) {
@@ -54,7 +54,7 @@ enum HardRay {
             return aimedRay(Vec3.Y.plus(direction(random).times(past)), direction(random), distance(random));
         }
     },
-    /** Along a generator of the side, on it, beside it, and tilted against it. */
+    /** Along a generator of the side, on it, next to it, and tilted against it. */
     ALONG_A_GENERATOR {
         @Override
         Ray create(Solid.Canonical solid, Random random) {
@@ -66,7 +66,7 @@ enum HardRay {
             return aimedRay(p, d.times(sign(random)).plus(direction(random).times(tilt)), distance(random));
         }
     },
-    /** Where cap and side meet. */
+    /** Near the edge between cap and side. */
     NEAR_A_RIM {
         @Override
         Ray create(Solid.Canonical solid, Random random) {
@@ -76,7 +76,7 @@ enum HardRay {
             return aimedRay(p, direction(random), distance(random));
         }
     },
-    /** In the plane of a cap, or of the patch, and almost. */
+    /** In the plane of a cap, or of the square, and almost. */
     IN_THE_PLANE {
         @Override
         Ray create(Solid.Canonical solid, Random random) {
@@ -101,16 +101,16 @@ enum HardRay {
         }
     };
 
-    /** A ray with a direction of length 1. */
+    /** Returns a ray with a direction of length 1. */
     abstract Ray create(Solid.Canonical solid, Random random);
 
-    /** The same with a direction of any length that tracers promise to take. */
+    /** Returns a ray with a direction of any length that tracers support. */
     Ray unnormalized(Solid.Canonical solid, Random random) {
         Ray ray = create(solid, random);
         return new Ray(ray.origin(), ray.direction().times(Math.pow(10, 60 * random.nextDouble() - 30)));
     }
 
-    /** Where the side's generator from a point of the base's rim ends. */
+    /** Returns the upper end of the side's generator from a point of the base's rim. */
     private static Vec3 pointOnTop(Solid.Canonical solid, Vec3 foot) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> Vec3.Y;
@@ -118,7 +118,7 @@ enum HardRay {
         };
     }
 
-    /** The point of the upper rim over one of the base's. */
+    /** Returns the point of the upper rim above one of the base's rim. */
     private static Vec3 pointOnRim(Solid.Canonical solid, Vec3 foot) {
         return switch (solid) {
             case Solid.Sphere _,Solid.Plane _,Solid.Cone _,Solid.Cylinder _ -> foot.plus(Vec3.Y);

@@ -22,11 +22,11 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 
-/** Hit or miss, and how far, against numbers of 130 digits, wherever ray tracers usually break. */
+/** Tests hits and distances of difficult rays against numbers of 130 digits. */
 class HardRaysTest {
-    /** A unit in the last place of 1. */
+    /** Ulp of 1. */
     private static final double ULP = 0x1p-52;
-    /** How many of them, of the distance from the ray's origin to the shape's, an answer may be off. */
+    /** Maximum error in ulps of the distance from the ray's origin to the shape. */
     private static final double ULPS = 8;
     private static final int RAYS = 10;
     static final List<Solid.Canonical> TEXTBOOK = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER);
@@ -61,7 +61,7 @@ class HardRaysTest {
         return ExactSolids.error(solid, ExactSolids.exact(o.x(), o.y(), o.z()), ExactSolids.exact(d.x(), d.y(), d.z()), t, margin);
     }
 
-    /** The contrast, and the proof that these rays tell good formulas from bad ones. */
+    /** Counterexample: shows that these rays distinguish good formulas from bad ones. */
     @ParameterizedTest
     @FieldSource("TEXTBOOK")
     void textbookFormulas_failForEverySolid(Solid.Canonical solid) {
@@ -93,7 +93,7 @@ class HardRaysTest {
                     (Math.abs(o.y()) + Math.abs(far.y())) / Math.abs(scale.y())),
                     (Math.abs(o.z()) + Math.abs(far.z())) / Math.abs(scale.z()));
             if (margin > 0.5) {
-                // Where the shape stands, doubles are as far apart as it is large.
+                // The spacing of doubles at the shape's position equals its size.
                 return;
             }
             assertThat(ExactSolids.error(solid, toLocal(o, camera, at, scale), toLocal(d, Vec3.ZERO, Vec3.ZERO, scale), t, margin))
@@ -101,7 +101,7 @@ class HardRaysTest {
         }
     }
 
-    /** (o + camera − at) / scale, in many digits. */
+    /** Computes (o + camera − at) / scale in arbitrary precision. */
     private static BigDecimal[] toLocal(Vec3 o, Vec3 camera, Vec3 at, Vec3 scale) {
         BigDecimal[] p = ExactSolids.exact(o.x(), o.y(), o.z());
         BigDecimal[] c = ExactSolids.exact(camera.x(), camera.y(), camera.z());
@@ -113,7 +113,7 @@ class HardRaysTest {
         return p;
     }
 
-    /** A patch has no inside: the sign of t and the place in the patch decide. */
+    /** A square has no inside: the sign of t and the position in the square decide. */
     @Property(edgeCases = EdgeCasesMode.NONE)
     void square_isHitAtExactDistance(@ForAll HardRay hard, @ForAll Random random) {
         for (int n = 0; n < RAYS; n++) {

@@ -22,7 +22,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 
-/** Anti-aliasing tells apart what meets at an edge. */
+/** Tests that codes differ on both sides of an edge. */
 class HitCodeTest {
 
     private static int of(int shape, Vec3 n) {
@@ -44,7 +44,7 @@ class HitCodeTest {
         assertThat(of(shape, Vec3.Y)).isNotEqualTo(of(shape + 1, Vec3.Y));
     }
 
-    /** Java's hashes of these names are the same. */
+    /** Java's hash codes of these names are equal. */
     @Example
     void shapesWithSimilarNames_differ() {
         List<SceneNode> shapes = Stream.of("leg 1P", "leg 21", "Aa", "BB").<SceneNode>map(name -> new Shape(Solid.SPHERE, name, "m",

@@ -15,9 +15,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A surface on which a light lies does not come between at that end; what lies before it does. Each answer is compared with one
- * of many digits, made from the numbers of the scene: it must be right for a solid that is larger or smaller by no more than the
- * bound of {@link PrimitiveTable#placementError}. {@code -Dlightning.places=100000} takes as many lights for each solid of shape.
+ * Tests lights on surfaces: such a surface does not block at the end of a shadow ray, but anything before it does. Compares
+ * each result with one in arbitrary precision, computed from the numbers of the scene. It must be correct for a solid that is
+ * larger or smaller by no more than the bound of {@link PrimitiveTable#placementError}. {@code -Dlightning.places=100000} tests
+ * as many lights for each kind of solid.
  */
 @Slow
 class LightOnSurfaceTest {
@@ -64,13 +65,13 @@ class LightOnSurfaceTest {
                 }
             }
         }
-        assertThat(clearCount).as("ways that must be clear").isGreaterThan(PLACEMENTS * ROWS / 4);
-        assertThat(blockedCount).as("ways that must be blocked")
+        assertThat(clearCount).as("shadow rays that must be free").isGreaterThan(PLACEMENTS * ROWS / 4);
+        assertThat(blockedCount).as("shadow rays that must be blocked")
                 .isGreaterThan(solid.equals(Solid.PLANE) ? -1 : PLACEMENTS * ROWS / (CanonicalSolids.isOpen(solid) ? 40 : 4));
-        assertThat(undecidedCount).as("ways of which the bound lets nobody tell").isLessThan(PLACEMENTS * ROWS / 20);
+        assertThat(undecidedCount).as("shadow rays that are undecidable within the bound").isLessThan(PLACEMENTS * ROWS / 20);
     }
 
-    /** Well off the surface, the surface is one like any other. */
+    /** A surface well away from the light blocks like any other. */
     @ParameterizedTest
     @MethodSource("lightning.render.trace.CanonicalSolids#blunt")
     void surfaceNearLight_blocks(Solid.Canonical solid) {
@@ -90,18 +91,18 @@ class LightOnSurfaceTest {
                 }
             }
         }
-        assertThat(clearCount).as("ways that must be clear").isGreaterThan(PLACEMENTS);
-        assertThat(blockedCount).as("ways that must be blocked").isGreaterThan(PLACEMENTS);
-        assertThat(undecidedCount).as("ways of which the bound lets nobody tell").isLessThan((clearCount + blockedCount) / 20);
+        assertThat(clearCount).as("shadow rays that must be free").isGreaterThan(PLACEMENTS);
+        assertThat(blockedCount).as("shadow rays that must be blocked").isGreaterThan(PLACEMENTS);
+        assertThat(undecidedCount).as("shadow rays that are undecidable within the bound").isLessThan((clearCount + blockedCount) / 20);
     }
 
-    /** The bound in the shape's own units. */
+    /** Returns the error bound in local units. */
     private static double error(ExactPlacedSolid placedSolid, double far) {
         PrimitiveTable shapes = placedSolid.geometry().primitives();
         return shapes.lightTolerance(0, far) * shapes.maxScale(0);
     }
 
-    /** A row, as rows are: floats in render space; about the shape, within it, and near the light. */
+    /** Returns a row, as floats in render space: around the shape, inside it, and near the light. */
     private static Vec3 row(ExactPlacedSolid placedSolid, Vec3 light, Random random) {
         Vec3 local = switch (random.nextInt(4)) {
             case 0 -> HardRay.direction(random).times(Math.pow(10, 2 * random.nextDouble()));
@@ -113,7 +114,7 @@ class LightOnSurfaceTest {
         return new Vec3((float) row.x(), (float) row.y(), (float) row.z());
     }
 
-    /** @param expected 1 blocked, −1 clear, 0 either */
+    /** @param expected 1 blocked, −1 free, 0 either */
     private void check(ExactPlacedSolid placedSolid, ShadowRayTarget target, Vec3 row, int expected) {
         boolean answer = placedSolid.geometry().isBlockedBruteForce(row, target);
         if (expected == 0) {

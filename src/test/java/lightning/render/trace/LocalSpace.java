@@ -3,11 +3,11 @@ package lightning.render.trace;
 import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 
-/** The way between render space and a primitive's own, in which its solid is canonical. */
+/** Conversion between render space and a primitive's local space, in which its solid is canonical. */
 public final class LocalSpace {
     private LocalSpace() {}
 
-    /** The point in a primitive's own space of one in render space. */
+    /** Converts a point from render space to a primitive's local space. */
     public static Vec3 toLocal(PrimitiveTable primitives, int s, Vec3 p) {
         double[] m = primitives.data;
         int i = primitives.dataStart[s];
@@ -16,7 +16,7 @@ public final class LocalSpace {
                 m[i + 8] * p.x() + m[i + 9] * p.y() + m[i + 10] * p.z() + m[i + 11]);
     }
 
-    /** The point in render space of one in a primitive's own: by Cramer's rule. */
+    /** Converts a point from a primitive's local space to render space, by Cramer's rule. */
     public static Vec3 toRender(PrimitiveTable primitives, int s, Vec3 local) {
         double[] m = primitives.data;
         int i = primitives.dataStart[s];

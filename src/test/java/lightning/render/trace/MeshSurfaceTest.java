@@ -28,7 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What is seen of meshes: beside the solids that they stand for, and by the rules of smooth normals. */
+/** Tests surfaces of meshes: against the solids that they approximate, and by the rules of smooth normals. */
 class MeshSurfaceTest {
     private static final int SIDE = 96;
 
@@ -75,7 +75,7 @@ class MeshSurfaceTest {
             }
         }
         assertThat(both).isGreaterThan(500);
-        // At a rim or an edge a ray may meet another side.
+        // At a rim or an edge a ray may hit another side.
         assertThat(bent).isLessThan(both / 50);
     }
 
@@ -90,7 +90,7 @@ class MeshSurfaceTest {
         return false;
     }
 
-    /** Scales, places and turns. */
+    /** Returns scales, positions and rotations. */
     static Stream<Arguments> places() {
         return Stream.of(Arguments.of(Vec3.ONE, new Vec3(0, 0, -10)), Arguments.of(Vec3.ONE, new Vec3(300, -200, 500)),
                 Arguments.of(new Vec3(1e6, 1e6, 1e6), new Vec3(3, 1, -2)), Arguments.of(new Vec3(1e-6, 1e-6, 1e-6), new Vec3(3, 1, -2)),
@@ -135,7 +135,7 @@ class MeshSurfaceTest {
         return away.dot(normal) > 0 ? away : normal;
     }
 
-    /** Light falls on a coarse round body up to where its round normals turn away from it, and no facet shades another. */
+    /** A coarse round body is lit up to where its smooth normals turn away from the light, and no facet shadows another. */
     @Test
     void smoothRoundMesh_castsNoShadowOnItself() {
         Geometry smooth = new Geometry(scene(SampleMeshes.solid(SampleMeshes.ball(8, 12, true)), Placement.IDENTITY));
@@ -155,7 +155,7 @@ class MeshSurfaceTest {
         assertThat((double) shaded / lit).isEqualTo(0, within(0.01));
     }
 
-    /** The unit square as two triangles with the coordinates of the plane, under the same texture. */
+    /** Uses the unit square as two triangles with the plane's coordinates and the same texture. */
     @Test
     void vertexColors_areInterpolated_andMultiplyTexture() {
         float[] v = {0, 0, 0, 4, 0, 0, 0, 4, 0};

@@ -4,8 +4,8 @@ import lightning.render.trace.solid.SolidGeometry;
 import lightning.scene.Solid;
 
 /**
- * The formulas of the textbook, kept as a contrast to {@link lightning.render.trace.solid.SolidGeometry}: the quadratic formula as one learns it,
- * the least positive root, side and caps each on its own.
+ * Textbook intersection formulas, for comparison with {@link lightning.render.trace.solid.SolidGeometry}: the plain quadratic
+ * formula, the smallest positive root, side and caps separately.
  */
 final class NaiveSolids {
     private NaiveSolids() {}
@@ -15,7 +15,7 @@ final class NaiveSolids {
             case Solid.Sphere _ -> sphere(ox, oy, oz, dx, dy, dz);
             case Solid.Cone _ -> cone(ox, oy, oz, dx, dy, dz);
             case Solid.Cylinder _ -> cylinder(ox, oy, oz, dx, dy, dz);
-            case Solid.Frustum _ -> throw new IllegalArgumentException("no textbook has it");
+            case Solid.Frustum _ -> throw new IllegalArgumentException("no textbook has a frustum");
             case Solid.Plane _ -> CanonicalSolids.plane(ox, oy, oz, dx, dy, dz);
         };
     }
@@ -59,7 +59,7 @@ final class NaiveSolids {
         return x * x + z * z <= 1 ? t : SolidGeometry.MISS;
     }
 
-    /** The lesser of those above 0; NaN is a miss. */
+    /** Returns the smaller positive value; NaN is a miss. */
     private static double nearestPositive(double s, double t) {
         double a = s > 0 ? s : SolidGeometry.MISS;
         double b = t > 0 ? t : SolidGeometry.MISS;

@@ -28,7 +28,7 @@ import lightning.scene.TextureMap;
 import lightning.scene.Transmission;
 import lightning.scene.World;
 
-/** Draws the pictures of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */
+/** Program that renders the images of docs/numerics.md, the textbook's formula on the left and Lightning's on the right. */
 final class NumericsPictures {
     private static final int SIZE = 160;
     private static final Vec3 TO_LIGHT = new Vec3(-0.5, 0.7, 0.6).normalized();
@@ -36,7 +36,7 @@ final class NumericsPictures {
 
     private NumericsPictures() {}
 
-    /** {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.render.trace.NumericsPictures}. */
+    /** Run by {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.render.trace.NumericsPictures}. */
     public static void main(String[] args) throws IOException {
         Files.createDirectories(FOLDER);
         write("far-sphere", panel(x -> farView(Solid.SPHERE, x, 3e7, new Vec3(0, 0, -1), true)),
@@ -79,7 +79,7 @@ final class NumericsPictures {
         ImageFile.write(FOLDER.resolve("numerics-" + name + ".png"), Film.ofScanlines(width, SIZE, rgb), ViewTransform.DEFAULT);
     }
 
-    /** Parallel rays against one canonical solid, shaded by its normal. */
+    /** Renders one canonical solid with parallel rays, shaded by its normal. */
     private static double farView(Solid.Canonical solid, double[] x, double distance, Vec3 d, boolean naive) {
         Vec3 right = new Vec3(1, 0, 0);
         Vec3 up = right.cross(d);
@@ -97,7 +97,7 @@ final class NumericsPictures {
 
     private enum RayOffset { FROM_THE_HIT, BY_EPSILON, LIGHTNING }
 
-    /** The same by a light as wide as 40 degrees, the mean of 256 directions. */
+    /** Renders a ball's shadow by a light 40 degrees wide, as the mean of 256 directions. */
     private static double softShadow(double[] x, Vec3 at, double scale, RayOffset leaving) {
         int samples = 256;
         Vec3 right = TO_LIGHT.cross(Vec3.Y).normalized();
@@ -116,7 +116,7 @@ final class NumericsPictures {
         return shadowValue(x, at, scale, leaving, TO_LIGHT);
     }
 
-    /** A ball over a floor, seen from the origin, with its shadow. */
+    /** Renders a ball over a floor, seen from the origin, with its shadow. */
     private static double shadowValue(double[] x, Vec3 at, double scale, RayOffset leaving, Vec3 toLight) {
         Geometry geometry = new Geometry(TraceScenes.ballOnFloor(at, scale));
         Vec3 forward = at.normalized();
@@ -142,7 +142,7 @@ final class NumericsPictures {
         return 0.1 + (dark ? 0 : Math.max(0, toLight.dot(normal)));
     }
 
-    /** A bumpy ball lit from its left; {@code usesLift} is whether the ways to the light are asked for the ball itself. */
+    /** Renders a bumpy ball lit from its left; {@code usesLift} selects whether shadow rays test the ball itself. */
     private static double bumpy(double[] x, boolean usesLift) {
         Geometry geometry = new Geometry(bumpyBall());
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -9).normalized());
@@ -170,8 +170,8 @@ final class NumericsPictures {
                 List.of(new Shape(Solid.SPHERE, "ball", "bumps", new Placement(new Vec3(0, 0, -9), Vec3.ZERO, Vec3.ONE))), List.of());
     }
 
-    /** A fence 5·10⁻⁵ before a wall; {@code anew} is whether a ray that found a hole begins anew 10⁻⁴ behind it. */
-    private static double fenceValue(double[] x, boolean anew) {
+    /** Renders a fence 5·10⁻⁵ in front of a wall; {@code restarts} selects whether a ray restarts 10⁻⁴ behind a hole. */
+    private static double fenceValue(double[] x, boolean restarts) {
         int side = 16;
         float[] there = new float[3 * side * side];
         for (int i = 0; i < there.length; i++) {
@@ -189,14 +189,14 @@ final class NumericsPictures {
         Geometry whole = new Geometry(scene.withMaterials(List.of(Material.of("cut"))));
         Ray ray = new Ray(Vec3.ZERO, new Vec3(x[0], x[1], -4).normalized());
         int hit = geometry.nearestBruteForce(ray);
-        if (anew && whole.nearestBruteForce(ray) == 0 && hit != 0) {
+        if (restarts && whole.nearestBruteForce(ray) == 0 && hit != 0) {
             Vec3 behind = ray.direction().times(whole.distance(0, ray) + 1e-4);
             hit = whole.nearestBruteForce(new Ray(behind, ray.direction()));
         }
         return hit == 0 ? 0.8 : hit == 1 ? 0.25 : 0.02;
     }
 
-    /** A floor under a ball of glass and a sun; {@code inside} is whether the share at which light leaves is that of its angle inside. */
+    /** Renders a floor under a glass ball and a sun; {@code inside} selects the angle inside for the fraction that leaves. */
     private static double glassShadow(double[] x, boolean inside) {
         Transmission glass = Transmission.NONE.withColor(Rgb.WHITE).withIor(1.5);
         double out = Math.sqrt(x[0] * x[0] + x[1] * x[1]);
@@ -210,7 +210,10 @@ final class NumericsPictures {
         return 0.8 * (1 - enters) * (1 - leaves);
     }
 
-    /** A lamp on a tilted square above a floor, seen from above; {@code liesOnSurface} is whether it is asked if the lamp lies on the square. */
+    /**
+     * Renders a light on a tilted square above a floor, seen from above; {@code liesOnSurface} selects the test for lights on
+     * the square.
+     */
     private static double lightOnSurface(double[] x, boolean liesOnSurface) {
         Placement square = new Placement(new Vec3(0, 2, -0.5), new Vec3(37, 20, 10), new Vec3(1.5, 1, 1.5));
         Vec3 eye = new Vec3(0, 7, 5);
@@ -229,7 +232,7 @@ final class NumericsPictures {
         return 0.1 + (dark ? 0 : Math.max(0, to.normalized().dot(new Vec3(p.nx(), p.ny(), p.nz()))));
     }
 
-    /** A light beside the row, of which only a float of its place is known, measured from an origin far away or at the eye. */
+    /** Computes the normal for a light next to the row, with positions as floats from a distant origin or from the eye. */
     private static double normalFromFloats(double[] x, Vec3 eye) {
         double y = x[1];
         double z = -3;

@@ -24,10 +24,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What textbooks of optics say of a ray at a surface, and of one at a ball of glass. */
+/** Tests refraction at a surface and through a glass ball against textbook optics. */
 class RefractionTest {
     private static final Transmission GLASS = Transmission.NONE.withColor(Rgb.WHITE).withIor(1.5);
-    /** A stored direction or normal is off by as much. */
+    /** Error of a stored direction or normal. */
     private static final double FLOAT = 0x1p-22;
 
     private static float reflectance(Transmission clarity, boolean inside, double angle) {
@@ -39,7 +39,7 @@ class RefractionTest {
         return Refraction.writeDirection(0, 1, 0, (float) Math.sin(angle), (float) -Math.cos(angle), 0, eta, to) ? to : null;
     }
 
-    /** From 0 to a right angle, evenly, or next to either by ten to a power. */
+    /** Returns an angle from 0 to 90 degrees, uniform, or close to either end by a power of ten. */
     private static double angle(Random random) {
         double small = Math.pow(10, -12 * random.nextDouble());
         return switch (random.nextInt(3)) {
@@ -49,7 +49,7 @@ class RefractionTest {
         };
     }
 
-    /** From 1 to 4, or next to 1. */
+    /** Returns an index of refraction from 1 to 4, or close to 1. */
     private static double ior(Random random) {
         return 1 + 3 * (random.nextBoolean() ? random.nextDouble() : Math.pow(10, -16 * random.nextDouble()));
     }
@@ -66,7 +66,7 @@ class RefractionTest {
         assertThat(d[2]).isZero();
     }
 
-    /** Inside glass nothing leaves from the angle on whose sine is 1/ior, and all is mirrored. */
+    /** Inside glass, reflection is total from the angle whose sine is 1/ior. */
     @ParameterizedTest
     @ValueSource(doubles = {1.33, 1.5, 2.42, 4})
     void criticalAngle_separatesRefractionFromTotalReflection(double ior) {
@@ -77,7 +77,7 @@ class RefractionTest {
         assertThat(reflectance(GLASS.withIor(ior), true, critical - 1e-5)).isBetween(0.9f, 0.9999f);
     }
 
-    /** ((n − 1)/(n + 1))²: 4 % of glass, 17 % of diamond; the same from inside. */
+    /** Checks ((n − 1)/(n + 1))²: 4 % for glass, 17 % for diamond; the same from inside. */
     @ParameterizedTest
     @CsvSource({"1.33, 0.020059", "1.5, 0.04", "2.42, 0.172395", "1, 0"})
     void normalIncidence_reflectsByIndexOfRefraction(double ior, double expected) {
@@ -85,7 +85,7 @@ class RefractionTest {
         assertThat((double) reflectance(GLASS.withIor(ior), true, 0)).isCloseTo(expected, within(1e-6));
     }
 
-    /** At the angle whose tangent is n one polarization is not mirrored at all: half of sin²(θ − θ') is left. */
+    /** At the angle whose tangent is n one polarization is not reflected at all: half of sin²(θ − θ') remains. */
     @Test
     void brewstersAngle_reflectsOnePolarization() {
         double angle = Math.atan(1.5);
@@ -101,14 +101,14 @@ class RefractionTest {
         Transmission clarity = GLASS.withIor(ior);
         assertThat(reflectance(clarity, false, angle)).isBetween(0f, 1f);
         assertThat(reflectance(clarity, true, angle)).isBetween(0f, 1f);
-        // Nearer to the critical angle inside, the float of a direction decides how much is mirrored.
+        // Closer to the critical angle inside, the rounding of a direction to float decides the reflectance.
         angle = Math.min(angle, 1.5);
         assertThat((double) reflectance(clarity, false, angle)).isCloseTo(reflectance(clarity, true, Math.asin(Math.sin(angle) / ior)),
                 within(1e-3));
         assertThat(reflectance(clarity, false, angle)).isBetween(0f, 1f);
     }
 
-    /** Two faces send to and fro what neither lets out: F + (1 − F)²·F·(1 + F² + …). */
+    /** Sums the inter-reflections between two faces: F + (1 − F)²·F·(1 + F² + …). */
     @Test
     void thinPane_reflectsOnBothFaces() {
         double f = 0.04;
@@ -120,7 +120,7 @@ class RefractionTest {
         assertThat(direction(Refraction.eta(GLASS.withThin(true), false), 1.2)[0]).isCloseTo(Math.sin(1.2), within(1e-7));
     }
 
-    /** Along the surface, where all is 0 or 1, and at the numbers' end. */
+    /** Uses rays along the surface, where every value is 0 or 1, and extreme numbers. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1 + 0x1p-52, 1.5, 4})
     void grazingRays_haveFiniteReflectance(double ior) {
@@ -140,8 +140,9 @@ class RefractionTest {
     }
 
     /**
-     * A ray that passes a ball's center by b radii is turned by 2·(asin b − asin(b/n)) in all, wherever the ball is: it enters, leaves, and meets nothing
-     * between. Its points are floats, whose rounding turns the normal by as much of a radius.
+     * A ray that passes a ball's center by b radii is deflected by 2·(asin b − asin(b/n)) in total, wherever the ball is. It
+     * enters, leaves, and hits nothing between. Its points are floats, whose rounding turns the normal by the same fraction of
+     * a radius.
      */
     @ParameterizedTest
     @CsvSource({"4, 1e-5", "1e4, 1e-2", "1e-3, 1e-5"})

@@ -15,10 +15,9 @@ import lightning.scene.Placement;
 import lightning.scene.Solid;
 
 /**
- * What the robust formulas of docs/numerics.md cost beside those of the textbook: nanoseconds each, scalar, over the
- * rays from afar of {@link HardRay}. Both are run in turns, and the medians told, so that other work on
- * the machine slows both alike. Run it by itself:
- * {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.render.trace.RobustCost}.
+ * Benchmark of the robust formulas of docs/numerics.md against those of the textbook: nanoseconds each, scalar, for the distant
+ * rays of {@link HardRay}. Both run in alternation and the medians are reported, so that other load affects both equally. Run
+ * it alone: {@code mvn -q test-compile exec:exec@test-main -Dlightning.main=lightning.render.trace.RobustCost}.
  */
 final class RobustCost {
     private static final int CASES = 4096;
@@ -29,7 +28,9 @@ final class RobustCost {
 
     private RobustCost() {}
 
-    /** @param args a word of the formula to measure; none for all, each in a Java of its own: one formula's profile slows the next */
+    /**
+     * @param args word of the formula to measure; none for all, each in its own JVM, since one formula's profile slows the next
+     */
     public static void main(String[] args) throws IOException, InterruptedException {
         if (args.length == 0) {
             System.out.println("formula                                          textbook  Lightning");
@@ -47,11 +48,11 @@ final class RobustCost {
                 r -> CanonicalSolids.cylinder(r[0], r[1], r[2], r[3], r[4], r[5]));
         compare("ray and cone", rays(Solid.CONE), r -> NaiveSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]),
                 r -> CanonicalSolids.cone(r[0], r[1], r[2], r[3], r[4], r[5]));
-        compare("stored point: rounded, or moved by its bound", rays(Solid.SPHERE), RobustCost::roundedPoint, RobustCost::offsetPoint);
-        compare("V·R: as it is, or over the lengths", rays(Solid.SPHERE), RobustCost::dot, RobustCost::unitDot);
-        compare("power: of the library, or Lightning's own", powers(), r -> Math.pow(r[0], r[1]), r -> PowerFunction.pow(r[0], r[1]));
+        compare("stored point: rounded, or offset by its bound", rays(Solid.SPHERE), RobustCost::roundedPoint, RobustCost::offsetPoint);
+        compare("V·R: plain, or normalized", rays(Solid.SPHERE), RobustCost::dot, RobustCost::unitDot);
+        compare("power: Math.pow, or Lightning's own", powers(), r -> Math.pow(r[0], r[1]), r -> PowerFunction.pow(r[0], r[1]));
         Placement[] placements = placements();
-        compare("inverse of a placement: by cofactors, or turned back", indices(),
+        compare("inverse placement: by cofactors, or by rotation", indices(),
                 r -> cofactors(placements[(int) r[0]].transform()).m00(), r -> placements[(int) r[0]].directionsToLocal().m00());
     }
 
@@ -65,7 +66,7 @@ final class RobustCost {
             textbooks[rotation] = nanoseconds(cases, textbook);
             robusts[rotation] = nanoseconds(cases, robust);
         }
-        // The first half is for the compiler.
+        // The first half is warm-up.
         System.out.printf(Locale.ROOT, "%-52s %5.1f %10.1f%n", name, median(textbooks), median(robusts));
     }
 
@@ -118,12 +119,12 @@ final class RobustCost {
         return placements;
     }
 
-    /** The three coordinates of a point as floats. */
+    /** Rounds the three coordinates of a point to floats. */
     private static double roundedPoint(double[] r) {
         return (float) r[0] + (float) r[1] + (float) r[2];
     }
 
-    /** As {@link SurfaceHit#compute} does it, the direction for the normal. */
+    /** Offsets a point as {@link SurfaceHit#compute} does, with the direction as the normal. */
     private static double offsetPoint(double[] r) {
         double off = (Math.abs(r[0] * r[3]) + Math.abs(r[1] * r[4]) + Math.abs(r[2] * r[5])) * SurfaceHit.OFFSET
                 + ((Math.abs(r[0]) + Math.abs(r[1]) + Math.abs(r[2])) * SurfaceHit.HIT_ERROR + SurfaceHit.HIT_ERROR);
@@ -139,7 +140,7 @@ final class RobustCost {
         return dot(r) / Math.sqrt(lengths);
     }
 
-    /** The inverse of a map without its translation, as one learns it. */
+    /** Inverts a transform without its translation by the textbook formula. */
     private static Transform cofactors(Transform m) {
         double a = m.m11() * m.m22() - m.m12() * m.m21();
         double b = m.m12() * m.m20() - m.m10() * m.m22();

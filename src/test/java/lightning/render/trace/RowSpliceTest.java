@@ -28,7 +28,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** Rows put together anew keep all that stands in them, whatever columns there are. */
+/** Tests that spliced rows keep all values in every column. */
 class RowSpliceTest {
     private static final int MATERIALS = 4;
     private static final int PARENTS = 200;
@@ -61,7 +61,7 @@ class RowSpliceTest {
         }
     }
 
-    /** All columns; those of what is behind clear surfaces where there are any. */
+    /** Returns all columns, with those of refraction if they exist. */
     private static List<HitRows.Column> columns(HitRows rows) {
         return Arrays.stream(HitRows.Column.values())
                 .filter(column -> rows.transparentCount > 0 || !HitRows.ColumnGroup.TRANSPARENT.columns().contains(column)).toList();
@@ -76,7 +76,7 @@ class RowSpliceTest {
         assertThat(HitRows.Column.values()).allMatch(column -> rows.columns().has(column));
     }
 
-    /** Rows of drawn materials, all columns of them filled with anything. */
+    /** Returns rows of random materials with random values in all columns. */
     private static HitRows rows(Random random, List<Short> parents, MaterialTable materials) {
         HitRows rows = new HitRows(parents.size(), true, true, true, true);
         rows.count = parents.size();
@@ -124,7 +124,7 @@ class RowSpliceTest {
         return rows.runMaterial[run];
     }
 
-    /** All textured, so that texels are kept; some mirror, and one is clear. */
+    /** Creates textured materials, so that texels are stored; some are reflective, and one is transparent. */
     private static MaterialTable materials(Random random) {
         Texture texture = new Texture(1, 1, new float[] {1, 1, 1});
         List<String> names = new ArrayList<>();

@@ -18,24 +18,23 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Rays that leave a shape from a point that was seen on it: acne is a ray that meets the shape it leaves, a leak one
- * that goes into the shape and does not meet it. {@code -Dlightning.points=1000000} takes a million points for
- * each shape and place.
+ * Tests rays that leave a shape from a visible point on it. Acne is a ray that hits the shape it leaves; a leak is one that
+ * enters the shape without hitting it. {@code -Dlightning.points=1000000} tests a million points for each shape and place.
  */
 @Slow
 class SelfIntersectionTest {
     private static final List<Solid.Canonical> SOLIDS = List.of(Solid.SPHERE, Solid.CONE, Solid.CYLINDER, Solid.PLANE, Solid.FRUSTUM,
             new Solid.Frustum(2, true));
 
-    /** Their sides are walls. */
+    /** Solids whose sides are walls. */
     private static final List<Solid.Canonical> OPEN = List.of(new Solid.Cylinder(false), new Solid.Cone(false),
             new Solid.Frustum(0.5, false), new Solid.Frustum(2, false));
-    /** Points nearer to a rim or the axis, own units, are left out: what is met there may be another part of the wall. */
+    /** Minimum distance of points from a rim or the axis, local units: nearer ones may hit another part of the wall. */
     private static final double NARROW = 0.05;
 
     private static final int POINTS = Integer.getInteger("lightning.points", 10_000);
 
-    /** Scales and where the camera sees the shape, in units of the scale: a float holds the points of all of these. */
+    /** Returns scales and camera positions in units of the scale, for which floats can represent the points. */
     static Stream<Arguments> places() {
         return Stream.of(
                 Arguments.of(Vec3.ONE, new Vec3(0, 0, -10)),
@@ -47,18 +46,18 @@ class SelfIntersectionTest {
                 Arguments.of(new Vec3(2, 2, 2), new Vec3(6, -2, -5)));
     }
 
-    /** Those whose walls are round, so that a ray outwards is one along the normal, or leans as the wall does. */
+    /** Returns places with round walls, so that an outward ray is along the normal, or leans like the wall. */
     static Stream<Arguments> roundPlaces() {
         return places().filter(p -> ((Vec3) p.get()[0]).x() == ((Vec3) p.get()[0]).z());
     }
 
-    /** Rooms: their points, and the wedges at their rims, are held by floats too. */
+    /** Returns rooms whose points, and wedges at their rims, floats can represent. */
     static Stream<Arguments> rooms() {
         return Stream.of(Arguments.of(Vec3.ONE), Arguments.of(new Vec3(1e6, 1e6, 1e6)), Arguments.of(new Vec3(1e-6, 1e-6, 1e-6)),
                 Arguments.of(new Vec3(1, 0.1, 1)), Arguments.of(new Vec3(100, 3, 5)));
     }
 
-    /** Where floats are as far apart as the shape is large, or as it is thick. */
+    /** Returns places where the spacing of floats equals the size of the shape, or its thickness. */
     static Stream<Arguments> farPlaces() {
         return Stream.of(
                 Arguments.of(Vec3.ONE, new Vec3(3e4, 1e4, -2e4)),
@@ -80,7 +79,7 @@ class SelfIntersectionTest {
         assertThat(leakCount).as("leaks among %s rays, %s", rayCount, scale).isZero();
     }
 
-    /** Beyond what a float holds, one in a million may go wrong. */
+    /** Beyond the precision of floats, one in a million may fail. */
     @ParameterizedTest
     @MethodSource("farPlaces")
     void raysFromDistantPoints_leaveAndEnter(Vec3 scale, Vec3 at) {
@@ -89,7 +88,10 @@ class SelfIntersectionTest {
         assertThat(leakCount).as("leaks among %s rays, %s", rayCount, scale).isLessThanOrEqualTo((int) (rayCount / 1_000_000));
     }
 
-    /** Whoever is inside sees nothing of what is outside, and nothing hides what is inside; where a cone's rim is sharp, one in a million may. */
+    /**
+     * From inside, nothing outside is visible, and nothing hides what is inside; one in a million may fail at a cone's sharp
+     * rim.
+     */
     @ParameterizedTest
     @MethodSource("rooms")
     void raysFromInnerSurface_stayInside(Vec3 scale) {
@@ -109,8 +111,8 @@ class SelfIntersectionTest {
     }
 
     /**
-     * A side without caps has two faces. Outwards from the outer one is nothing; across the wall it is met at once, from either face;
-     * inwards from the inner one only what stands opposite is met.
+     * A side without caps has two faces. An outward ray from the outer face hits nothing. A ray across the wall hits it
+     * immediately, from either face. An inward ray from the inner face hits only the opposite side.
      */
     @ParameterizedTest
     @MethodSource("roundPlaces")
@@ -151,8 +153,8 @@ class SelfIntersectionTest {
     }
 
     /**
-     * The hit is then as inexact as doubles are where the mirror stands: at 10¹⁰ by 10⁻⁶ of the shape, so that one in a
-     * million, seen that near to an apex or a rim, may lie under the other side of it.
+     * The precision of the hit is the spacing of doubles at the mirror: 10⁻⁶ of the shape at 10¹⁰. One in a million points,
+     * close to an apex or a rim, may be under the other side of it.
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e7, 1e10})
@@ -166,7 +168,7 @@ class SelfIntersectionTest {
         assertThat(acneCount).as("acne among %s rays", rayCount).isLessThanOrEqualTo(far <= 1e7 ? 0 : 1 + (int) (rayCount / 1_000_000));
     }
 
-    /** The point has the small coordinates of what is near, and the error of a shape with large ones. */
+    /** The point has the small coordinates of near objects, and the error of a shape with large ones. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-3, 1e-6})
     void raysFromHugeBallSeenUpClose_leave(double height) {
@@ -206,7 +208,7 @@ class SelfIntersectionTest {
         void check(Geometry geometry, Vec3 from, Vec3 normal);
     }
 
-    /** Looks from a point at points of the shape. */
+    /** Traces rays from a point to points of the shape. */
     private void checkSurface(Solid.Canonical solid, Placement placement, Vec3 eye, SurfaceCheck check) {
         Geometry geometry = new Geometry(TraceScenes.singleShape(solid, placement, Vec3.ZERO, new Vec3(0, 0, -1)));
         Transform map = placement.transform();
@@ -221,8 +223,8 @@ class SelfIntersectionTest {
     }
 
     /**
-     * A direction on the normal's side: anywhere, and often almost along the surface, as near to it as a normal
-     * made of floats tells its two sides apart.
+     * Returns a direction on the normal's side: any, and often almost along the surface, as close as a float normal can
+     * distinguish its sides.
      */
     private Vec3 outwardDirection(Vec3 normal) {
         Vec3 d = HardRay.direction(random).normalized();

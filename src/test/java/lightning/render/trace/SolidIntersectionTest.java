@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Distances worked out on paper. */
+/** Tests distances against calculations by hand. */
 class SolidIntersectionTest {
     private static final double MISS = SolidGeometry.MISS;
 
@@ -50,7 +50,7 @@ class SolidIntersectionTest {
         assertThat(CanonicalSolids.sphere(0, 1, 0, 0, 1, 0)).isEqualTo(MISS);
     }
 
-    /** Points of which c = |o|² − 1 is 0 to the last bit: the first root is then 0 itself, and the second the chord −2·o·d. */
+    /** Uses points with c = |o|² − 1 exactly 0: the first root is then 0 itself, and the second the chord −2·o·d. */
     @Test
     void sphereFromExactSurface_isNotHitAtOrigin() {
         Random random = new Random(1);
@@ -83,7 +83,7 @@ class SolidIntersectionTest {
         }
     }
 
-    /** Such a ray is outside for good, but for roundings: both roots are, and what they are divided by. */
+    /** Such a ray is outside except for rounding; so are both roots and their divisors. */
     @Test
     void tangentFromSurface_hitsNothingElsewhere() {
         Random random = new Random(2);
@@ -177,7 +177,7 @@ class SolidIntersectionTest {
         assertThat(CanonicalSolids.distance(tube, 0, 0.5, 0, 0, 1, 0)).isEqualTo(MISS);
         assertThat(CanonicalSolids.distance(tube, 0, 0.5, 0, 1, 0, 0)).isEqualTo(1);
         assertThat(CanonicalSolids.distance(tube, 3, 0.5, 0, -1, 0, 0)).isEqualTo(2);
-        assertThat(CanonicalSolids.distance(tube, -0.5, 1.5, 0, 1, -0.5, 0)).as("over the rim onto the inside").isEqualTo(1.5);
+        assertThat(CanonicalSolids.distance(tube, -0.5, 1.5, 0, 1, -0.5, 0)).as("over the rim to the inner face").isEqualTo(1.5);
     }
 
     @Test
@@ -203,7 +203,7 @@ class SolidIntersectionTest {
         assertThat(CanonicalSolids.cone(1.5, -3, 0, 0, 1, 0)).isEqualTo(MISS);
     }
 
-    /** The discriminant is 0, and its rounding either side of it: the base must not be missed for that. */
+    /** The discriminant is 0 and may round to either side: the base must still be hit. */
     @Test
     void coneFromBelowTowardApex_isHitAtBase() {
         Random random = new Random(3);
@@ -262,7 +262,7 @@ class SolidIntersectionTest {
         assertThat(CanonicalSolids.plane(0, 1, 0, 1, 0, 0)).isEqualTo(MISS);
     }
 
-    /** A distance counts in lengths of the direction, however short or long that is. */
+    /** Distances are in lengths of the direction, however short or long it is. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-60, 1e-40, 1e-30, 1, 1e30, 1e60})
     void solids_areHitForAnyDirectionLength(double length) {
@@ -284,7 +284,7 @@ class SolidIntersectionTest {
         }
     }
 
-    /** Whatever is met is a point of the surface, and the middle between origin and it is not beyond another one. */
+    /** Every hit is on the surface, and the midpoint between origin and hit is not beyond another surface. */
     @Property
     void hitPoint_liesOnSurface(@ForAll @DoubleRange(min = -4, max = 4) double ox, @ForAll @DoubleRange(min = -4, max = 4) double oy,
             @ForAll @DoubleRange(min = -4, max = 4) double oz, @ForAll @DoubleRange(min = -1, max = 1) double tx,

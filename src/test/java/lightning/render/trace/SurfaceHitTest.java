@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Points and normals worked out on paper. */
+/** Tests points and normals against calculations by hand. */
 class SurfaceHitTest {
     private static final double H = Math.sqrt(0.5);
 
@@ -32,7 +32,7 @@ class SurfaceHitTest {
         assertThat(normal(p).minus(expected).maxAbs()).as("%s instead of %s", normal(p), expected).isLessThan(1e-6);
     }
 
-    /** From a point of the surface straight out, and from straight within: the normal faces the ray. */
+    /** Origins straight outside a point of the surface and straight inside: the normal faces the ray. */
     @ParameterizedTest
     @CsvSource({"0, 0.6,0,0.8, 0.6,0,0.8", "0, 0,-1,0, 0,-1,0", "1, 0.5,0.5,0, 1,1,0", "1, 0,0.25,-0.75, 0,1,-1", "1, 0.3,0,0.2, 0,-1,0",
         "2, 0.6,0.3,0.8, 0.6,0,0.8", "2, 0.2,1,0.3, 0,1,0", "2, 0.2,0,0.3, 0,-1,0", "3, 0.1,0,0.2, 0,1,0",
@@ -51,7 +51,7 @@ class SurfaceHitTest {
         }
     }
 
-    /** A ball stretched to semi-axes 2, 3, 5: its normal is the gradient of x²/4 + y²/9 + z²/25, wherever it is turned. */
+    /** Uses a ball with semi-axes 2, 3, 5: its normal is the gradient of x²/4 + y²/9 + z²/25 under any rotation. */
     @ParameterizedTest
     @CsvSource({"0,0,0", "90,0,0", "10,20,30"})
     void stretchedBall_hasGradientNormal(double rx, double ry, double rz) {
@@ -65,7 +65,7 @@ class SurfaceHitTest {
         assertNormal(hit(Solid.SPHERE, placement, new Ray(at.plus(gradient), gradient.negated())), gradient);
     }
 
-    /** Every kind of surface, seen at random: the normal has length 1 and faces the ray, also where it barely does. */
+    /** Tests random views of every kind of surface: the normal has length 1 and faces the ray, even at grazing angles. */
     @Test
     void normal_alwaysFacesTheRay() {
         Random random = new Random(1);
@@ -97,7 +97,7 @@ class SurfaceHitTest {
                 new Vec3(0.5, 1, 0).normalized());
     }
 
-    /** Where side and cap are equally near, the side counts: the rim of a cylinder, the edge of a cone. */
+    /** If side and cap are equally near, the side counts: the rim of a cylinder, the edge of a cone. */
     @Test
     void rim_belongsToSide() {
         assertThat(CanonicalSolids.isSide(Solid.CYLINDER, 1, 1, 0)).isTrue();
@@ -110,7 +110,7 @@ class SurfaceHitTest {
         assertThat(CanonicalSolids.isSide(Solid.CONE, 0.25, 0.25, 0)).isFalse();
     }
 
-    /** Seen from where it stands, the shape is nothing but one double: its inverse map has no digits left. */
+    /** From the camera, the shape is a single double: its inverse transform has no correct digits. */
     @Test
     void shapeSmallerThanDoubleSpacing_normalFacesRay() {
         double far = 0x1p39;
@@ -122,7 +122,7 @@ class SurfaceHitTest {
         assertThat(new Vec3(surface.nx, surface.ny, surface.nz).minus(new Vec3(0, H, H)).maxAbs()).isLessThan(1e-7);
     }
 
-    /** Twice Σ|n·p|·2⁻²⁴ for the floats, and 2⁻⁴⁶ of the coordinates of origin and shape for the hit. */
+    /** The offset is twice Σ|n·p|·2⁻²⁴ for the floats, plus 2⁻⁴⁶ of the coordinates of origin and shape for the hit. */
     @Test
     void storedPoint_isOffsetByErrorBound() {
         Placement wall = new Placement(new Vec3(0, 0, -1000), new Vec3(90, 0, 0), new Vec3(1e9, 1, 1e9));
@@ -133,7 +133,7 @@ class SurfaceHitTest {
         assertThat((double) mirrored.pz()).isCloseTo(-1000 + 1000 * 0x1p-23 + (5e8 + far) * 0x1p-46, within(1e-4));
     }
 
-    /** V + 2|N·V|N: the angle of incidence is that of reflection, and the ray has length 1. */
+    /** Checks V + 2|N·V|N: the angle of reflection equals that of incidence, and the ray has length 1. */
     @ParameterizedTest
     @ValueSource(doubles = {5, 30, 60, 89})
     void reflectedRay_leavesAtAngleOfIncidence(double degrees) {
@@ -149,7 +149,7 @@ class SurfaceHitTest {
         assertThat(mirrored.direction().length()).isCloseTo(1, within(1e-15));
     }
 
-    /** N = (2, 3, 6)/7 and V against each axis: V + 2·|N·V|·N in forty-ninths. */
+    /** Uses N = (2, 3, 6)/7 and V against each axis: V + 2·|N·V|·N in forty-ninths. */
     @ParameterizedTest
     @CsvSource({"-1,0,0, -41,12,24", "0,-1,0, 12,-31,36", "0,0,-1, 24,36,23"})
     void reflectedRay_matchesHandCalculation(float vx, float vy, float vz, double rx, double ry, double rz) {
@@ -158,7 +158,7 @@ class SurfaceHitTest {
         assertThat(p.reflectedRay().direction().minus(new Vec3(rx, ry, rz).times(1 / 49.0)).maxAbs()).isLessThan(1e-6);
     }
 
-    /** A normal that by rounding does not face the ray must not send it into the surface. */
+    /** A normal that by rounding does not face the ray must not reflect it into the surface. */
     @Test
     void reflectedRay_alwaysLeavesSurface() {
         SurfacePoint p =

@@ -17,7 +17,7 @@ import lightning.scene.Shape;
 import lightning.scene.Solid;
 import lightning.scene.World;
 
-/** Scenes to trace: like those of the paper, and arbitrary ones. */
+/** Scenes for tracing tests: like those of the paper, and arbitrary ones. */
 public final class TraceScenes {
     private final List<SceneNode> nodes = new ArrayList<>();
 
@@ -38,42 +38,42 @@ public final class TraceScenes {
         return new Scene(PictureSettings.DEFAULT, camera, World.DEFAULT, List.of(), nodes, List.of());
     }
 
-    /** One shape alone, seen from a camera. */
+    /** Returns a single shape seen from a camera. */
     static PrimitiveTable singleShape(Solid solid, Placement placement, Vec3 camera) {
         return new Geometry(singleShape(solid, placement, camera, camera.plus(new Vec3(0, 0, -1 - camera.maxAbs())))).primitives();
     }
 
-    /** A ball of radius 1 about (0, 0, −5) on a floor, seen from the origin. */
+    /** Returns a ball of radius 1 around (0, 0, −5) on a floor, seen from the origin. */
     public static Scene ballOnFloor() {
         return ballOnFloor(new Vec3(0, 0, -5), 1);
     }
 
-    /** One shape alone about (0, 0, −5), its base at a height of −0.5, seen from the origin. */
+    /** Returns a single shape around (0, 0, −5), its base at a height of −0.5, seen from the origin. */
     public static Scene singleSolid(Solid solid) {
         return singleShape(solid, new Placement(new Vec3(0, -0.5, -5), Vec3.ZERO, Vec3.ONE), Vec3.ZERO, new Vec3(0, 0, -5));
     }
 
-    /** A ball of a radius, and a floor under it, seen from the origin. */
+    /** Returns a ball of a radius, and a floor under it, seen from the origin. */
     static Scene ballOnFloor(Vec3 at, double radius) {
         List<SceneNode> nodes = new TraceScenes().add(Solid.SPHERE, at, Vec3.ZERO, Vec3.ONE.times(radius))
                 .add(Solid.PLANE, at.minus(new Vec3(0, radius, 0)), Vec3.ZERO, new Vec3(8 * radius, 1, 8 * radius)).nodes;
         return new Scene(PictureSettings.DEFAULT, new Camera(Vec3.ZERO, at, Vec3.Y, 40), World.DEFAULT, List.of(), nodes, List.of());
     }
 
-    /** One shape alone, seen from a camera that looks at a point. */
+    /** Returns a single shape, seen from a camera that looks at a point. */
     static Scene singleShape(Solid solid, Placement placement, Vec3 from, Vec3 to) {
         return new Scene(PictureSettings.DEFAULT, new Camera(from, to, Vec3.Y, 40), World.DEFAULT, List.of(),
                 new TraceScenes().add(solid, placement.position(), placement.rotation(), placement.scale()).nodes, List.of());
     }
 
-    /** One shape over a floor of 12 × 12, seen from a camera. */
+    /** Returns a shape over a floor of 12 × 12, seen from a camera. */
     static Scene shapeOverFloor(Solid solid, Placement placement, Vec3 camera) {
         return new TraceScenes().add(solid, placement.position(), placement.rotation(), placement.scale())
                 .add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
                 .withCameraAt(camera.x(), camera.y(), camera.z());
     }
 
-    /** One shape within groups, the outermost first, seen from a camera. */
+    /** Returns a single shape in nested groups, the outermost first, seen from a camera. */
     static Scene singleShape(Solid solid, List<Placement> placements, Vec3 camera) {
         Placement local = placements.getLast();
         SceneNode node = new TraceScenes().add(solid, local.position(), local.rotation(), local.scale()).nodes.getFirst();
@@ -85,7 +85,7 @@ public final class TraceScenes {
                 List.of(), List.of(node), List.of());
     }
 
-    /** Four spheres over a floor. */
+    /** Returns four spheres over a floor. */
     public static Scene balls() {
         return new TraceScenes()
                 .add(Solid.PLANE, 0, 0, 0, 12, 1, 12)
@@ -96,7 +96,7 @@ public final class TraceScenes {
                 .withCameraAt(0, 3, 9);
     }
 
-    /** Four spheres, two cones and four cylinders over a floor: a bird. */
+    /** Returns a bird of four spheres, two cones and four cylinders over a floor. */
     public static Scene bird() {
         return new TraceScenes()
                 .add(Solid.SPHERE, 0, 1.6, 0, 0.8, 0.7, 1.1)
@@ -113,7 +113,7 @@ public final class TraceScenes {
                 .withCameraAt(4, 3, 7);
     }
 
-    /** A log house: 270 cylinders in four walls. */
+    /** Returns a log house: 270 cylinders in four walls. */
     public static Scene house() {
         TraceScenes s = new TraceScenes();
         for (int row = 0; row < 22; row++) {
@@ -133,7 +133,7 @@ public final class TraceScenes {
         return s.withCameraAt(9, 5, 12);
     }
 
-    /** Small shapes of all kinds spread in a cube. */
+    /** Returns small shapes of all kinds, distributed in a cube. */
     public static Scene cloud(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
@@ -145,7 +145,7 @@ public final class TraceScenes {
         return s.withCameraAt(0, 2, 12);
     }
 
-    /** Shapes of scales from 10⁻³ to 10⁶, some of them far away, many of them equal. */
+    /** Returns shapes of scales from 10⁻³ to 10⁶, some of them far away, many of them equal. */
     public static Scene randomScene(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
@@ -164,7 +164,7 @@ public final class TraceScenes {
                 List.of(), s.nodes, List.of());
     }
 
-    /** Equal spheres, all in one place. */
+    /** Returns equal spheres, all at one position. */
     public static Scene overlappingShapes(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
@@ -173,7 +173,7 @@ public final class TraceScenes {
         return s.withCameraAt(0, 1, 8);
     }
 
-    /** Shapes of all kinds, equal ones and their mirror images, all in one place. */
+    /** Returns shapes of all kinds, equal ones and their mirror images, all at one position. */
     public static Scene mixedOverlappingShapes(int count) {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < count; i++) {
@@ -182,7 +182,7 @@ public final class TraceScenes {
         return s.withCameraAt(0, 1, 8);
     }
 
-    /** Shapes within shapes that share a cap, a rim, a base or a line of contact; the inner ones first and last. */
+    /** Returns shapes inside shapes that share a cap, a rim, a base or a line of contact; the inner ones first and last. */
     public static Scene nested() {
         TraceScenes s = new TraceScenes();
         for (double scale : new double[] {0.5, 1, 0.25, 1, 0.5}) {
@@ -194,7 +194,7 @@ public final class TraceScenes {
         return s.withCameraAt(0, 1, 8);
     }
 
-    /** Shapes whose boxes are flat, or as thin as a shape may be: in one plane, on each other and crossing. */
+    /** Returns shapes whose boxes are flat, or as thin as allowed: in one plane, on each other and crossing. */
     public static Scene flat() {
         TraceScenes s = new TraceScenes();
         for (int i = 0; i < 4; i++) {
@@ -208,7 +208,7 @@ public final class TraceScenes {
         return s.withCameraAt(0, 1, 8);
     }
 
-    /** Shapes in turned groups that stretch one axis and squeeze another, more and more. */
+    /** Returns shapes in rotated groups that stretch one axis and squeeze another increasingly. */
     public static Scene skewedShapes(int count, long seed) {
         Random random = new Random(seed);
         TraceScenes s = new TraceScenes();
@@ -217,7 +217,7 @@ public final class TraceScenes {
             one.add(CanonicalSolids.randomSolid(random), vector(random, 1), vector(random, 180), new Vec3(1, 1, 1));
             SceneNode node = one.nodes.getFirst();
             int levels = random.nextInt(4);
-            // Nested scales multiply; together they stay within what a scene may have, 10⁻⁹ to 10⁹.
+            // Nested scales multiply; the product stays within the limits of a scene, 10⁻⁹ to 10⁹.
             double stretch = Math.scalb(1.0, random.nextInt(1 + 28 / Math.max(1, levels)));
             for (int level = levels; level > 0; level--) {
                 Placement turned = new Placement(vector(random, 1), vector(random, 180), new Vec3(stretch, 1, 1 / stretch));

@@ -54,7 +54,7 @@ class WarmUpTest {
         assertThat(Engines.isFastestInUse()).isFalse();
     }
 
-    /** Stops when it was asked a number of times. */
+    /** Requests to stop after a number of queries. */
     private static Progress cancelAfter(int tileCount) {
         AtomicInteger asked = new AtomicInteger();
         return new Progress() {

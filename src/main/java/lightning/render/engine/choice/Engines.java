@@ -5,40 +5,37 @@ import lightning.render.engine.EngineChoice;
 import lightning.render.engine.lanes.LaneEngine;
 import lightning.render.engine.scalar.ScalarEngine;
 
-/** The engines there are, and which one this process uses where nobody says another. */
+/** Available engines, and the current choice of this process. */
 public final class Engines {
     public static final Engine SCALAR = new ScalarEngine();
     public static final Engine LANES = new LaneEngine();
 
-    /**
-     * What is fastest here once it is compiled, however long that takes: for who measures, and warms up before. No yardstick may
-     * be slow.
-     */
+    /** Fastest engine here once compiled, regardless of warm-up time: for measurements, which warm up first. */
     public static final EngineChoice FASTEST = _ -> hasLanes() ? LANES : SCALAR;
 
     private static volatile EngineChoice current = _ -> SCALAR;
 
-    /** What the process uses at the time when a tile is asked for: scalar first. */
+    /** Current choice of the process, read for each tile: initially scalar. */
     public static final EngineChoice CURRENT = tile -> current.forTile(tile);
 
     private Engines() {}
 
-    /** Whether this machine and this Java have lanes that are worth it: the vector module, and vectors wide enough. */
+    /** Returns true if this CPU and JVM have useful lanes: the vector module, and vectors wide enough. */
     public static boolean hasLanes() {
         return LaneSupport.AVAILABLE;
     }
 
-    /** Whether the process uses what is fastest here: it is warm then, or has nothing to warm up. */
+    /** Returns true if the process uses the fastest engine: it is warm, or has nothing to warm up. */
     public static boolean isFastestInUse() {
         return current == FASTEST;
     }
 
-    /** Makes tiles from now on be asked of others. What is compiled belongs to a process, and so does this. */
+    /** Sets the engine choice for all further tiles. Compiled code belongs to the process, and so does this setting. */
     public static void use(EngineChoice choice) {
         current = choice;
     }
 
-    /** Found out when it is asked for first: in a short process never. */
+    /** Detected on first use; short processes never need it. */
     private static final class LaneSupport {
         static final boolean AVAILABLE = ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent() && LaneEngine.hasWideVectors();
     }

@@ -1,2 +1,2 @@
-/** Which engine works when. */
+/** Selection of the engine of a process. */
 package lightning.render.engine.choice;

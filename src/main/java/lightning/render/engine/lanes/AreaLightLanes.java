@@ -17,30 +17,33 @@ import lightning.render.shading.RowBits;
 import lightning.render.trace.HitRows;
 
 /**
- * What holds for all samples of a light that is larger than a point: which rows face none of them, and which have a highlight of
- * none. From its center C and its extent alone, so once for each row in place of once for each sample.
+ * Conservative culling for area lights: finds rows that face no sample, and rows without a highlight from any sample. Uses only
+ * the light's center C and its extent, so it runs once per row instead of once per sample.
  *
- * <p>Every place P of a sample is within E of C, where E is the extent grown by 2⁻⁴⁰ of itself and of C's coordinates: P is a sum that
- * was rounded once. With v = C − p, p being the row's point (for a directional light the zero point, P and C being directions of a length
- * that is 1 but for roundings), |v| − E ≤ |P − p| ≤ |v| + E, and w·(P − p) ≤ w·v + |w|·E for any vector w. Each sum below is of a few products, so that it
- * is computed to within 2⁻⁴⁸ of the sum of their sizes; the unit vector to a sample, and its products with others of about unit length, to
- * within 2⁻⁴⁶. Coordinates are at most 10¹² ({@link lightning.scene.SceneLimits}), so that nothing overflows; where |v| is less than 2⁻⁴⁰⁰ squares may be lost, and nothing is certain.
+ * <p>Every sample position P is within E of C, where E is the extent, enlarged by 2⁻⁴⁰ of itself and of C's coordinates; P is a
+ * sum that was rounded once. Let v = C − p, where p is the row's point. (For a directional light p is 0, and P and C are
+ * directions of length 1 up to rounding.) Then |v| − E ≤ |P − p| ≤ |v| + E, and w·(P − p) ≤ w·v + |w|·E for any vector w.
+ *
+ * <p>Each sum below has few products, so its error is within 2⁻⁴⁸ of the sum of their absolute values. The error of the unit
+ * vector to a sample, and of its products with other vectors of about unit length, is within 2⁻⁴⁶. Coordinates are at most 10¹²
+ * ({@link lightning.scene.SceneLimits}), so nothing overflows. If |v| is less than 2⁻⁴⁰⁰, squares may underflow, and nothing is
+ * culled.
  */
 final class AreaLightLanes {
     private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> F = VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
     private static final double MIN_DISTANCE = 0x1p-400;
-    /** Normals and directions that were rounded to float have a square this close to 1. */
+    /** Normals and directions rounded to float have a squared length this close to 1. */
     private static final double UNIT_TOLERANCE = 0x1p-20;
 
     private final double x;
     private final double y;
     private final double z;
     private final double extent;
-    /** What is taken off the center of a row's point: 1, or 0 for a direction. */
+    /** Factor of the row's point, which is subtracted from the center: 1, or 0 for a direction. */
     private final double positionFactor;
 
-    /** @param source one that is larger than a point */
+    /** @param source area light */
     AreaLightLanes(LightSource source) {
         Vec3 center = source.position();
         x = center.x();
@@ -52,9 +55,9 @@ final class AreaLightLanes {
     }
 
     /**
-     * Puts all rows into a set but those that certainly face no sample: N·v + |N|·E is less than −2⁻⁴⁰·|N|·(|v| + E), so that N·(P − p) is, and
-     * its cosine at most −2⁻⁴⁰·|N|, which no rounding makes positive. No sample is at the row's point then, where a light stands
-     * straight above.
+     * Adds all rows to a set except those that certainly face no sample. For these, N·v + |N|·E is less than −2⁻⁴⁰·|N|·(|v| +
+     * E). Then N·(P − p) is too, and the cosine is at most −2⁻⁴⁰·|N|, which no rounding makes positive. No sample is then at
+     * the row's point, where a light would count as directly above.
      */
     void findPossiblyFacing(HitRows rows, int[] candidates) {
         for (int b = 0, row = 0; row < rows.count; b++, row += RowBits.WIDTH) {
@@ -81,15 +84,17 @@ final class AreaLightLanes {
     }
 
     /**
-     * Adds rows {@code from … to − 1} to a set, but those whose highlight of any sample is certainly 0 as a float.
+     * Adds rows {@code from … to − 1} to a set, except those whose highlight from any sample is certainly 0 as a float.
      *
-     * <p>With W = V − 2(N·V)N the cosine of a highlight is c = W·L/(|V|·|R|), L being the unit vector to the sample and R its image. For N and V that are of length 1 to
-     * within 2⁻²⁰, |W| is at most 1 + 2⁻¹⁶ and |V|·|R| at least 1 − 2⁻¹⁷. A row is certain where M = W·v + (1 + 2⁻¹⁶)·E is at most
-     * (faint − 2⁻¹⁵)·(|v| − E), {@code zeroPowerCosine} is at least 2⁻¹⁴ and |v| − E more than 2⁻²⁰·|v|: then W·L, which is at most M/(|v| − E) where M is
-     * above 0, is at most faint − 2⁻¹⁵ + 2⁻²⁶, roundings of M and of the difference included, and c at most that over 1 − 2⁻¹⁷, which is less than
-     * faint − 2⁻¹⁶. Rounding c takes 2⁻⁴⁶ more at most.
+     * <p>With W = V − 2(N·V)N, the cosine of a highlight is c = W·L/(|V|·|R|), where L is the unit vector to the sample and R
+     * its reflection. For N and V of length 1 within 2⁻²⁰, |W| is at most 1 + 2⁻¹⁶ and |V|·|R| at least 1 − 2⁻¹⁷.
      *
-     * @param zeroPowerCosine a cosine up to which the highlight is 0, see {@link LightLanes#zeroPowerCosine(double)}
+     * <p>Let z be {@code zeroPowerCosine}. A row is skipped if M = W·v + (1 + 2⁻¹⁶)·E is at most (z − 2⁻¹⁵)·(|v| − E), z is at
+     * least 2⁻¹⁴, and |v| − E is more than 2⁻²⁰·|v|. For M above 0, W·L is at most M/(|v| − E), and so at most z − 2⁻¹⁵ + 2⁻²⁶ with
+     * rounding of M and of the difference. Then c is at most that over 1 − 2⁻¹⁷, which is less than z − 2⁻¹⁶. Rounding adds at
+     * most 2⁻⁴⁶ to c.
+     *
+     * @param zeroPowerCosine cosine up to which the highlight is 0, see {@link LightLanes#zeroPowerCosine(double)}
      */
     void addPossibleHighlights(HitRows rows, int from, int to, double zeroPowerCosine, int[] candidates) {
         for (int b = from / RowBits.WIDTH; b * RowBits.WIDTH < to; b++) {
@@ -123,7 +128,7 @@ final class AreaLightLanes {
         return (int) max.compare(LE, minDistance.mul(cosine)).and(isDistant).toLong();
     }
 
-    /** Which rows of a vector have unit vectors. */
+    /** Returns the rows of a vector that have unit vectors. */
     private static int isUnit(float[] x, float[] y, float[] z, int i) {
         DoubleVector vx = load(x, i);
         DoubleVector vy = load(y, i);

@@ -16,12 +16,12 @@ import lightning.render.trace.primitive.PrimitiveBoxes;
 import lightning.render.trace.solid.DoubleLanes;
 
 /**
- * A packet's rays as floats, to be tested against boxes.
+ * Rays of a packet as floats for tests against boxes.
  *
- * <p>A box only rejects, so rounding may go either way as long as the boxes are padded by more than
- * all of it ({@link PrimitiveBoxes}): fused multiply-add is welcome here. The plane {@code x = b} is met at
- * {@code b·inverse + shift}. Distances are in units of the direction's largest component, so that every
- * inverse has an absolute value from 1 to {@link #MAX_INVERSE} and no product overflows.
+ * <p>Tests only reject, so rounding is harmless as long as boxes are padded by more than its total ({@link PrimitiveBoxes});
+ * fused multiply-add is allowed. The plane {@code x = b} is hit at {@code b·inverse + shift}. Distances are in units of the
+ * direction's largest component, so that every inverse has an absolute value from 1 to {@link #MAX_INVERSE} and no product
+ * overflows.
  */
 final class BoxTestLanes {
     private static final VectorSpecies<Float> SPECIES = FloatVector.SPECIES_PREFERRED;
@@ -31,9 +31,9 @@ final class BoxTestLanes {
     private static final VectorShuffle<Float> SWAP =
             VectorShuffle.fromOp(SPECIES, i -> (i + DoubleLanes.COUNT) % RayPacket.WIDTH);
     private static final VectorMask<Float> UPPER = VectorMask.fromLong(SPECIES, -1L << DoubleLanes.COUNT);
-    /** A ray that is flatter on an axis than 1 : 2⁶⁰ drifts by less than the boxes are padded. */
+    /** A ray flatter on an axis than 1 : 2⁶⁰ drifts by less than the padding of the boxes. */
     private static final float MAX_INVERSE = 0x1p60f;
-    /** More than the rounding of a distance to float. */
+    /** Factor greater than the rounding of a distance to float. */
     private static final float ROUND_UP = 1 + 0x1p-20f;
 
     private final float[] inverseX = new float[RayPacket.WIDTH];
@@ -42,17 +42,17 @@ final class BoxTestLanes {
     private final float[] shiftX = new float[RayPacket.WIDTH];
     private final float[] shiftY = new float[RayPacket.WIDTH];
     private final float[] shiftZ = new float[RayPacket.WIDTH];
-    /** The largest component of each direction. */
+    /** Largest component of each direction. */
     private final float[] maxComponent = new float[RayPacket.WIDTH];
-    /** Boxes beyond this are missed: the bits of a float, at least the distance that it stands for. */
+    /** Distance beyond which boxes are missed: float bits, rounded up. */
     private final int[] limitBits = new int[RayPacket.WIDTH];
 
-    /** Takes over the packet's rays, at first without a far end. */
+    /** Sets the packet's rays, without limits. */
     void setRays(RayPacket p) {
         toFloats(p.dx).intoArray(inverseX, 0);
         toFloats(p.dy).intoArray(inverseY, 0);
         toFloats(p.dz).intoArray(inverseZ, 0);
-        // Absolute values: their bits are ordered as they are.
+        // Absolute values: their bits have the same order.
         FloatVector.fromArray(SPECIES, inverseX, 0).abs().reinterpretAsInts()
                 .max(FloatVector.fromArray(SPECIES, inverseY, 0).abs().reinterpretAsInts())
                 .max(FloatVector.fromArray(SPECIES, inverseZ, 0).abs().reinterpretAsInts())
@@ -71,7 +71,7 @@ final class BoxTestLanes {
         toFloats(o).neg().mul(i).intoArray(shift, 0);
     }
 
-    /** Put together in registers: two stores of half a vector would hold up the load of the whole one. */
+    /** Combines the halves in registers: two stores of half a vector would stall the load of the whole one. */
     private static FloatVector toFloats(double[] from) {
         FloatVector low = (FloatVector) DoubleVector.fromArray(DoubleLanes.SPECIES, from, 0).convertShape(D2F, HALF, 0);
         FloatVector high = (FloatVector) DoubleVector.fromArray(DoubleLanes.SPECIES, from, DoubleLanes.COUNT).convertShape(D2F, HALF, 0);
@@ -79,18 +79,18 @@ final class BoxTestLanes {
                 .blend(((FloatVector) high.reinterpretShape(SPECIES, 0)).rearrange(SWAP), UPPER);
     }
 
-    /** Moves the far ends to the given distances, rounded up. */
+    /** Sets the limits to the given distances, rounded up. */
     void setLimits(double[] distances) {
         toFloats(distances).mul(FloatVector.fromArray(SPECIES, maxComponent, 0)).mul(ROUND_UP)
                 .reinterpretAsInts().intoArray(limitBits, 0);
     }
 
     /**
-     * Which rays may meet the box {@code boxes[at … at + 5]}: one bit for each lane.
+     * Returns the rays that may hit the box {@code boxes[at … at + 5]}, one bit per lane.
      *
-     * <p>Distances are compared as the integers of their bits, one instruction instead of the six that
-     * Java's order of ±0 and NaN takes. Integers order positive floats as floats do; negative ones come
-     * in the wrong order but before all positive ones, and all that matters of them is that they are behind.
+     * <p>Distances are compared as integers, one instruction instead of the six required for Java's order of ±0 and NaN.
+     * Integers order positive floats correctly. Negative ones are in the wrong order but before all positive ones, and only
+     * their sign matters.
      */
     long hits(float[] boxes, int at) {
         FloatVector inverse = FloatVector.fromArray(SPECIES, inverseX, 0);
@@ -115,8 +115,8 @@ final class BoxTestLanes {
     }
 
     /**
-     * {@link #hits(float[], int)} for the boxes {@code 0 … count − 1} at once: a third of the time, as the
-     * rays stay in registers. Writes one mask for each box.
+     * Computes {@link #hits(float[], int)} for several boxes in one loop: a third of the time, since the rays stay in
+     * registers. Writes one mask per box.
      */
     void hits(float[] boxes, int from, int count, int[] masks) {
         FloatVector inverseX = FloatVector.fromArray(SPECIES, this.inverseX, 0);

@@ -4,13 +4,13 @@ import jdk.incubator.vector.DoubleVector;
 import lightning.render.trace.CameraRays;
 import lightning.render.trace.solid.DoubleLanes;
 
-/** {@link CameraRays#pixelRay} in lanes, operation by operation. */
+/** Lane version of {@link CameraRays#pixelRay}, operation by operation. */
 final class CameraRayLanes {
     private static final DoubleVector LANE_INDICES = DoubleVector.zero(DoubleLanes.SPECIES).addIndex(1);
 
     private CameraRayLanes() {}
 
-    /** Directs rays {@code at …} through the pixel {@code column, row} and those to the right of it. */
+    /** Writes rays {@code at …} through the pixel {@code column, row} and those to the right of it. */
     static void pixelRays(CameraRays camera, int column, int row, double[] toX, double[] toY, double[] toZ, int at) {
         double y = row + 0.5;
         double downX = y * camera.down.x();
@@ -28,7 +28,7 @@ final class CameraRayLanes {
         }
     }
 
-    /** Directs rays {@code at …} through the picture coordinates {@code x[i], y[i]}; both arrays as long as a packet. */
+    /** Writes rays {@code at …} through the image coordinates {@code x[i], y[i]}; both arrays have the length of a packet. */
     static void imageRays(CameraRays camera, double[] x, double[] y, double[] toX, double[] toY, double[] toZ, int at) {
         for (int h = 0; h < RayPacket.WIDTH; h += DoubleLanes.COUNT) {
             DoubleVector imageX = DoubleVector.fromArray(DoubleLanes.SPECIES, x, h);

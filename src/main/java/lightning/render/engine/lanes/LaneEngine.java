@@ -7,12 +7,14 @@ import lightning.render.shading.TermKernel;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.Tracer;
 
-/** The engine whose kernels go over rays and rows in vector lanes: the fastest once its code is compiled. */
+/** Engine with vectorized kernels for rays and rows: the fastest once its code is compiled. */
 public record LaneEngine() implements Engine {
-    /** Floats in a vector from which on lanes pay: of four, two doubles, a packet is hardly more than a ray. */
+    /**
+     * Minimum floats per vector for which lanes pay off; with four, that is two doubles, a packet is hardly larger than a ray.
+     */
     private static final int MIN_FLOAT_LANES = 8;
 
-    /** Whether this machine's vectors are wide enough to pay; the vector module must be there. */
+    /** Returns true if this CPU's vectors are wide enough; the vector module must be present. */
     public static boolean hasWideVectors() {
         return FloatVector.SPECIES_PREFERRED.length() >= MIN_FLOAT_LANES;
     }

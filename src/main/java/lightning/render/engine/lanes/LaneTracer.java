@@ -21,7 +21,7 @@ import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.PointBox;
 import lightning.render.trace.tree.ShadowRayTarget;
 
-/** Traces the rays of a tile in packets, one lane for each ray. */
+/** Packet tracer for the rays of a tile, one lane per ray. */
 class LaneTracer implements Tracer {
     private static final VectorSpecies<Double> DOUBLES = DoubleLanes.SPECIES;
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
@@ -34,7 +34,7 @@ class LaneTracer implements Tracer {
     private final SurfacePacket surface = new SurfacePacket();
     private final double[] sampleX = new double[W];
     private final double[] sampleY = new double[W];
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private ShadowRayHitLanes hitFinder;
 
     LaneTracer(Geometry geometry) {
@@ -91,7 +91,7 @@ class LaneTracer implements Tracer {
         }
     }
 
-    /** Puts the origin that all rays of the eye have into a packet. */
+    /** Writes the common origin of camera rays to a packet. */
     static void loadEyeOrigin(RayColumns rays, RayPacket packet) {
         if (rays.startX == null) {
             Arrays.fill(packet.ox, rays.originX(0));
@@ -100,7 +100,7 @@ class LaneTracer implements Tracer {
         }
     }
 
-    /** Puts rays from {@code ray} on into the first {@code laneCount} lanes of a packet. */
+    /** Loads rays starting with {@code ray} into the first {@code laneCount} lanes of a packet. */
     static void load(RayColumns rays, int ray, int laneCount, RayPacket packet) {
         for (int i = 0; rays.startX != null && i < laneCount; i++) {
             int row = rays.slot[ray + i];
@@ -147,7 +147,7 @@ class LaneTracer implements Tracer {
         packetTracer.writeSurfaces(packet, laneCount, surface);
     }
 
-    /** Puts hits from {@code row} on into a packet, in which the eye's origin stands already. */
+    /** Loads hits starting with {@code row} into a packet, which already has the camera origin. */
     private void loadHits(RayColumns rays, int row, int laneCount) {
         for (int i = 0; rays.startX != null && i < laneCount; i++) {
             int from = rays.slot[rays.order[row + i]];
@@ -205,7 +205,7 @@ class LaneTracer implements Tracer {
         }
     }
 
-    /** Lanes whose ways end alike go together. */
+    /** Traces lanes with equal targets together. */
     private int blockedByTargets(RowShadowRays shadowRays, int row, int laneMask, CandidateList candidates) {
         int bits = 0;
         for (int left = laneMask; left != 0;) {
@@ -222,13 +222,13 @@ class LaneTracer implements Tracer {
         return bits;
     }
 
-    /** Which of the packet's lanes in {@code laneMask} are blocked. */
+    /** Returns the lanes in {@code laneMask} that are blocked. */
     private int blockedLanes(int laneMask, double limit, CandidateList candidates) {
         setLimits(laneMask, limit, packet);
         return packetTracer.findBlocked(packet, W, candidates) & laneMask;
     }
 
-    /** Rays that are not asked end before they begin. */
+    /** Sets limits so that inactive rays end before they start. */
     static void setLimits(int laneMask, double limit, RayPacket packet) {
         for (int i = 0; i < W; i++) {
             packet.limit[i] = (laneMask >>> i & 1) != 0 ? limit : -1;

@@ -16,37 +16,37 @@ import lightning.render.trace.RowShadowRays;
 import lightning.scene.Attenuation;
 
 /**
- * {@link LightingEquation} in lanes, over all rows of a tile: the same operations in the same order.
- * Holds scratch columns: one for each thread.
+ * Lane version of {@link LightingEquation} over all rows of a tile: the same operations in the same order. Holds scratch
+ * columns: use one per thread.
  *
- * <p>No method of ours takes the vector that a loop ends with: the lanes' own methods are compiled into any loop, ours only up to so
- * many nodes of the compiler's, and a vector that goes to a method becomes an object (docs/performance.md).
+ * <p>No method here takes the vector at the end of a loop. Methods of the vector API are always inlined into loops, others only
+ * up to a limit of compiler nodes, and a vector passed to a call that is not inlined is boxed (docs/performance.md).
  */
 final class LightLanes implements TermKernel {
     private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
-    /** As many floats as there are double lanes. */
+    /** Float vector with as many lanes as a double vector. */
     private static final VectorSpecies<Float> F =
             VectorSpecies.of(float.class, VectorShape.forBitSize(D.vectorBitSize() / 2));
     static final int LANES = D.length();
     private static final VectorSpecies<Float> WIDE = FloatVector.SPECIES_PREFERRED;
 
-    /** The unit vector from each row to the light. */
+    /** Unit vector from each row to the light. */
     private final double[] lx = new double[MAX_ROWS];
     private final double[] ly = new double[MAX_ROWS];
     private final double[] lz = new double[MAX_ROWS];
     private final double[] distance = new double[MAX_ROWS];
-    /** The cosine from the cone's axis, −1…1. */
+    /** Cosine from the cone's axis, −1…1. */
     private final double[] axisCosine = new double[MAX_ROWS];
     private final double[] power = new double[MAX_ROWS];
     private final double[] factor = new double[MAX_ROWS];
-    /** For each vector of rows which of them face the light, a bit each. */
+    /** Rows of each vector that face the light, one bit each. */
     private final int[] facingBits = new int[MAX_ROWS / LANES];
     private final float[] specularTerms = new float[MAX_ROWS];
     private final float[] grazingTerms = new float[MAX_ROWS];
-    /** What {@link #zeroPowerCosine(double)} is of {@link #zeroPowerShininess}. */
+    /** Value of {@link #zeroPowerCosine(double)} for {@link #zeroPowerShininess}. */
     private double zeroPowerCosine = -1;
     private double zeroPowerShininess;
-    /** The words whose rows stand in {@link #power}. */
+    /** Words whose rows are stored in {@link #power}. */
     private final int[] rowWords = new int[MAX_ROWS / RowBits.WIDTH];
 
     @Override
@@ -84,7 +84,10 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    /** Aims rows {@code from … to − 1}, each at its own place. A plain loop: the compiler checks the arrays' bounds before it. */
+    /**
+     * Computes unit vectors from rows {@code from … to − 1}, each to a point of its own. A plain loop: the compiler hoists its
+     * bounds checks.
+     */
     private void aimAtPoints(HitRows rows, int from, int to, AreaSamples area, int s, double[] rotations, float[] cosine) {
         for (int i = from; i < to; i += LANES) {
             DoubleVector vx = samplePosition(area.x, s, rotations, i).sub(load(rows.px, i));
@@ -138,7 +141,10 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    /** One coordinate of a vector of rows' places. Where all places of a sample are just two vectors, lanes choose among these. */
+    /**
+     * Returns one coordinate of the sample positions of a vector of rows. If all positions of a sample fit into two vectors,
+     * lanes select among these.
+     */
     private static DoubleVector samplePosition(double[] positions, int s, double[] rotations, int i) {
         DoubleVector t = DoubleVector.fromArray(D, rotations, i);
         int at = AreaSamples.ROTATIONS * s;
@@ -192,7 +198,7 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    /** Rows that the light stands on: so few that no other pays for reading its normal. */
+    /** Handles rows at the light's position separately: they are so few that other rows do not pay for reading normals. */
     private void aimAlongNormals(HitRows rows, int from) {
         for (int i = from; i < from + LANES; i++) {
             if (distance[i] < LightingEquation.MIN_DISTANCE) {
@@ -298,7 +304,7 @@ final class LightLanes implements TermKernel {
         return VectorMask.fromLong(D, rowSet[row / RowBits.WIDTH] >>> row % RowBits.WIDTH);
     }
 
-    /** Loops by themselves: where a vector is one of two, or comes from a method, each becomes an object here. */
+    /** Uses separate loops: a vector that is one of two, or is returned by a method, would be boxed here. */
     @Override
     public void unroundedFalloffs(HitRows rows, LightSource source, double[] to) {
         writeAttenuations(source.light().attenuation(), rows.count, to);
@@ -335,8 +341,8 @@ final class LightLanes implements TermKernel {
     }
 
     /**
-     * Powers are computed of words of rows alone that have a row of the set whose power is not certainly 0: those are put side by
-     * side in {@link #power}.
+     * Computes powers only for words that contain a row of the set whose power is not certainly 0; these are compacted in
+     * {@link #power}.
      */
     @Override
     public void speculars(HitRows rows, int from, int to, int[] rowSet, double shininess, float[] column) {
@@ -370,17 +376,18 @@ final class LightLanes implements TermKernel {
     }
 
     /**
-     * A cosine from 0 to 1 up to which its power is 0 as a float; −1 where 0 has another power.
+     * Returns a cosine from 0 to 1 up to which its power is 0 as a float; −1 if 0 has another power.
      *
-     * <p>The power of c is 2 to p = shininess·log₂c, and a float is 0 up to 2⁻¹⁵⁰. Here p is −152, but for the root of 2, which is off
-     * by less than 2⁻⁵¹ of itself: with a shininess up to {@link lightning.scene.SceneLimits#MAX_SHININESS}, 10⁶, that changes p by less
-     * than 2⁻²⁹. {@link PowerLanes} is off by a few roundings of p, a few 2⁻⁵² of 152, and of the result.
+     * <p>The power of c is 2 to p = shininess·log₂c, and a float is 0 up to 2⁻¹⁵⁰. Here p is −152, except for the error of the
+     * root of 2, which is less than 2⁻⁵¹ relative. With a shininess up to {@link lightning.scene.SceneLimits#MAX_SHININESS},
+     * 10⁶, that changes p by less than 2⁻²⁹. The error of {@link PowerLanes} is a few roundings of p, a few 2⁻⁵² of 152, and of
+     * the result.
      */
     static double zeroPowerCosine(double shininess) {
         return shininess == 0 ? -1 : StrictMath.pow(2, -152 / shininess);
     }
 
-    /** Writes the cosines of a word's rows to {@link #power}; whether any is above {@code zeroCosine}. */
+    /** Writes the cosines of a word's rows to {@link #power}; returns true if any is above {@code zeroCosine}. */
     private boolean writeMirrorCosines(HitRows rows, int row, int at, double zeroCosine) {
         boolean isAbove = false;
         for (int i = 0; i < RowBits.WIDTH; i += LANES) {
@@ -389,7 +396,7 @@ final class LightLanes implements TermKernel {
         return isAbove;
     }
 
-    /** Apart from other loops: in one method with them vectors become objects. */
+    /** Separate from other loops: in one method with them, vectors would be boxed. */
     private static void toFloats(double[] from, int rows, float[] to) {
         for (int i = 0; i < rows; i += LANES) {
             ((FloatVector) DoubleVector.fromArray(D, from, i).castShape(F, 0)).intoArray(to, i);
@@ -411,7 +418,7 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    /** Writes the cosines of a vector's rows to {@link #power}; whether any is above {@code zeroCosine}. */
+    /** Writes the cosines of a vector's rows to {@link #power}; returns true if any is above {@code zeroCosine}. */
     private boolean writeMirrorCosine(HitRows rows, int i, int at, double zeroCosine) {
         DoubleVector nx = load(rows.nx, i);
         DoubleVector ny = load(rows.ny, i);
@@ -469,7 +476,7 @@ final class LightLanes implements TermKernel {
         }
     }
 
-    /** Both terms of a word's rows, to {@link #specularTerms} and {@link #grazingTerms}. */
+    /** Writes both terms of a word's rows to {@link #specularTerms} and {@link #grazingTerms}. */
     private void writeFacetTerms(HitRows rows, int row, double alpha) {
         for (int i = row; i < row + RowBits.WIDTH; i += LANES) {
             writeMicrofacetTerm(rows, i, alpha);
@@ -499,7 +506,7 @@ final class LightLanes implements TermKernel {
         return cosine.add(cosine.mul(cosine).mul(1 - a).add(a).lanewise(VectorOperators.SQRT));
     }
 
-    /** Parts what stands in {@link #power} by (1 − V·H)⁵. */
+    /** Splits the values in {@link #power} by (1 − V·H)⁵. */
     private void splitBySchlick(HitRows rows, int i) {
         DoubleVector vx = load(rows.vx, i);
         DoubleVector vy = load(rows.vy, i);
@@ -515,7 +522,7 @@ final class LightLanes implements TermKernel {
         ((FloatVector) facets.mul(s).castShape(F, 0)).intoArray(grazingTerms, i);
     }
 
-    /** Cut to 0…1; 0 for what is no number. */
+    /** Returns the value clamped to 0…1; 0 for NaN. */
     private static DoubleVector clampToUnit(DoubleVector c) {
         DoubleVector positive = DoubleVector.zero(D).blend(c, c.compare(VectorOperators.GT, 0));
         return positive.blend(1, positive.compare(VectorOperators.GT, 1));

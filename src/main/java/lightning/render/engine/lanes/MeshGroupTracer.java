@@ -9,8 +9,8 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.solid.SolidGeometry;
 
 /**
- * One mesh against a group of packets, asked in one search ({@link MeshPacketTraversal}); where a ray begins or ends on the mesh, one ray after the other.
- * Sets of rays are the bits of a {@code long}, those of packet {@code k} from bit {@code k · WIDTH} on.
+ * Intersection of one mesh with a group of packets in a single traversal ({@link MeshPacketTraversal}), or ray by ray if rays
+ * start or end on the mesh. Sets of rays are bits of a {@code long}, those of packet {@code k} from bit {@code k · WIDTH} on.
  */
 final class MeshGroupTracer {
     private static final int W = RayPacket.WIDTH;
@@ -19,13 +19,13 @@ final class MeshGroupTracer {
     private final PrimitiveTable primitives;
     private final MeshRayQuery rayQuery = new MeshRayQuery();
     private final MeshPacketTraversal traversal = new MeshPacketTraversal();
-    /** Which of the group's packets are in the search. */
+    /** Packets of the group that take part in the traversal. */
     private final int[] packetIndices = new int[MeshPacketTraversal.PACKETS];
     private final double[] unlimited = new double[W];
-    /** The group and the mesh that are asked. */
+    /** Current group and mesh. */
     private RayPacket[] currentGroup;
     private int currentMesh;
-    /** Null where nothing has holes. */
+    /** Null if there are no cutouts. */
     private final CutoutTest cutoutTest;
     private final GroupAlphaTest alphaTest = this::passes;
     private final RayPacket[] singlePacket = new RayPacket[1];
@@ -51,12 +51,15 @@ final class MeshGroupTracer {
         return cutoutTest.setRay(currentMesh, p.ox[i], p.oy[i], p.oz[i], p.dx[i], p.dy[i], p.dz[i]).passes(triangle, t);
     }
 
-    /** Those rays of packet {@code k} that are in a set. */
+    /** Returns the rays of packet {@code k} that are in a set. */
     static int packetMask(long set, int k) {
         return (int) (set >>> k * W) & ALL_LANES;
     }
 
-    /** Puts mesh {@code s} into the rays of a set where it is nearer than what they have; a bit for each packet that has such a ray. */
+    /**
+     * Stores mesh {@code s} as the hit of rays of a set for which it is nearer than their hits so far; returns one bit per
+     * packet that has such a ray.
+     */
     int updateNearest(RayPacket[] group, long set, int s) {
         if (primitives.isEyeOnSurface(s)) {
             return updateNearestScalar(group, set, s);
@@ -102,7 +105,7 @@ final class MeshGroupTracer {
         return 0;
     }
 
-    /** The rays of a set that meet mesh {@code s} at a distance below their limits; all packets have one end. */
+    /** Returns the rays of a set that hit mesh {@code s} at a distance below their limits; all packets have the same target. */
     long findBlocked(RayPacket[] group, long set, int s) {
         int index = group[Long.numberOfTrailingZeros(set) / W].target.indexOf(s);
         if (index >= 0 || primitives.isEyeOnSurface(s)) {
@@ -135,7 +138,7 @@ final class MeshGroupTracer {
         return blocked;
     }
 
-    /** Writes {@code t} and {@code part} of those lanes of {@code mask} whose primitive is {@code s}; returns which they are. */
+    /** Writes {@code t} and {@code part} of the lanes of {@code mask} whose primitive is {@code s}; returns these lanes. */
     int writeDistances(RayPacket p, int s, int mask) {
         int matching = 0;
         for (int left = mask; left != 0; left &= left - 1) {

@@ -8,18 +8,18 @@ import lightning.render.trace.ShadowRays;
 import lightning.render.trace.tree.CandidateList;
 import lightning.render.trace.tree.ShadowRayTarget;
 
-/** Traces the rays of a tile where there are meshes: packets in groups ({@link PacketGroupTracer}), which see a mesh together. */
+/** Packet tracer for scenes with meshes: traces packets in groups ({@link PacketGroupTracer}), which traverse a mesh together. */
 final class MeshLaneTracer extends LaneTracer {
     private static final int W = RayPacket.WIDTH;
     private static final int MAX_PACKETS = PacketGroupTracer.MAX_PACKETS;
-    /** Pixels along a side of the square that a group sees, and along that of a packet's rectangle. */
+    /** Pixels along a side of a group's square, and of a packet's rectangle. */
     private static final int SQUARE = 8;
     private static final int SIDE = 4;
     private static final int HEIGHT = W / SIDE;
 
     private final PacketGroupTracer group;
     private final RayPacket[] packet;
-    /** The rows' word that each packet's rays are of, and its first in there. */
+    /** Row word of each packet's rays, and its first row in there. */
     private final int[] rowWord = new int[MAX_PACKETS];
     private final int[] firstBit = new int[MAX_PACKETS];
     private int count;
@@ -49,7 +49,7 @@ final class MeshLaneTracer extends LaneTracer {
         }
     }
 
-    /** Traces the rays from {@code ray} on. */
+    /** Traces the rays starting with {@code ray}. */
     private void traceLine(RayColumns rays, int ray, CandidateList candidates) {
         activeRays = 0;
         for (int k = 0; k < MAX_PACKETS && ray + k * W < rays.count; k++) {
@@ -67,7 +67,7 @@ final class MeshLaneTracer extends LaneTracer {
         }
     }
 
-    /** Traces the rays of a square of pixels whose first is {@code ray}. */
+    /** Traces the rays of a square of pixels that starts with {@code ray}. */
     private void traceSquare(RayColumns rays, int ray, CandidateList candidates) {
         for (int k = 0; k < MAX_PACKETS; k++) {
             RayPacket p = packet[k];
@@ -90,7 +90,7 @@ final class MeshLaneTracer extends LaneTracer {
         }
     }
 
-    /** The first ray of a packet's rectangle in a square. */
+    /** Returns the first ray of a packet's rectangle in a square. */
     private static int corner(RayColumns rays, int ray, int k) {
         return ray + k / 2 * HEIGHT * rays.columns + k % 2 * SIDE;
     }
@@ -113,7 +113,7 @@ final class MeshLaneTracer extends LaneTracer {
         }, candidates, blocked);
     }
 
-    /** Fills a packet with the ways of the rows from {@code row} on, of which bits of {@code asked} are asked. */
+    /** Fills a packet with the shadow rays of the rows starting with {@code row}; bits of {@code laneMask} select the rows. */
     private interface PacketLoader {
         void load(int row, int laneMask, RayPacket packet);
     }
@@ -142,7 +142,7 @@ final class MeshLaneTracer extends LaneTracer {
         }
     }
 
-    /** Adds a packet that was filled, and asks the group where it is full. */
+    /** Adds a filled packet, and traces the group if it is full. */
     private void addPacket(int b, int part, int laneMask, CandidateList candidates, int[] blocked) {
         rowWord[count] = b;
         firstBit[count] = part;

@@ -7,17 +7,17 @@ import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.CandidateList;
 
 /**
- * Traces packets in groups, for scenes with meshes: a group goes through the tree as packets do ({@link PacketTracer}), each of them against each
- * box, but asks a mesh all at once. Sets of rays are the bits of a {@code long}, as those of {@link MeshGroupTracer}. Holds scratch memory: one for
- * each thread.
+ * Tracer of packets in groups, for scenes with meshes. The packets of a group traverse the BVH as in {@link PacketTracer}, each
+ * tested against each box, but intersect a mesh together. Sets of rays are bits of a {@code long}, as in
+ * {@link MeshGroupTracer}. Holds scratch memory: use one per thread.
  */
 final class PacketGroupTracer {
-    /** How many packets a group has at most. */
+    /** Maximum number of packets of a group. */
     static final int MAX_PACKETS = MeshPacketTraversal.PACKETS;
 
     private static final int W = RayPacket.WIDTH;
 
-    /** The packets, filled by who asks: the first of them up to those that a set names. */
+    /** Packets, filled by the caller, from the first up to the last in the set. */
     final RayPacket[] packets = new RayPacket[MAX_PACKETS];
     private final PrimitiveTable primitives;
     private final Bvh bvh;
@@ -26,7 +26,7 @@ final class PacketGroupTracer {
     private final int[] stack;
     private final long[] stackSet;
     private final int[] childMasks = new int[2];
-    /** Which rays enter the two children of a node. */
+    /** Rays that enter the two children of a node. */
     private final long[] entered = new long[2];
     private final int[][] masks = new int[MAX_PACKETS][0];
     private final CandidateList allPrimitives;
@@ -49,20 +49,20 @@ final class PacketGroupTracer {
         }
     }
 
-    /** The first packet of a set. */
+    /** Returns the first packet of a set. */
     private static int firstPacket(long set) {
         return Long.numberOfTrailingZeros(set) / W;
     }
 
-    /** The set without packet {@code k} and those before. */
+    /** Returns the set without packets up to {@code k}. */
     private static long packetsAfter(long set, int k) {
         return k + 1 == MAX_PACKETS ? 0 : set & -1L << (k + 1) * W;
     }
 
     /**
-     * Finds the nearest hits of a set of rays, not empty; writes {@code t}, {@code primitive} and {@code part}.
+     * Finds the nearest hits of a non-empty set of rays; writes {@code t}, {@code primitive} and {@code part}.
      *
-     * @param candidates of a beam that all of the rays are in
+     * @param candidates candidates of a beam that contains all of the rays
      */
     void findNearest(long set, CandidateList candidates) {
         for (long left = set; left != 0; left = packetsAfter(left, firstPacket(left))) {
@@ -161,7 +161,7 @@ final class PacketGroupTracer {
         }
     }
 
-    /** Writes which rays of a set enter the children of a node to {@link #entered}. */
+    /** Writes the rays of a set that enter the children of a node to {@link #entered}. */
     private void testChildren(int node, long set) {
         long firstSet = 0;
         long secondSet = 0;
@@ -175,7 +175,7 @@ final class PacketGroupTracer {
         entered[1] = secondSet & set;
     }
 
-    /** The rays of a set that enter a box. */
+    /** Returns the rays of a set that enter a box. */
     private long enteringRays(float[] boxes, int at, long set) {
         long result = 0;
         for (long left = set; left != 0; left = packetsAfter(left, firstPacket(left))) {
@@ -185,7 +185,7 @@ final class PacketGroupTracer {
         return result & set;
     }
 
-    /** Asks a primitive and lets rays that met it go no farther; a bit for each packet that has such a ray. */
+    /** Intersects a primitive and shortens the limits of rays that hit it; returns one bit per packet that has such a ray. */
     private int intersect(int s, long set) {
         int nearer = updateNearest(s, set);
         for (int left = nearer; left != 0; left &= left - 1) {
@@ -208,9 +208,10 @@ final class PacketGroupTracer {
     }
 
     /**
-     * The rays of a set, not empty, that meet any primitive at a distance below their {@code limit}; all packets have one end.
+     * Returns the rays of a non-empty set that hit any primitive at a distance below their {@code limit}; all packets have the
+     * same target.
      *
-     * @param candidates of a beam that all of the rays are in, up to their limits
+     * @param candidates candidates of a beam that contains all of the rays, up to their limits
      */
     long findBlocked(long set, CandidateList candidates) {
         return !candidates.overflow ? blockedByCandidates(set, candidates) : allPrimitives != null ? blockedByCandidates(set, allPrimitives)

@@ -9,16 +9,16 @@ import lightning.render.trace.tree.Bvh;
 import lightning.render.trace.tree.CandidateList;
 
 /**
- * Traces packets of rays. Holds scratch memory: one for each thread.
+ * Packet tracer for single packets of rays. Holds scratch memory: use one per thread.
  *
- * <p>A packet is a way to run, not an approximation: each lane's answer is that of the scalar
- * functions of {@link SolidGeometry} and {@link SurfaceHit}, bit for bit. Boxes are tested in floats and only
- * reject; whatever they let through is decided in doubles.
+ * <p>Packets are an optimization, not an approximation: each lane's result is that of the scalar functions of
+ * {@link SolidGeometry} and {@link SurfaceHit}, bit for bit. Boxes are tested in floats and only reject; hits are decided in
+ * doubles.
  *
- * <p>Directions have a length from 1e−30 to 1e30; origins are the camera or lie within the box of the scene.
+ * <p>Directions have a length from 1e−30 to 1e30; origins are the camera or lie within the scene's bounds.
  */
 public final class PacketTracer {
-    /** Up to this many primitives the boxes of all are tested in turn, which the tree beats from about forty. */
+    /** Up to this many primitives, all boxes are tested in turn; the BVH is faster from about forty. */
     static final int MAX_LINEAR_PRIMITIVES = 32;
 
     /** Up to this many primitives are tested without their boxes, which cost as much as one or two primitives. */
@@ -96,9 +96,9 @@ public final class PacketTracer {
     }
 
     /**
-     * The same where only the {@code candidates} can be met.
+     * Finds the nearest hit among the {@code candidates}; writes {@code t} and {@code primitive}.
      *
-     * @param candidates of a beam that all of the packet's rays are in
+     * @param candidates candidates of a beam that contains all of the packet's rays
      */
     public void findNearest(RayPacket p, int laneCount, CandidateList candidates) {
         if (candidates.overflow) {
@@ -130,9 +130,9 @@ public final class PacketTracer {
     }
 
     /**
-     * Which of the first {@code laneCount} lanes meet any primitive at a distance below their {@code limit}.
+     * Returns which of the first {@code laneCount} lanes hit any primitive at a distance below their {@code limit}.
      *
-     * @return one bit for each lane, the lowest for lane 0
+     * @return one bit per lane, the lowest for lane 0
      */
     public int findBlocked(RayPacket p, int laneCount) {
         if (allPrimitives != null) {
@@ -170,9 +170,10 @@ public final class PacketTracer {
     }
 
     /**
-     * The same where only the {@code candidates} can block.
+     * Returns which of the first {@code laneCount} lanes hit any of the {@code candidates} at a distance below their
+     * {@code limit}.
      *
-     * @param candidates of a beam that all of the packet's rays are in, up to their limits
+     * @param candidates candidates of a beam that contains all of the packet's rays, up to their limits
      */
     public int findBlocked(RayPacket p, int laneCount, CandidateList candidates) {
         if (candidates.overflow) {
@@ -223,7 +224,7 @@ public final class PacketTracer {
         return (axis == 0 ? p.dx : axis == 1 ? p.dy : p.dz)[lane] > 0;
     }
 
-    /** For lanes whose {@code primitive} is known without a search: writes {@code t}. */
+    /** Writes {@code t} for lanes whose {@code primitive} is already known. */
     public void writeDistances(RayPacket p, int laneCount) {
         int left = 0;
         for (int i = 0; i < laneCount; i++) {
@@ -236,12 +237,12 @@ public final class PacketTracer {
         }
     }
 
-    /** Computes the surfaces of those of the first {@code laneCount} lanes that hit a primitive. */
+    /** Computes the surfaces for those of the first {@code laneCount} lanes that hit a primitive. */
     public void writeSurfaces(RayPacket p, int laneCount, SurfacePacket out) {
         surfaceLanes.compute(p, laneCount, out);
     }
 
-    /** Where they lie in the own space of the primitive, alone. */
+    /** Computes only their points in local coordinates of the primitive. */
     public void writeLocalPoints(RayPacket p, int laneCount, SurfacePacket out) {
         surfaceLanes.computeLocalPoints(p, laneCount, out);
     }

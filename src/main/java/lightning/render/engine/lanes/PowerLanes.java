@@ -7,14 +7,14 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 import lightning.base.math.PowerFunction;
 
-/** {@link PowerFunction#pow} in lanes: the same operations in the same order, hence the same bits. */
+/** Lane version of {@link PowerFunction#pow}: the same operations in the same order, hence the same bits. */
 public final class PowerLanes {
     private static final VectorSpecies<Double> D = DoubleVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Long> L = LongVector.SPECIES_PREFERRED;
 
     private PowerLanes() {}
 
-    /** Replaces {@code x[from … to)} by its power; runs over the end to a whole number of lanes. */
+    /** Replaces {@code x[from … to)} by its power; overruns the end to a whole number of lanes. */
     public static void of(double[] x, int from, int to, double n) {
         for (int i = from; i < to; i += D.length()) {
             logarithm(x, i, n);
@@ -24,14 +24,14 @@ public final class PowerLanes {
         }
     }
 
-    /** x becomes n·log₂x, or −∞ where the power is 0. */
+    /** Replaces x by n·log₂x, or −∞ if the power is 0. */
     private static void logarithm(double[] values, int i, double n) {
         DoubleVector x = DoubleVector.fromArray(D, values, i);
         VectorMask<Double> normal = x.compare(VectorOperators.GE, Double.MIN_NORMAL);
         LongVector bits = x.reinterpretAsLongs();
         LongVector mantissa = bits.and(PowerFunction.MANTISSA);
         VectorMask<Long> upper = mantissa.compare(VectorOperators.GT, PowerFunction.SQRT2_MANTISSA);
-        // The biased exponent, put into the mantissa of 2^52, is a double without a conversion.
+        // The biased exponent, inserted into the mantissa of 2^52, is a double without a conversion.
         DoubleVector biased = bits.lanewise(VectorOperators.LSHR, 52).or(0x4330000000000000L).reinterpretAsDoubles().sub(0x1p52);
         DoubleVector exponent = biased.sub(DoubleVector.broadcast(D, 1023).blend(1022, upper.cast(D)));
         DoubleVector m = mantissa.or(LongVector.broadcast(L, PowerFunction.ONE).blend(PowerFunction.HALF, upper)).reinterpretAsDoubles();
@@ -51,7 +51,7 @@ public final class PowerLanes {
         zero.blend(p, normal).intoArray(values, i);
     }
 
-    /** p becomes 2^p; −∞ becomes 0. */
+    /** Replaces p by 2^p, and −∞ by 0. */
     private static void exponential(double[] values, int i) {
         DoubleVector given = DoubleVector.fromArray(D, values, i);
         VectorMask<Double> none = given.compare(VectorOperators.EQ, Double.NEGATIVE_INFINITY);
@@ -70,7 +70,7 @@ public final class PowerLanes {
         e = e.mul(y).add(0.5);
         e = e.mul(y).add(1);
         e = e.mul(y).add(1);
-        // whole + 1023 as an integer, by the same trick backwards.
+        // whole + 1023 as an integer, by the inverse of that method.
         DoubleVector scale = rounded.add(1023).add(0x1p52).reinterpretAsLongs().lanewise(VectorOperators.LSHL, 52).reinterpretAsDoubles();
         e.mul(scale).blend(0, none).intoArray(values, i);
     }

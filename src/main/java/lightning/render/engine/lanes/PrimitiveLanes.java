@@ -22,27 +22,28 @@ import lightning.render.trace.solid.SolidGeometryLanes;
 import lightning.render.trace.solid.SurfaceContact;
 
 /**
- * One primitive against a packet: {@link PrimitiveTable#distance} in lanes, and what is done with the answer.
+ * Intersection of one primitive with a packet, and evaluation of the hits: lane version of {@link PrimitiveTable#distance}.
  *
- * <p>Solids are asked for whole vectors of lanes, those in which the mask has bits. Lanes that the primitive's box has
- * rejected get the same answer as from the box: a miss, or a hit behind a nearer one. Meshes are asked for the lanes of the mask
- * alone ({@link MeshGroupTracer}).
+ * <p>Solids are tested for whole vectors of lanes that contain a bit of the mask. Lanes that the primitive's box rejected get
+ * the same result as from the box: a miss, or a hit beyond a nearer one. Meshes are tested only for the lanes of the mask
+ * ({@link MeshGroupTracer}).
  *
- * <p>Where a solid has holes a ray is asked for them if the whole solid is nearer than what the ray has: what is there of it is no nearer.
+ * <p>Cutouts of a solid are tested only if the full solid is nearer than the ray's hit so far, since the remaining surface is
+ * no nearer.
  */
 final class PrimitiveLanes {
     private static final VectorSpecies<Integer> INTS =
             VectorSpecies.of(int.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
 
     private final PrimitiveTable primitives;
-    /** The distances to the primitive in question. */
+    /** Distances to the current primitive. */
     private final double[] distances = new double[RayPacket.WIDTH];
     private final SolidGeometryLanes solidGeometry = new SolidGeometryLanes();
-    /** Null where nothing has holes. */
+    /** Null if there are no cutouts. */
     private final CutoutTest cutoutTest;
     private final double[] unlimited = new double[RayPacket.WIDTH];
     final MeshGroupTracer mesh;
-    /** A group of one packet. */
+    /** Group of one packet. */
     private final RayPacket[] singlePacket = new RayPacket[1];
 
     PrimitiveLanes(PrimitiveTable primitives) {
@@ -52,7 +53,7 @@ final class PrimitiveLanes {
         Arrays.fill(unlimited, SolidGeometry.MISS);
     }
 
-    /** The first lane of the vectors in which the mask has bits. */
+    /** Returns the first lane of the vectors that contain a bit of the mask. */
     static int firstLane(int mask) {
         return (mask & -1 >>> -DoubleLanes.COUNT) != 0 ? 0 : DoubleLanes.COUNT;
     }
@@ -64,8 +65,8 @@ final class PrimitiveLanes {
     /**
      * Writes the distances of the lanes {@code from … to − 1}.
      *
-     * @param mask   the lanes that are asked for holes
-     * @param limits how far each is: what is whole is no farther off than what is there
+     * @param mask lanes to test for cutouts
+     * @param limits maximum distance of each ray; the full solid is never farther than its remaining surface
      */
     private void computeDistances(RayPacket p, int s, int mask, double[] limits, int from, int to) {
         solidGeometry.distances(primitives.kind(s), primitives.data, primitives.dataStart[s], p, distances, from, to);
@@ -84,7 +85,7 @@ final class PrimitiveLanes {
         }
     }
 
-    /** The distances of the ways to a light that lies on the primitive. */
+    /** Computes the distances of shadow rays to a light on the primitive. */
     private void distancesToLight(RayPacket p, int s, int index, int from, int to) {
         for (int i = from; i < to; i++) {
             if (p.target.touches(index, p.ox[i], p.oy[i], p.oz[i])) {
@@ -93,7 +94,7 @@ final class PrimitiveLanes {
         }
     }
 
-    /** Puts misses into all lanes. */
+    /** Sets all lanes to misses. */
     void resetHits(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += DoubleLanes.COUNT) {
             broadcast(SPECIES, SolidGeometry.MISS).intoArray(p.t, h);
@@ -101,7 +102,10 @@ final class PrimitiveLanes {
         }
     }
 
-    /** Puts primitive {@code s} into the lanes of a mask, which is not 0, where it is nearer than what they have; whether there is one. */
+    /**
+     * Stores primitive {@code s} as the hit of lanes of a non-zero mask for which it is nearer than their hits so far; returns
+     * true if there are any.
+     */
     boolean updateNearest(RayPacket p, int s, int mask) {
         if (primitives.mesh(s) != null) {
             singlePacket[0] = p;
@@ -123,7 +127,7 @@ final class PrimitiveLanes {
         return hasNearer;
     }
 
-    /** Writes what has been found to the packet's {@code primitive}. */
+    /** Writes the hits to the packet's {@code primitive}. */
     void writePrimitives(RayPacket p) {
         for (int h = 0; h < RayPacket.WIDTH; h += DoubleLanes.COUNT) {
             DoubleVector v = fromArray(SPECIES, p.nearestPrimitive, h);
@@ -131,7 +135,7 @@ final class PrimitiveLanes {
         }
     }
 
-    /** One bit for each lane of a mask, which is not 0, that meets primitive {@code s} at a distance below its {@code limit}. */
+    /** Returns the lanes of a non-zero mask that hit primitive {@code s} at a distance below their {@code limit}. */
     int findBlocked(RayPacket p, int s, int mask) {
         if (primitives.mesh(s) != null) {
             singlePacket[0] = p;
@@ -153,7 +157,7 @@ final class PrimitiveLanes {
         return blocked & mask;
     }
 
-    /** Writes {@code t} and {@code part} of those lanes of {@code mask} whose primitive is {@code s}; returns which they are. */
+    /** Writes {@code t} and {@code part} of the lanes of {@code mask} whose primitive is {@code s}; returns these lanes. */
     int writeDistances(RayPacket p, int s, int mask) {
         if (primitives.mesh(s) != null) {
             return mesh.writeDistances(p, s, mask);

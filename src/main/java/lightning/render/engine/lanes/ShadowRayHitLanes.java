@@ -15,10 +15,12 @@ import lightning.render.trace.solid.SolidGeometryLanes;
 import lightning.render.trace.tree.CandidateList;
 
 /**
- * {@link ShadowRayHitFinder} in lanes: 64 ways at a time are tested against the box of a shape, and those that enter it go through a mesh together, or
- * against a solid in lanes. Rows with the same turn go together, whose ways end at the same place of an area: they are one beam, where those of
- * neighbors are not. Ways of which any may end on a shape, shapes with holes and such that the eye is on are asked way by way. Holds
- * scratch memory: one for each thread.
+ * Lane version of {@link ShadowRayHitFinder}. Tests 64 shadow rays at a time against the box of a shape; those that enter it
+ * traverse a mesh together, or are tested against a solid in lanes.
+ *
+ * <p>Rows with the same sample rotation form packets: their shadow rays end at the same position of an area light, so they are
+ * one beam, unlike those of neighboring rows. Rays are tested one by one if any may end on the shape, if the shape has cutouts,
+ * or if the eye is on it. Holds scratch memory: use one per thread.
  */
 final class ShadowRayHitLanes {
     private static final int W = RayPacket.WIDTH;
@@ -31,14 +33,14 @@ final class ShadowRayHitLanes {
     private final double[] distance = new double[W];
     private final RayPacket[] packet = new RayPacket[MAX_PACKETS];
     private final BoxTestLanes[] boxTest = new BoxTestLanes[MAX_PACKETS];
-    /** For each packet and candidate the rays that enter its box. */
+    /** Rays of each packet that enter the box of each candidate. */
     private final int[][] masks = new int[MAX_PACKETS][0];
-    /** The rows that are asked, and the place there of each packet's first. */
+    /** Selected rows, and the index there of each packet's first row. */
     private final int[] sortedRows = new int[TermKernel.MAX_ROWS];
     private final int[] first = new int[MAX_PACKETS];
-    /** Where the rows of each turn begin. */
+    /** Start of the rows of each rotation. */
     private final int[] rotationStarts = new int[AreaSamples.ROTATIONS + 1];
-    /** The packets that a mesh is asked for. */
+    /** Packets to test against a mesh. */
     private final int[] meshPackets = new int[MAX_PACKETS];
     private int count;
 
@@ -51,7 +53,7 @@ final class ShadowRayHitLanes {
         }
     }
 
-    /** As {@link Tracer#findHits}. */
+    /** Implements {@link Tracer#findHits}. */
     void findHits(HitRows rows, int[] selected, RowShadowRays shadowRays, CandidateList candidates, ShadowRayHits hits) {
         if (!shadowRays.isOffSurface) {
             hitFinder.findHits(rows, selected, shadowRays, candidates, hits);
@@ -68,7 +70,7 @@ final class ShadowRayHitLanes {
         testCandidates(candidates, shadowRays.limit(), hits);
     }
 
-    /** Writes the chosen rows to {@link #sortedRows}, by their turns; how many there are. */
+    /** Writes the selected rows to {@link #sortedRows}, by rotation; returns their number. */
     private int sortRows(HitRows rows, int[] selected, RowShadowRays shadowRays) {
         Arrays.fill(rotationStarts, 0);
         for (int b = 0, first = 0; first < rows.count; b++, first += Tracer.ROWS_PER_WORD) {
@@ -88,7 +90,7 @@ final class ShadowRayHitLanes {
         return rotationStarts[AreaSamples.ROTATIONS];
     }
 
-    /** Adds a packet of {@code laneCount} rows from place {@code from} in their order on. */
+    /** Adds a packet of {@code laneCount} rows, starting with index {@code from} of the sorted rows. */
     private void addPacket(HitRows rows, RowShadowRays shadowRays, int from, int laneCount, CandidateList candidates) {
         RayPacket p = packet[count];
         if (masks[count].length < candidates.count) {
@@ -114,7 +116,7 @@ final class ShadowRayHitLanes {
         first[count++] = from;
     }
 
-    /** Asks all candidates for the packets, which then are no more. */
+    /** Tests all candidates against the packets, then removes the packets. */
     private void testCandidates(CandidateList candidates, double limit, ShadowRayHits hits) {
         for (int c = 0; c < candidates.count; c++) {
             int s = candidates.primitive[c];

@@ -9,15 +9,15 @@ import lightning.render.shading.TermKernel;
 import lightning.render.trace.HitRows;
 
 /**
- * {@link SumKernel} in lanes: rows are gone over in whole, aligned lanes. Kernels are short, because in longer ones vectors become
- * objects.
+ * Lane version of {@link SumKernel}: processes rows in whole, aligned vectors. Kernels are short, because in longer ones
+ * vectors would be boxed.
  */
 final class SumLanes implements SumKernel {
     private static final VectorSpecies<Float> F = FloatVector.SPECIES_PREFERRED;
 
     private final float[] metalSpecular = new float[TermKernel.MAX_ROWS];
 
-    /** One channel, where light passed clear shapes. */
+    /** Sums one channel with tinted shadows. */
     private static void tintedSum(int rows, SumOperands a, float[] weight, float[][] tint, float[][] sums, float[] to) {
         for (int i = 0; i < rows; i += F.length()) {
             FloatVector sum = tintedSum(i, a, weight, tint, 0, a.firstChainLength)
@@ -101,7 +101,9 @@ final class SumLanes implements SumKernel {
         }
     }
 
-    /** Writes F0 times the specular sum plus the grazing one, of one channel of a metallic material, to {@link #metalSpecular}. */
+    /**
+     * Writes F0 times the specular sum plus the grazing one, for one channel of a metallic material, to {@link #metalSpecular}.
+     */
     private void writeMetalSpecular(int start, int end, ShadingMaterial material, int channel, float[] specular, float[] grazing,
             float[] texel) {
         float metal = material.texturedF0()[channel];
@@ -112,7 +114,7 @@ final class SumLanes implements SumKernel {
         }
     }
 
-    /** One channel. */
+    /** Shades one channel. */
     private static void shadeChannel(int start, int end, ShadingMaterial material, int channel, float emitted, float[] diffuse,
             float[] specular, float ks,
             float[] texel, float[] image, float[] to) {
@@ -120,7 +122,7 @@ final class SumLanes implements SumKernel {
         float kr = material.reflective()[channel];
         for (int i = start; i < end; i += F.length()) {
             FloatVector light = FloatVector.fromArray(F, diffuse, i);
-            // kd·texel first, as where a point carries its diffuse color.
+            // kd·texel first, as in {@code SurfacePoint.diffuse}.
             light = texel == null ? light.mul(kd) : light.mul(FloatVector.fromArray(F, texel, i).mul(kd));
             FloatVector color = light.add(emitted);
             if (image != null) {

@@ -19,8 +19,8 @@ import lightning.render.trace.solid.PointLanes;
 import lightning.render.trace.solid.SolidGeometryLanes;
 
 /**
- * {@link SurfaceHit#compute} in lanes, operation by operation: the lanes of a packet are taken primitive by primitive,
- * of which it meets one or two as a rule.
+ * Lane version of {@link SurfaceHit#compute}, operation by operation. Processes the lanes of a packet by primitive, usually one
+ * or two per packet.
  */
 final class SurfaceHitLanes {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
@@ -40,7 +40,7 @@ final class SurfaceHitLanes {
         this.primitives = primitives;
     }
 
-    /** A bit for each of the first {@code laneCount} lanes that hit a shape. */
+    /** Returns one bit for each of the first {@code laneCount} lanes that hit a shape. */
     private static int hitMask(RayPacket p, int laneCount) {
         int mask = 0;
         for (int i = 0; i < laneCount; i++) {
@@ -49,7 +49,7 @@ final class SurfaceHitLanes {
         return mask;
     }
 
-    /** Computes the surfaces of those of the first {@code laneCount} lanes that hit a shape. */
+    /** Computes the surfaces for those of the first {@code laneCount} lanes that hit a shape. */
     void compute(RayPacket p, int laneCount, SurfacePacket out) {
         computeHitPoints(p);
         int left = hitMask(p, laneCount);
@@ -71,7 +71,7 @@ final class SurfaceHitLanes {
         }
     }
 
-    /** Where those lanes that hit a primitive lie in its own space, alone: {@link SurfacePacket#localX} and its like. */
+    /** Computes only the local points of the lanes that hit a primitive: {@link SurfacePacket#localX} to {@code localZ}. */
     void computeLocalPoints(RayPacket p, int laneCount, SurfacePacket out) {
         computeHitPoints(p);
         int left = hitMask(p, laneCount);
@@ -88,7 +88,7 @@ final class SurfaceHitLanes {
         }
     }
 
-    /** The surfaces of a mesh or of what has a relief, one lane after the other. */
+    /** Computes the surfaces of a mesh, or of a primitive with bump mapping, lane by lane. */
     private void computeScalar(RayPacket p, int s, int h, int lanes, SurfacePacket out) {
         for (int left = lanes; left != 0; left &= left - 1) {
             int i = h + Integer.numberOfTrailingZeros(left);

@@ -2,12 +2,12 @@ package lightning.render.engine.lanes;
 
 import lightning.render.trace.primitive.SurfaceHit;
 
-/** The surfaces that a packet's rays met, lane by lane, as {@link SurfaceHit} has them. */
+/** Surface data of a packet's hits, one lane each, with the values of {@link SurfaceHit}. */
 public final class SurfacePacket {
     final double[] localX = new double[RayPacket.WIDTH];
     final double[] localY = new double[RayPacket.WIDTH];
     final double[] localZ = new double[RayPacket.WIDTH];
-    /** Points off the surface, render space. */
+    /** Points, offset from the surface, render space. */
     public final float[] px = new float[RayPacket.WIDTH];
     public final float[] py = new float[RayPacket.WIDTH];
     public final float[] pz = new float[RayPacket.WIDTH];

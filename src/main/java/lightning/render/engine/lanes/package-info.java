@@ -1,2 +1,2 @@
-/** {@link lightning.render.engine.lanes.LaneEngine}: rays in packets, the lighting equation in vector lanes. */
+/** Vectorized implementation, {@link lightning.render.engine.lanes.LaneEngine}: rays in packets, lighting equation in lanes. */
 package lightning.render.engine.lanes;

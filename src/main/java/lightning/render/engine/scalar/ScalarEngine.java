@@ -7,8 +7,8 @@ import lightning.render.trace.Geometry;
 import lightning.render.trace.Tracer;
 
 /**
- * The engine whose kernels are plain loops over rays and rows: the readable twin of the lanes, quick from the first tile of a
- * process on, and the only one where a machine has no lanes worth it.
+ * Engine with plain loops over rays and rows: the readable counterpart of the lanes. Fast from the first tile of a process on,
+ * and the only engine on machines without useful lanes.
  */
 public record ScalarEngine() implements Engine {
     @Override

@@ -5,7 +5,7 @@ import lightning.render.shading.SumKernel;
 import lightning.render.shading.SumOperands;
 import lightning.render.trace.HitRows;
 
-/** {@link SumKernel} in plain loops. */
+/** Scalar implementation of {@link SumKernel}. */
 final class ScalarSums implements SumKernel {
     @Override
     public void sum(int rows, SumOperands addends, float[][] to) {
@@ -14,7 +14,7 @@ final class ScalarSums implements SumKernel {
         sum(rows, addends, addends.blue, addends.tintBlue, addends.sumBlue, to[2]);
     }
 
-    /** One channel. */
+    /** Sums one channel. */
     private static void sum(int rows, SumOperands addends, float[] weight, float[][] tint, float[][] sums, float[] to) {
         for (int i = 0; i < rows; i++) {
             float sum = addends.tinted

@@ -11,14 +11,14 @@ import lightning.render.trace.HitRows;
 import lightning.render.trace.RowShadowRays;
 import lightning.scene.Attenuation;
 
-/** {@link TermKernel} in plain loops, row by row. */
+/** Scalar implementation of {@link TermKernel}, row by row. */
 final class ScalarTerms implements TermKernel {
-    /** The unit vector from each row to the light. */
+    /** Unit vector from each row to the light. */
     private final double[] lx = new double[MAX_ROWS];
     private final double[] ly = new double[MAX_ROWS];
     private final double[] lz = new double[MAX_ROWS];
     private final double[] distance = new double[MAX_ROWS];
-    /** The cosine from the cone's axis, −1…1. */
+    /** Cosine from the cone's axis, −1…1. */
     private final double[] axisCosine = new double[MAX_ROWS];
 
     @Override
@@ -154,7 +154,7 @@ final class ScalarTerms implements TermKernel {
         }
     }
 
-    /** max(V·R, 0) with R = 2N(N·−L) + L, both taken at length 1. */
+    /** Returns max(V·R, 0) with R = 2N(N·−L) + L, both normalized. */
     private double mirrorCosine(HitRows rows, int i) {
         double nx = rows.nx[i];
         double ny = rows.ny[i];
@@ -196,12 +196,12 @@ final class ScalarTerms implements TermKernel {
         }
     }
 
-    /** N·L. */
+    /** Returns N·L. */
     private double lightCosine(HitRows rows, int i) {
         return rows.nx[i] * lx[i] + rows.ny[i] * ly[i] + rows.nz[i] * lz[i];
     }
 
-    /** max(N·V, 0). */
+    /** Returns max(N·V, 0). */
     private static double viewCosine(HitRows rows, int i) {
         double c = -((double) rows.nx[i] * rows.vx[i] + (double) rows.ny[i] * rows.vy[i] + (double) rows.nz[i] * rows.vz[i]);
         return c > 0 ? c : 0;
@@ -212,7 +212,7 @@ final class ScalarTerms implements TermKernel {
         return square * square * x;
     }
 
-    /** N·L·D·V. */
+    /** Returns N·L·D·V. */
     private double microfacetTerm(HitRows rows, int i, double alpha) {
         double nx = rows.nx[i];
         double ny = rows.ny[i];
@@ -232,7 +232,7 @@ final class ScalarTerms implements TermKernel {
         return nl * a / (t * t * (gl * gv));
     }
 
-    /** (1 − V·H)⁵. */
+    /** Returns (1 − V·H)⁵. */
     private double schlick(HitRows rows, int i) {
         double vx = rows.vx[i];
         double vy = rows.vy[i];

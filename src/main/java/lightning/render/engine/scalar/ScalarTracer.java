@@ -17,12 +17,12 @@ import lightning.render.trace.tree.PointBox;
 import lightning.render.trace.tree.RayTraversal;
 import lightning.render.trace.tree.ShadowRayTarget;
 
-/** Traces the rays of a tile one by one: slower than in lanes once these are compiled, and quick from the first ray on. */
+/** Tracer of single rays: slower than lanes once these are compiled, and fast from the first ray on. */
 final class ScalarTracer implements Tracer {
     private final PrimitiveTable primitives;
     private final RayTraversal traversal;
     private final SurfaceHit surface = new SurfaceHit();
-    /** Made when it is needed first. */
+    /** Created on first use. */
     private ShadowRayHitFinder hitFinder;
 
     ScalarTracer(Geometry geometry) {

@@ -1,2 +1,2 @@
-/** {@link lightning.render.engine.scalar.ScalarEngine}: rays one by one, the lighting equation in plain loops. */
+/** Scalar implementation, {@link lightning.render.engine.scalar.ScalarEngine}: single rays, lighting equation in plain loops. */
 package lightning.render.engine.scalar;

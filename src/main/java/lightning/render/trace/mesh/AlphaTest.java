@@ -1,8 +1,8 @@
 package lightning.render.trace.mesh;
 
-/** Tells where a ray passes a mesh that it meets. */
+/** Alpha test of one ray against a mesh with cutouts. */
 @FunctionalInterface
 public interface AlphaTest {
-    /** Whether a triangle that is met at a distance has a hole there. */
+    /** Returns true if a triangle has a hole where the ray hits it at a distance. */
     boolean passes(int triangle, double t);
 }

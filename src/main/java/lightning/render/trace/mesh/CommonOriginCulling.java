@@ -8,27 +8,21 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Triangles of a leaf that lines of {@link MeshFloatLines} from one point certainly do not meet: what all lines have in common is reckoned once
- * for a leaf. With A, B and C as seen from that point, the sign of {@link MeshRay} for the edge from C to B is that of d·(C × B) = d·(C × (B − C)), d
- * the line's step.
+ * Culling of a leaf's triangles for lines of {@link MeshFloatLines} with a common origin. Computes the values that depend only
+ * on the origin once per leaf.
  *
- * <p>What these are off in floats, with R, v, u, {@code loose} and w as in {@link MeshFloatLines}, and λ the longest side of the leaf's box: C by 2v·R on
- * each axis, of which rounding the point is half; B − C by v·λ. So C × (B − C), which is at most 2R·λ, is off by 4v·R·λ for the one, 2v·R·λ for the
- * other and 3v·R·λ for its product and fused sum: 9v·R·λ. A step is at most 1 on each axis and off by less than 2v. Three products and their sum
- * are then off by 27v·R·λ, 12v·R·λ for the step and 12v·R·λ for rounding: 51v·R·λ. By how much the ray's signs may be off those of its line is told in
- * {@link LeafTriangleCulling}: sheared vertices, within B = 2λ + w of 0, are off by loose/2 + 2⁻²⁵·λ, which is at most loose/2 + v·R, and the sign by
- * four times their product; what the ray's own rounding adds, in u, is less than v·R·λ. That makes 2·loose·B + 4v·R·B. With 16v·R + loose ≤ w all
- * together is less than 60v·R·λ + 4·loose·λ + 3w², so less than 4w·λ + 3w², of which 7w·(λ + w) is more by all that reckoning it in floats takes away;
- * the least normal float covers underflow.
+ * <p>With A, B and C relative to the origin, {@link MeshRay}'s sign for the edge from C to B is that of d·(C × B) = d·(C × (B −
+ * C)), where d is the line's step. A triangle is rejected only if a float sign exceeds {@link #margin}. Proof of the margin:
+ * docs/numerics.md, "Proof: leaf culling with a common origin".
  */
 final class CommonOriginCulling {
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
     private static final int W = MeshTree.WIDTH;
 
-    /** C × (B − C), A × (C − A) and B × (A − B) of the leaf that was taken, x y z of each in all slots. */
+    /** C × (B − C), A × (C − A) and B × (A − B) of the current leaf, x y z of each for all slots. */
     private final float[] normal = new float[9 * W];
 
-    /** Takes the leaf whose vertices begin at {@code v[at]}, as seen from a point. */
+    /** Sets the leaf whose vertices begin at {@code v[at]}, seen from a point. */
     void setLeaf(float[] v, int at, float ox, float oy, float oz) {
         float[] n = normal;
         FloatVector ax = FloatVector.fromArray(EIGHT, v, at).sub(ox);
@@ -60,12 +54,12 @@ final class CommonOriginCulling {
         bx.fma(ey, by.mul(ex).neg()).intoArray(n, 8 * W);
     }
 
-    /** The most by which signs of lines that are this wide may be off, in a leaf whose box has no longer side than {@code extent}. */
+    /** Returns the maximum error of signs for lines of this width, in a leaf whose box has no side longer than {@code extent}. */
     static float margin(float w, float extent) {
         return 7 * w * (extent + w) + Float.MIN_NORMAL;
     }
 
-    /** The slots whose triangles a line may meet, by its step. */
+    /** Returns the slots whose triangles a line with this step may hit. */
     int candidateSlots(float dx, float dy, float dz, float margin) {
         float[] n = normal;
         FloatVector x = FloatVector.broadcast(EIGHT, dx);

@@ -1,12 +1,12 @@
 package lightning.render.trace.mesh;
 
-/** Tells where rays of a group pass a mesh that they meet. */
+/** Alpha test of a group's rays against a mesh with cutouts. */
 @FunctionalInterface
 public interface GroupAlphaTest {
     /**
-     * Whether a triangle that is met at a distance has a hole there.
+     * Returns true if a triangle has a hole where a ray hits it at a distance.
      *
-     * @param ray ray i of packet k has the number {@code k · WIDTH + i}
+     * @param ray ray number: {@code k · WIDTH + i} for ray i of packet k
      */
     boolean passes(int ray, int triangle, double t);
 }

@@ -2,26 +2,29 @@ package lightning.render.trace.mesh;
 
 import lightning.render.trace.solid.RayBatch;
 
-/** Which rays that are led together may meet triangles of a leaf, and which triangles. Scratch memory: one for each thread. */
+/**
+ * Filter of the rays that may hit triangles of a leaf, and of those triangles, for rays traced together. Holds scratch memory:
+ * use one per thread.
+ */
 final class LeafRayFilter {
-    /** So many rays from one point that enter a leaf pay for what they have in common. */
+    /** Minimum number of rays with a common origin for which the work per leaf pays off. */
     private static final int MIN_COMMON_ORIGIN_RAYS = 2;
 
     private final MeshFloatLines lines;
     private final CommonOriginCulling commonOriginCulling = new CommonOriginCulling();
-    /** The rays of each packet that enter the leaf. */
+    /** Rays of each packet that enter the leaf. */
     private final int[] enteringRays;
-    /** The rays that may meet triangles, and the slots of those. */
+    /** Rays that may hit triangles, and the slots of these. */
     final int[] ray;
     final int[] slots;
     private MeshTree tree;
     private int leaf;
-    /** The longest side of the leaf's box. */
+    /** Longest side of the leaf's box. */
     private float extent;
-    /** Written so that what it is made of is read. */
+    /** Target of the prefetch loads, so that they are not eliminated. */
     float prefetchSink;
 
-    /** @param capacity rays, whole packets */
+    /** @param capacity number of rays, whole packets */
     LeafRayFilter(MeshFloatLines lines, int capacity) {
         this.lines = lines;
         enteringRays = new int[capacity / RayBatch.WIDTH];
@@ -29,23 +32,23 @@ final class LeafRayFilter {
         slots = new int[capacity];
     }
 
-    /** The longest side of the box {@code b[i]}. */
+    /** Returns the longest side of the box {@code b[i]}. */
     static float extent(float[] b, int i) {
         return Math.max(b[i + 8] - b[i], Math.max(b[i + 24] - b[i + 16], b[i + 40] - b[i + 32]));
     }
 
     /**
-     * Asks a leaf whose box is {@code of.box[box]} of the rays {@code from … end − 1}, whole packets; how many of them may meet anything, which are
-     * the first of {@link #ray}.
+     * Filters the rays {@code from … end − 1}, whole packets, by a leaf whose box is {@code newTree.box[box]}. Returns the number of
+     * rays that may hit triangles; these are the first entries of {@link #ray}.
      *
-     * @param rayMask those that are asked, one bit for each
+     * @param rayMask rays to test, one bit each
      */
     int findCandidates(MeshTree newTree, int at, int box, long rayMask, int from, int end) {
         tree = newTree;
         leaf = at;
         float[] v = newTree.vertex;
         int first = MeshTree.LEAF_FLOATS * at;
-        // Asks memory for the lines of the leaf before boxes are tested: a fifth less time for ways to a light.
+        // Prefetches the cache lines of the leaf before testing boxes: a fifth less time for shadow rays.
         prefetchSink = v[first] + v[first + 16] + v[first + 32] + v[first + 48] + v[first + 64];
         extent = extent(newTree.box, box);
         int count = 0;
@@ -55,7 +58,7 @@ final class LeafRayFilter {
             enteringRays[i / RayBatch.WIDTH] = entering;
             count += Integer.bitCount(entering);
         }
-        // First all tests, then what comes of them: a processor guesses wrong only once where it would for every other ray.
+        // Runs all tests first and evaluates them afterwards: one branch misprediction instead of one for every other ray.
         return lines.hasSharedStart && count >= MIN_COMMON_ORIGIN_RAYS ? testWithCommonOrigin(from, end) : testSeparately(from, end);
     }
 

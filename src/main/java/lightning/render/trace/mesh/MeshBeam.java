@@ -11,36 +11,36 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.RayBatch;
 
 /**
- * All that the rays of a packet sweep, to be tested against the eight boxes of a node at once.
+ * Beam of a packet's rays, tested against all eight boxes of a node in one operation.
  *
- * <p>At the distance t each ray is within a box that moves: from {@code low + t·lowStep} to {@code high + t·highStep}. It touches a
- * node's box while low + t·lowStep is no more than the box's greater side and high + t·highStep no less than its lesser one: on each axis
- * two inequalities of t (as {@code trace.Beam} does for whole tiles). Origins are made wider by twice what the rays are, which covers this
- * reckoning's rounding as well, and steps by 2⁻²², more than floats round them.
+ * <p>At distance t each ray is within a moving box: from {@code low + t·lowStep} to {@code high + t·highStep}. It touches a
+ * node's box while low + t·lowStep ≤ the box's maximum and high + t·highStep ≥ its minimum: two inequalities in t per axis (as
+ * in {@code RayBeam} for whole tiles). Origins are padded by twice the width of the rays, which also covers rounding here, and
+ * steps by 2⁻²², more than their rounding to float.
  */
 final class MeshBeam {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Float> LANES = FloatVector.SPECIES_PREFERRED;
     private static final float STEP_PADDING = 0x1p-22f;
-    /** No distance within a mesh is as large. */
+    /** Greater than any distance within a mesh. */
     private static final float UNREACHED = 1e30f;
 
-    /** For each axis, factor and summand of: in by the greater side, out by it, in by the lesser side, out by it. */
+    /** Factor and summand per axis for: entry by the maximum, exit by it, entry by the minimum, exit by it. */
     private final float[] coefficients = new float[24];
     private final float[] minStart = new float[RayBatch.WIDTH];
     private final float[] maxStart = new float[RayBatch.WIDTH];
     private final float[] minStep = new float[RayBatch.WIDTH];
     private final float[] maxStep = new float[RayBatch.WIDTH];
-    /** Where the beam enters each child, as the bits of floats. */
+    /** Entry distance of the beam into each child, as float bits. */
     final int[] entryBits = new int[MeshTree.WIDTH];
-    /** The rays that were taken, one bit for each. */
+    /** Rays of the beam, one bit each. */
     long rays;
-    /** The greatest difference between the rays' steps on any axis. */
+    /** Maximum difference between the rays' steps on any axis. */
     float stepSpread;
-    /** The greatest difference between the rays' origins on any axis. */
+    /** Maximum difference between the rays' origins on any axis. */
     float originSpread;
 
-    /** Takes a set of rays, not empty, of the packets {@code i … end − 1}. */
+    /** Sets a non-empty set of rays of the packets {@code i … end − 1}. */
     void setRays(MeshFloatLines lines, long rayMask, int i, int end) {
         rays = rayMask;
         stepSpread = 0;
@@ -92,7 +92,7 @@ final class MeshBeam {
         highStep += STEP_PADDING;
         lowStep = lowStep == 0 ? -STEP_PADDING : lowStep;
         highStep = highStep == 0 ? STEP_PADDING : highStep;
-        // low + t·lowStep ≤ the greater side: until then where the step is forwards, from then on where it is backwards.
+        // low + t·lowStep ≤ the maximum holds up to this t for a forward step, and from it on for a backward step.
         float a = 1 / lowStep;
         storeCoefficients(at, lowStep < 0, a, -low * a);
         float b = 1 / highStep;
@@ -106,7 +106,7 @@ final class MeshBeam {
         coefficients[at + 3] = isEntry ? UNREACHED : summand;
     }
 
-    /** The children of a node that the beam touches up to a distance, as one bit each; writes {@link #entryBits}. */
+    /** Returns the children of a node that the beam touches up to a distance, one bit each; writes {@link #entryBits}. */
     int enteredChildren(MeshTree tree, int node, int limitBits) {
         float[] b = tree.box;
         float[] k = coefficients;

@@ -17,12 +17,15 @@ import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.RayBatch;
 
 /**
- * The lines of a group ({@link MeshLines}) as floats, to be tested against boxes: what may be met. Reused; not shared between threads.
+ * Conservative float version of a group's lines ({@link MeshLines}) for tests against boxes. Reused; not thread-safe.
  *
- * <p><b>Floats.</b> With R a bound on the mesh's |coordinates| plus those of the new origin and v = 2⁻²⁴: rounding that origin takes
- * v·R, the inverse 2v of a distance below 2R, its product with the origin v·R, the fused sum v·2R; together less than 8v·R, that is 2⁻²¹·R. A line
- * flatter than 1 : 2⁶⁰ on an axis drifts by less than 2⁻⁵⁸·R. The new origin is off by less than 4u·(|c| + R), u and c as those of the lines. The floats' line is made wide by
- * 2⁻²⁰·R + {@code loose} = w, so that it crosses every box that holds a triangle which {@link MeshRay} meets, and no later than that is met.
+ * <p><b>Errors.</b> Let R bound the mesh's |coordinates| plus those of the new origin, v = 2⁻²⁴, and u and c as for the lines.
+ * Rounding the origin costs v·R; the inverse 2v of a distance below 2R; its product with the origin v·R; the fused sum v·2R.
+ * Together this is less than 8v·R = 2⁻²¹·R. A line flatter than 1 : 2⁶⁰ on an axis drifts by less than 2⁻⁵⁸·R. The new origin
+ * is off by less than 4u·(|c| + R).
+ *
+ * <p>The float line is padded by w = 2⁻²⁰·R + {@code tolerance}. So it crosses every box around a triangle that {@link MeshRay}
+ * hits, at no greater distance than the hit.
  */
 final class MeshFloatLines {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
@@ -30,20 +33,20 @@ final class MeshFloatLines {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_PREFERRED;
     private static final VectorSpecies<Float> EIGHT = FloatVector.SPECIES_256;
-    /** No line is flatter on an axis than 1 to this. */
+    /** Maximum inverse of a line's step on an axis. */
     static final double MAX_INVERSE = 0x1p60;
-    /** More than the rounding of a distance to float. */
+    /** Factor greater than the rounding of a distance to float. */
     private static final double ROUND_UP = 1 + 0x1p-20;
 
-    /** Wider lines may have products that are no floats: those of coordinates up to 1e18 are. */
+    /** Maximum width; wider lines may overflow floats in products. Coordinates up to 1e18 are safe. */
     private static final float MAX_WIDTH = 1e11f;
     private static final int ALL_SLOTS = -1 >>> -MeshTree.WIDTH;
 
     private final MeshLines lines;
-    /** Where each line begins anew, in doubles. */
+    /** New start distance of each line, as double. */
     private final double[] startDistance;
     private final double[] maxComponent;
-    /** The lines in floats. */
+    /** Lines as floats. */
     final float[] startX;
     final float[] startY;
     final float[] startZ;
@@ -51,7 +54,10 @@ final class MeshFloatLines {
     final float[] stepY;
     final float[] stepZ;
     final float[] lineWidth;
-    /** The plane {@code x = b} is met at {@code b·steep + low}, seen from the wide line's one side, and at {@code b·steep + high} from the other. */
+    /**
+     * The plane {@code x = b} is hit at {@code b·steep + low} from one side of the padded line, and at {@code b·steep + high}
+     * from the other.
+     */
     private final float[] inverseStepX;
     private final float[] inverseStepY;
     private final float[] inverseStepZ;
@@ -61,11 +67,11 @@ final class MeshFloatLines {
     private final float[] highX;
     private final float[] highY;
     private final float[] highZ;
-    /** Whether all lines come from one point, begin there, are as wide, and run along their rays. */
+    /** True if all lines start at one common point, have equal width, and run along their rays. */
     boolean hasSharedStart;
-    /** How far each line goes, as the bits of a float; negative for one that goes nowhere. */
+    /** Maximum distance of each line, as float bits; negative for an inactive line. */
     final int[] limitBits;
-    /** Where line {@link #enteredChildren} enters each child, as the bits of floats. */
+    /** Entry distances into each child from the latest {@link #enteredChildren}, as float bits. */
     final int[] entryBits = new int[MeshTree.WIDTH];
 
     MeshFloatLines(MeshRayLanes rays, int capacity) {
@@ -92,12 +98,13 @@ final class MeshFloatLines {
     }
 
     /**
-     * Looks at the rays that were taken.
+     * Prepares the lines of the rays of the group.
      *
-     * @param active   those of each packet, one bit for each; gets those that are seen as lines that may reach the mesh's box
-     * @param tooShort  gets those of each packet that are too short to be seen as lines: ways to a light at a row's very point
-     * @param limits how far each goes
-     * @param anyHit    whether it is enough to know that something is met
+     * @param active rays of each packet, one bit each; receives the lines that may reach the mesh's box
+     * @param tooShort receives the rays of each packet that are too short for lines: shadow rays to a light at the row's
+     *     position
+     * @param limits maximum distance of each ray
+     * @param anyHit true if any hit suffices
      */
     void setRays(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits, boolean anyHit) {
         double depth = lines.setRays(tree, active, tooShort, packets, limits, anyHit);
@@ -117,7 +124,7 @@ final class MeshFloatLines {
         }
     }
 
-    /** Looks at lines from one point, which begin there. */
+    /** Prepares lines with a common origin, which start there. */
     private void setSharedStart(MeshTree tree, int[] active, int packets, double[] limits) {
         float width = (float) ((lines.startCoordinate() + tree.maxCoordinate) * 0x1p-20 + lines.tolerance[0]);
         int end = packets * RayBatch.WIDTH;
@@ -150,7 +157,7 @@ final class MeshFloatLines {
         }
     }
 
-    /** Writes how far the lines of a packet go. */
+    /** Writes the limits of the lines of a packet. */
     private void writeLimits(double[] limits, int packet, int active) {
         for (int h = packet; active != 0 && h < packet + RayBatch.WIDTH; h += DoubleLanes.COUNT) {
             DoubleVector distance = lines.reversed ? broadcast(SPECIES, 1) : fromArray(SPECIES, limits, h);
@@ -207,12 +214,12 @@ final class MeshFloatLines {
         o.sub(width).neg().mul(i).intoArray(high, h);
     }
 
-    /** Lets ray {@code i} go no farther than a distance; only of rays seen forwards. */
+    /** Limits ray {@code i} to a distance; only for rays that are not reversed. */
     void setLimit(int i, double distance) {
         limitBits[i] = Float.floatToRawIntBits((float) ((distance - startDistance[i]) * maxComponent[i] * ROUND_UP));
     }
 
-    /** How far any of the rays {@code i … end − 1} still goes. */
+    /** Returns the largest limit of the rays {@code i … end − 1}. */
     int maxLimitBits(int i, int end) {
         IntVector max = IntVector.fromArray(INTS, limitBits, i);
         for (int h = i + RayBatch.WIDTH; h < end; h += RayBatch.WIDTH) {
@@ -221,7 +228,7 @@ final class MeshFloatLines {
         return max.reduceLanes(MAX);
     }
 
-    /** Which rays of a set among those of the packets {@code from … end − 1} may meet the box at {@code b[i]}. */
+    /** Returns the rays of a set, among the packets {@code from … end − 1}, that may hit the box at {@code b[i]}. */
     long enteringRays(float[] b, int i, long rayMask, int from, int end) {
         long entering = 0;
         for (int h = from; h < end; h += RayBatch.WIDTH) {
@@ -232,7 +239,7 @@ final class MeshFloatLines {
         return entering & rayMask;
     }
 
-    /** Which rays of the packet from {@code h} on may meet the box at {@code b[i]}. */
+    /** Returns the rays of the packet that starts at {@code h} that may hit the box at {@code b[i]}. */
     int enteringRays(float[] b, int i, int h) {
         FloatVector inverseStep = FloatVector.fromArray(FLOATS, inverseStepX, h);
         IntVector p = inverseStep.fma(FloatVector.broadcast(FLOATS, b[i]), FloatVector.fromArray(FLOATS, lowX, h)).reinterpretAsInts();
@@ -252,13 +259,13 @@ final class MeshFloatLines {
         return (int) enters.compare(LE, leaves).toLong();
     }
 
-    /** Which children of a node ray {@code i} may meet; writes {@link #entryBits}. */
+    /** Returns the children of a node that ray {@code i} may hit; writes {@link #entryBits}. */
     int enteredChildren(float[] b, int node, int i) {
         int at = MeshTree.NODE_FLOATS * node;
         float sx = inverseStepX[i];
         float sy = inverseStepY[i];
         float sz = inverseStepZ[i];
-        // Whether it comes to the lesser or to the greater side first.
+        // Selects whether the line reaches the minimum or the maximum side first.
         int x = sx > 0 ? at : at + 8;
         int y = sy > 0 ? at + 16 : at + 24;
         int z = sz > 0 ? at + 32 : at + 40;
@@ -281,7 +288,10 @@ final class MeshFloatLines {
         return (int) enters.compare(LE, leaves).toLong();
     }
 
-    /** The slots of a leaf whose triangles ray {@code i} may meet, where it is open; {@code extent} is the longest side of the leaf's box. */
+    /**
+     * Returns the slots of a leaf whose triangles ray {@code i} may hit, if it is active; {@code extent} is the longest side of
+     * the leaf's box.
+     */
     int candidateSlots(float[] v, int leaf, float extent, int i) {
         float w = lineWidth[i];
         if (!(w < MAX_WIDTH) || lines.hasSkewedRays) {

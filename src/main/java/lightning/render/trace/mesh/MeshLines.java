@@ -19,56 +19,65 @@ import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.RayBatch;
 
 /**
- * The rays of a group as lines: from which end each is seen, and where it begins anew. Reused; not shared between threads.
+ * Rays of a group as lines with a chosen end and a new start. Reused; not thread-safe.
  *
- * <p><b>From which end.</b> Ways that all end at one point, as ways to a light do, are seen from there: as lines from that point,
- * backwards. A line passes c + s·g; the ray passes it at o + t·d with s = t, or backwards s = 1 − t, g = o − c. Backwards the two differ by
- * t times what o + d is off from c, which is measured, and the rounding of g, below u·(|o| + |c|), u = 2⁻⁵³.
+ * <p><b>Direction.</b> Rays that all end at one point, as shadow rays do, are reversed: they become lines from that point. A
+ * line passes through c + s·g; the ray passes there at o + t·d with s = t, or s = 1 − t and g = o − c if reversed. In reversed
+ * lines the two differ by t times the measured error of o + d from c, and by the rounding of g, below u·(|o| + |c|), u = 2⁻⁵³.
  *
- * <p><b>What a line must cross.</b> {@link MeshRay} meets a triangle at a distance at which the ray is within 16u·(|o| + r) + 6u·(|o| + r) of the
- * triangle's box, r a bound on the mesh's coordinates. So the line is, at the s of that distance, within 2⁻⁴⁸·(|o| + |c| + r) plus what was measured of
- * that box: it is made wide by {@code tolerance}, four times as much.
+ * <p><b>Width.</b> {@link MeshRay} hits a triangle at a distance at which the ray is within 16u·(|o| + r) + 6u·(|o| + r) of the
+ * triangle's box, where r bounds the mesh's coordinates. So the line at the corresponding s is within 2⁻⁴⁸·(|o| + |c| + r) plus
+ * the measured error of that box. It is padded by {@code tolerance}, four times as much.
  *
- * <p><b>Where it begins.</b> So that floats tell triangles apart however far away a line comes from, it begins anew where the first line of
- * the group enters the box of the whole mesh, made wide: at {@code entryDepth} along the direction's largest component, the same for
- * all, which keeps lines of one point in one narrow frustum. Computing that is off by less than 8u·(|c| + r), which is within {@code tolerance}. Distances are
- * counted from there in units of that component, so that every inverse is from 1 to {@link MeshFloatLines#MAX_INVERSE} in absolute value. Lines of one point that is
- * near enough to the mesh begin there ({@link #hasSharedStart}), which spares this and leaves them the point in common.
+ * <p><b>Start.</b> Each line starts where the first line of the group enters the padded box of the whole mesh, so that float
+ * tests stay precise for distant origins. All lines start at the same {@code entryDepth} along the largest component of the
+ * direction, which keeps lines from one point in one narrow frustum. The error of this is less than 8u·(|c| + r), which is
+ * within {@code tolerance}. Distances are counted from there in units of that component, so every inverse is from 1 to
+ * {@link MeshFloatLines#MAX_INVERSE} in absolute value. Lines from one point near the mesh start at that point
+ * ({@link #hasSharedStart}), which avoids this work and preserves their common origin.
  */
 final class MeshLines {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
-    /** A line that is shorter has no inverse that {@link MeshRay} knows. */
+    /** Minimum length of a line; shorter ones have no inverse in {@link MeshRay}'s range. */
     private static final double MIN_LENGTH = 1 / MeshRay.MAX_INVERSE;
     /** Eight times the padding of a {@link MeshRay}. */
     private static final double TOLERANCE_SHARE = 0x1p-46;
-    /** Less than 1 by more than depths are rounded. */
+    /** Less than 1 by more than the rounding of depths. */
     private static final double START_FACTOR = 1 - 0x1p-48;
-    /** Ways whose ends lie farther apart than this share of their size end at different points. */
+    /** Maximum distance between the ends of shadow rays, relative to their size, for a common end. */
     private static final double COMMON_END_SHARE = 0x1p-40;
-    /** A line so many times as long as it is loose runs along its ray: both ends are less than half as far off. */
+    /**
+     * Minimum ratio of length to error for a line that runs along its ray: the errors at both ends are less than half as large.
+     */
     private static final double MIN_STRAIGHT_RATIO = 0x1p28;
 
-    /** Points farther from the mesh than so many times its largest coordinate are too far for floats. */
+    /**
+     * Maximum distance of a common origin relative to the mesh's largest coordinate; more distant ones exceed the precision of
+     * floats.
+     */
     private static final double MAX_ORIGIN_RATIO = 4;
 
     private final MeshRayLanes rays;
     private final double[][][] forwardLines;
     private final double[][][] reversedLines;
-    /** Where lines come from, where they go, and the inverse of that, by axes. */
+    /** Origins, directions, and inverse directions of the lines, by axis. */
     double[][] origins;
     double[][] directions;
     double[][] inverseDirections;
-    /** Whether rays are seen from their ends, which is at distance 1. */
+    /** True if lines start at the ends of the rays, at distance 1. */
     boolean reversed;
-    /** Whether all lines come from one point that is near to the mesh, and begin there. */
+    /** True if all lines start at one common point near the mesh. */
     boolean hasSharedStart;
-    /** How far rays may be off their lines, beside rounding. */
+    /** Maximum distance of the rays from their lines, without rounding. */
     private double endSpread;
-    /** Whether some ray may run across its line by more than 2⁻²⁶ of its length. */
+    /** True if a ray may deviate from its line's direction by more than 2⁻²⁶ of its length. */
     boolean hasSkewedRays;
-    /** How wide a line must be made. */
+    /** Padding of each line. */
     final double[] tolerance;
-    /** Where each line enters the mesh's box, then where it begins anew; its largest component, in absolute value, and the inverse of that. */
+    /**
+     * Entry distance of each line into the mesh's box, later its new start; its largest absolute component, and the inverse of
+     * that.
+     */
     final double[] startDistance;
     final double[] maxComponent;
     final double[] inverseMaxComponent;
@@ -85,13 +94,14 @@ final class MeshLines {
     }
 
     /**
-     * Makes lines of the rays that were taken.
+     * Converts the rays of the group to lines.
      *
-     * @param active   those of each packet, one bit for each; gets those that are seen as lines that may reach the mesh's box
-     * @param tooShort  gets those of each packet that are too short to be seen as lines: ways to a light at a row's very point
-     * @param limits how far each goes
-     * @param anyHit    whether it is enough to know that something is met
-     * @return the depth along the largest component at which all begin anew
+     * @param active rays of each packet, one bit each; receives the lines that may reach the mesh's box
+     * @param tooShort receives the rays of each packet that are too short for lines: shadow rays to a light at the row's
+     *     position
+     * @param limits maximum distance of each ray
+     * @param anyHit true if any hit suffices
+     * @return common start depth along the largest component
      */
     double setRays(MeshTree tree, int[] active, int[] tooShort, int packets, double[] limits, boolean anyHit) {
         reversed = anyHit && hasCommonEnd(active, packets, limits);
@@ -130,7 +140,7 @@ final class MeshLines {
         return depth * START_FACTOR;
     }
 
-    /** Takes lines that begin at one point as they are, all as loose as the loosest. */
+    /** Uses lines from a common origin unchanged, all with the largest error of any. */
     private void setSharedStart(MeshTree tree, int[] active, int[] tooShort, int packets) {
         DoubleVector pad = broadcast(SPECIES, 0);
         for (int i = 0; i < packets * RayBatch.WIDTH; i += DoubleLanes.COUNT) {
@@ -161,7 +171,7 @@ final class MeshLines {
         }
     }
 
-    /** The least depth at which rays of a packet enter. */
+    /** Returns the smallest entry depth of a packet's rays. */
     private double entryDepth(int packet, int active) {
         DoubleVector minDepth = broadcast(SPECIES, Double.POSITIVE_INFINITY);
         for (int h = 0; h < RayBatch.WIDTH; h += DoubleLanes.COUNT) {
@@ -181,7 +191,7 @@ final class MeshLines {
         return (skewed & active) != 0;
     }
 
-    /** Whether all rays begin at one point. */
+    /** Returns true if all rays start at one point. */
     private boolean hasCommonOrigin(int[] active, int packets) {
         double x = rays.ox[rays.first];
         double y = rays.oy[rays.first];
@@ -196,7 +206,7 @@ final class MeshLines {
         return true;
     }
 
-    /** Where the first line is. */
+    /** Returns the index of the first line. */
     int firstLine() {
         return reversed ? 0 : rays.first;
     }
@@ -205,13 +215,13 @@ final class MeshLines {
         return startCoordinate() <= MAX_ORIGIN_RATIO * tree.maxCoordinate;
     }
 
-    /** The largest coordinate of the point where the first line is, in absolute value. */
+    /** Returns the largest absolute coordinate of the first line's origin. */
     double startCoordinate() {
         int i = firstLine();
         return Math.max(Math.abs(origins[0][i]), Math.max(Math.abs(origins[1][i]), Math.abs(origins[2][i])));
     }
 
-    /** Whether all rays end at one point, at distance 1 or before; writes {@link #endSpread}. */
+    /** Returns true if all rays end at one point, at distance 1 or less; writes {@link #endSpread}. */
     private boolean hasCommonEnd(int[] active, int packets, double[] limits) {
         int first = rays.first;
         double x = rays.ox[first] + rays.dx[first];
@@ -236,7 +246,7 @@ final class MeshLines {
                 * (Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))) + rays.padding[first] / MeshRay.PADDING_SHARE);
     }
 
-    /** Makes lines from the common end, on one axis. */
+    /** Reverses lines on one axis so that they start at the common end. */
     private void reverseAxis(int axis, int packets) {
         double end = origins[axis][0];
         double[] origin = forwardLines[0][axis];
@@ -251,7 +261,7 @@ final class MeshLines {
         }
     }
 
-    /** Finds where lines enter the box of the whole mesh; which do. */
+    /** Clips lines to the box of the whole mesh; returns the lines that enter it. */
     private int clip(MeshTree tree, double[] limits, int h) {
         float[] b = tree.bounds;
         DoubleVector x = fromArray(SPECIES, origins[0], h);

@@ -4,68 +4,68 @@ import java.util.Arrays;
 import lightning.render.trace.solid.RayBatch;
 
 /**
- * What the rays of a group meet of a mesh: {@link MeshRayQuery} in lanes, with the same bits. Scratch memory: one for each thread.
+ * Lane version of {@link MeshRayQuery} for groups of rays, with the same bits. Holds scratch memory: use one per thread.
  *
- * <p>A group is up to {@link #PACKETS} packets. Where all its rays go much the same way they are led through the tree together, as one beam
- * against eight boxes; at a leaf the rays of a packet are tested against its box, and those that enter it against its eight triangles, one after the
- * other. A beam that comes to many leaves in vain parts on its way down: those rays that enter a node go on by themselves. Where rays begin
- * apart or go very different ways each packet is led by itself, and where that does, each ray, against eight boxes at a time.
- *
+ * <p>A group is up to {@link #PACKETS} packets. If its rays are coherent, they traverse the BVH together, as one beam against
+ * eight boxes. At a leaf, each packet is tested against the leaf's box, and the rays that enter it against its eight triangles,
+ * one by one. A beam that visits many leaves without a hit is split while it descends: the rays that enter a node continue on
+ * their own. If rays start far apart or diverge, each packet is traced on its own, and if its rays diverge too, each ray,
+ * against eight boxes per test.
  * <pre>{@code
- * packets.begin(solid, map, 0);
- * packets.add(rays, mask, limits);
- * packets.nearest();
+ * packets.beginGroup(solid, map, 0);
+ * packets.addPacket(rays, mask, limits);
+ * packets.findNearest();
  * }</pre>
  */
 public final class MeshPacketTraversal {
-    /** How many packets a group has at most: 64 rays. */
+    /** Maximum number of packets of a group: 64 rays. */
     public static final int PACKETS = 64 / RayBatch.WIDTH;
 
     private static final int MAX_RAYS = PACKETS * RayBatch.WIDTH;
-    /** Rays whose steps differ by more than this are no beam. */
+    /** Maximum difference of the steps of rays in a beam. */
     private static final float MAX_STEP_SPREAD = 1;
-    /** Nor are rays whose origins lie farther apart than this share of the mesh's largest coordinate. */
+    /** Maximum distance between the origins of rays in a beam, relative to the mesh's largest coordinate. */
     private static final double MAX_ORIGIN_SPREAD = 0.1;
-    /** Fewer rays are asked alone. */
+    /** Minimum number of rays in a beam; fewer are traced one by one. */
     private static final int MIN_BEAM_RAYS = 3;
-    /** Each beam has at most half as many rays as the one that it is a part of. */
+    /** Maximum number of nested beams; each has at most half as many rays as its parent. */
     private static final int MAX_BEAMS = 8;
-    /** A beam that came to more leaves than this in vain is asked at each node which of its rays enter it. */
+    /** Leaves without a hit after which a beam tests at each node which of its rays enter it. */
     private static final int MAX_IDLE_LEAVES = 8;
 
     private final MeshRayLanes rays = new MeshRayLanes(MAX_RAYS);
     private final MeshFloatLines lines = new MeshFloatLines(rays, MAX_RAYS);
-    /** The beam of all, and those of ever fewer rays that it parts into on its way down. */
+    /** The beam of the group, and the smaller beams that it is split into. */
     private final MeshBeam[] beams = new MeshBeam[MAX_BEAMS];
     private final LeafRayFilter leafFilter = new LeafRayFilter(lines, MAX_RAYS);
     private final double[] hitLimit = new double[MAX_RAYS];
     private final int[] triangle = new int[MAX_RAYS];
     private final int[] hitMasks = new int[PACKETS];
-    /** Those rays of each packet that are led through the tree. */
+    /** Rays of each packet that traverse the BVH. */
     private final int[] activeMasks = new int[PACKETS];
-    /** Those of the group that are still asked: ray i of packet k is bit {@code k · WIDTH + i}. */
+    /** Active rays of the group: ray i of packet k is bit {@code k · WIDTH + i}. */
     private long activeRays;
-    /** Those too short to be led through the tree. */
+    /** Rays too short to traverse the BVH. */
     private final int[] shortRays = new int[PACKETS];
     private int[] stack = new int[64];
     private int[] entryBits = new int[64];
-    /** The beam of each node that was put aside. */
+    /** Beam of each node on the stack. */
     private byte[] stackBeam = new byte[64];
     private MeshTree tree;
     private double[] map;
     private int mapAt;
     private int count;
-    /** Null where the mesh has no holes. */
+    /** Null if the mesh has no cutouts. */
     private GroupAlphaTest alphaTest;
     private boolean anyHit;
-    /** Whether what is met is noted, and stops no ray. */
+    /** True to collect all hits without terminating rays. */
     private boolean collectAll;
     private int hitCount;
     private int[] hitRay = new int[MAX_RAYS];
     private int[] hitTriangle = new int[MAX_RAYS];
     private double[] hitDistance = new double[MAX_RAYS];
     private int maxLimitBits;
-    /** How many leaves the beam came to where no ray may meet anything. */
+    /** Number of leaves that the beam visited in which no ray may hit a triangle. */
     private int idleLeaves;
 
     public MeshPacketTraversal() {
@@ -75,9 +75,9 @@ public final class MeshPacketTraversal {
     }
 
     /**
-     * Begins a group.
+     * Starts a new group.
      *
-     * @param m the map to the mesh's space at {@code m[at …]}
+     * @param m transform to the mesh's space at {@code m[at …]}
      */
     public void beginGroup(MeshSolid solid, double[] m, int at) {
         tree = solid.tree;
@@ -92,16 +92,16 @@ public final class MeshPacketTraversal {
         }
     }
 
-    /** Lets the rays of the group pass triangles where they have holes. */
+    /** Sets the alpha test that lets rays pass through holes of triangles. */
     public void setAlphaTest(GroupAlphaTest test) {
         alphaTest = test;
     }
 
     /**
-     * Adds a packet to the group, which has room for it.
+     * Adds a packet to the group, which must have room for it.
      *
-     * @param mask   which of its rays, one bit for each; not 0
-     * @param limits how far each goes, {@code double[WIDTH]}
+     * @param mask rays of the packet to trace, one bit each; not 0
+     * @param limits maximum distance of each ray, {@code double[WIDTH]}
      */
     public void addPacket(RayBatch p, int mask, double[] limits) {
         int to = count * RayBatch.WIDTH;
@@ -110,17 +110,17 @@ public final class MeshPacketTraversal {
         activeMasks[count++] = mask;
     }
 
-    /** Finds the nearest triangles, which are no farther than the rays' limits; {@link #hitMasks} tells whose there are. */
+    /** Finds the nearest triangles within the rays' limits; {@link #hitMask} returns the rays that hit one. */
     public void findNearest() {
         search(false);
     }
 
-    /** Finds whose way is blocked, which {@link #hitMasks} tells: rays that meet a triangle at less than their limits. */
+    /** Finds the blocked rays, which {@link #hitMask} returns: rays that hit a triangle below their limits. */
     public void findBlocked() {
         search(true);
     }
 
-    /** Finds all triangles that rays meet at less than their limits. */
+    /** Finds all triangles that rays hit below their limits. */
     public void findAllHits() {
         collectAll = true;
         hitCount = 0;
@@ -128,12 +128,12 @@ public final class MeshPacketTraversal {
         collectAll = false;
     }
 
-    /** How many there are for all rays, in any order. */
+    /** Returns the number of hits of all rays, in any order. */
     public int hitCount() {
         return hitCount;
     }
 
-    /** The ray of one of them: ray i of packet k has the number {@code k · WIDTH + i}. */
+    /** Returns the ray of a hit: ray i of packet k has the number {@code k · WIDTH + i}. */
     public int hitRay(int n) {
         return hitRay[n];
     }
@@ -146,17 +146,20 @@ public final class MeshPacketTraversal {
         return hitDistance[n];
     }
 
-    /** The rays of packet {@code k} that meet a triangle: one bit for each. */
+    /** Returns the rays of packet {@code k} that hit a triangle, one bit each. */
     public int hitMask(int k) {
         return hitMasks[k];
     }
 
-    /** The distance of the triangle that ray {@code i} of packet {@code k} meets first, the lowest among equals, where it {@link #hitMasks} any. */
+    /**
+     * Returns the distance of the triangle that ray {@code i} of packet {@code k} hits first, if {@link #hitMask} contains the
+     * ray.
+     */
     public double distance(int k, int i) {
         return hitLimit[k * RayBatch.WIDTH + i];
     }
 
-    /** That triangle. */
+    /** Returns the triangle that the ray hits first, the lowest among equal distances. */
     public int triangle(int k, int i) {
         return triangle[k * RayBatch.WIDTH + i];
     }
@@ -186,7 +189,7 @@ public final class MeshPacketTraversal {
         }
     }
 
-    /** Asks all leaves for ray {@code i}. */
+    /** Tests ray {@code i} against all leaves. */
     private void testAllLeaves(int i) {
         int leaves = tree.triangle.length / MeshTree.WIDTH;
         for (int leaf = 0; leaf < leaves; leaf++) {
@@ -196,7 +199,7 @@ public final class MeshPacketTraversal {
         }
     }
 
-    /** Leads the open rays {@code i … end − 1}, whole packets, through the tree as one beam, if they are one. */
+    /** Traverses the BVH with the active rays {@code i … end − 1}, whole packets, as one beam if they are coherent. */
     private boolean traverseAsBeam(int i, int end) {
         long rayMask = activeRays & -1L << i & -1L >>> -end;
         if (rayMask == 0) {
@@ -237,7 +240,10 @@ public final class MeshPacketTraversal {
         }
     }
 
-    /** Goes on with those rays of a beam that enter a node: alone where they are few, as a beam of their own where they are half of it or less. */
+    /**
+     * Continues with the rays of a beam that enter a node: one by one if they are few, as a new beam if they are half of it or
+     * less.
+     */
     private int splitBeam(int node, long rayMask, int beam, int from, int end, int top) {
         int n = Long.bitCount(rayMask);
         if (n < MIN_BEAM_RAYS) {
@@ -253,7 +259,10 @@ public final class MeshPacketTraversal {
         return push(node, beams[b].enteredChildren(tree, node, maxLimitBits), beams[b].entryBits, b, top);
     }
 
-    /** Asks the triangles of a leaf whose box is {@code tree.box[box]} for rays that are led together; whether any is nearer than before. */
+    /**
+     * Tests the triangles of a leaf, whose box is {@code tree.box[box]}, against rays of a beam. Returns true if any hit is
+     * nearer than before.
+     */
     private boolean testLeaf(int leaf, int box, long rayMask, int from, int end) {
         int n = leafFilter.findCandidates(tree, leaf, box, rayMask, from, end);
         idleLeaves += n == 0 ? 1 : 0;
@@ -264,7 +273,7 @@ public final class MeshPacketTraversal {
         return nearer;
     }
 
-    /** Leads ray {@code i} through what is below a node; the stack is in use up to {@code bottom}. */
+    /** Traverses the subtree of a node with ray {@code i}; the stack is in use up to {@code bottom}. */
     private void traverseRay(int i, int node, int bottom) {
         int top = push(node, lines.enteredChildren(tree.box, node, i), lines.entryBits, 0, bottom);
         while (top > bottom) {
@@ -294,7 +303,7 @@ public final class MeshPacketTraversal {
         }
     }
 
-    /** Puts children of a node on the stack, the nearest last. */
+    /** Pushes children of a node onto the stack, the nearest last. */
     private int push(int node, int mask, int[] enters, int beam, int top) {
         int end = top;
         for (int left = mask; left != 0; left &= left - 1) {

@@ -1,38 +1,34 @@
 package lightning.render.trace.mesh;
 
 /**
- * A ray in the space of a mesh, and how it meets a triangle. Reused for ray after ray.
+ * Ray in the space of a mesh and its watertight triangle test. Reused for many rays.
  *
- * <p><b>The test</b> is that of Woop, Benthin and Wald (2013, Watertight Ray/Triangle Intersection), in doubles. The vertices are
- * moved so that the ray begins at 0, then sheared so that it runs along an axis; the ray meets the triangle where 0 lies in it as
- * seen along that axis, which the signs of three products' differences tell. A vertex is moved and sheared by the same operations
- * in whichever triangle it stands, and the difference for an edge that runs the other way is the exact opposite. Rounding keeps order,
- * so the sign of a difference of rounded products is never wrong, only perhaps 0, and 0 counts as inside. Nothing is fused: a
- * fused product would not be the other's opposite. So what a mesh covers has no gap, at edges and at vertices.
+ * <p><b>Test:</b> Woop, Benthin and Wald (2013, Watertight Ray/Triangle Intersection), in doubles. Vertices are translated so
+ * that the ray starts at 0, then sheared so that it runs along an axis. The signs of three differences of products decide if 0
+ * is inside the triangle seen along that axis. Each vertex goes through the same operations in every triangle, and the
+ * difference for a reversed edge is the exact opposite. Rounding is monotone, so the sign of a difference of rounded products
+ * is never wrong, only possibly 0, and 0 counts as inside. Nothing is fused: a fused product would break this antisymmetry. So
+ * a mesh has no gaps at edges and vertices.
  *
- * <p><b>The distance</b> is the mean of the vertices' depths with those differences as weights: all have one sign, so it lies between
- * the vertices' depths, up to rounding, even where a triangle is seen from its side and the weights are noise.
+ * <p><b>Distance:</b> mean of the vertices' depths with those differences as weights. All weights have one sign, so it lies
+ * between the depths, up to rounding, even where a triangle is seen edge-on and the weights are noise. It is then clamped to
+ * the interval in which the padded ray crosses the triangle's box.
  *
- * <p><b>Boxes</b> are exact and the ray is made wide by {@code padding}, 16u·R with u = 2⁻⁵³ and R a bound on any |coordinate| of the
- * ray's origin plus any of the mesh. Moving and shearing are off by u·R + 2u·R + u·R, so a ray that the test lets in passes within
- * 4u·R of a point of the triangle, and of its box, on the two axes that are sheared, and at its very depth on the third. Where it
- * enters and leaves a box, (b − (o ± pad))·(1/d), is rounded by no more than 6u·R/|d|. So the wide ray crosses the triangle's own box
- * at the depth of that point, and the interval in which it does is never empty. A distance is put into that interval, which
- * moves it by less than the errors just named except where weights are noise. As all of this is monotone in b, the interval of a box lies within
- * that of any box around it, bit by bit: the tree can lose nothing and changes no distance.
+ * <p><b>Padding:</b> 16u·R with u = 2⁻⁵³, where R bounds any |coordinate| of the ray's origin plus any of the mesh. The BVH
+ * then loses no hit and changes no distance. Proof: docs/numerics.md, "Proof: boxes of mesh triangles".
  */
 final class MeshRay {
-    /** The distance to what a ray does not meet. */
+    /** Distance for a miss. */
     static final double MISS = Double.POSITIVE_INFINITY;
     /** 16u. */
     static final double PADDING_SHARE = 0x1p-49;
-    /** Finite, so that a ray within a box's plane makes no NaN. */
+    /** Finite, so that a ray within a box's plane produces no NaN. */
     static final double MAX_INVERSE = 0x1p900;
 
     private double ox;
     private double oy;
     private double oz;
-    /** Origin plus and minus the padding: what least and greatest coordinates of boxes are seen from. */
+    /** Origin plus and minus the padding, for the minimum and maximum sides of boxes. */
     private double lowX;
     private double lowY;
     private double lowZ;
@@ -43,7 +39,7 @@ final class MeshRay {
     private double inverseX;
     private double inverseY;
     private double inverseZ;
-    /** The axis along which the direction is longest, 0 1 2, and the two others. */
+    /** Axis of the largest direction component, 0 1 2, and the two others. */
     private int axisX;
     private int axisY;
     private int axisZ;
@@ -53,18 +49,18 @@ final class MeshRay {
     private double shearX;
     private double shearY;
     private double inverseDepth;
-    /** A point, and how near to it triangles are that the ray does not meet; negative for none. */
+    /** Point around which triangles are ignored, and the radius; negative for none. */
     private double ignoredX;
     private double ignoredY;
     private double ignoredZ;
     private double ignoredRadius;
-    /** Where the ray enters the box that {@link #entersBox} was asked for. */
+    /** Entry distance into the box tested last by {@link #entersBox}. */
     double entryDistance;
 
     /**
-     * Takes a ray.
+     * Sets the ray.
      *
-     * @param maxCoordinate the largest absolute coordinate of the mesh
+     * @param maxCoordinate largest absolute coordinate of the mesh
      */
     void setRay(double x, double y, double z, double dx, double dy, double dz, double maxCoordinate) {
         ox = x;
@@ -95,7 +91,9 @@ final class MeshRay {
         ignoredRadius = -1;
     }
 
-    /** Lets the ray, once taken, pass all triangles that are this near to a point of it, as far as {@link #triangleDistance} knows. */
+    /**
+     * Makes the ray ignore all triangles within a radius of a point, by {@link #triangleDistance}. Call after setting the ray.
+     */
     void ignoreNear(double x, double y, double z, double radius) {
         ignoredX = x;
         ignoredY = y;
@@ -113,8 +111,8 @@ final class MeshRay {
     }
 
     /**
-     * The distance to a triangle, or {@code +∞}. Coordinate {@code k} of its vertices is {@code v[a + k * step]}, {@code v[b + k * step]}
-     * and {@code v[c + k * step]}.
+     * Returns the distance to a triangle, or {@code +∞}. Coordinate {@code k} of its vertices is {@code v[a + k * step]},
+     * {@code v[b + k * step]} and {@code v[c + k * step]}.
      */
     double distance(float[] v, int a, int b, int c, int step) {
         double t = planeDistance(v, a, b, c, axisX * step, axisY * step, axisZ * step, originX, originY, originZ, shearX, shearY,
@@ -123,9 +121,9 @@ final class MeshRay {
     }
 
     /**
-     * The distance to a triangle's plane where a ray meets the triangle by the signs, NaN where it does not or sees it as a line. Coordinates
-     * {@code x}, {@code y} and {@code z} of its vertices, which are added to {@code a}, {@code b} and {@code c}, and of the origin are those across
-     * the ray's axis and along it.
+     * Returns the distance to a triangle's plane if the signs indicate a hit; NaN for a miss or a triangle seen edge-on.
+     * Coordinates {@code x}, {@code y} and {@code z} of its vertices, added to {@code a}, {@code b} and {@code c}, and of the
+     * origin are in order of the ray's axes: across, across, along.
      */
     static double planeDistance(float[] v, int a, int b, int c, int x, int y, int z, double originX, double originY, double originZ,
             double shearX,
@@ -144,7 +142,7 @@ final class MeshRay {
         double weightC = bx * ay - by * ax;
         boolean allPositive = weightA >= 0 && weightB >= 0 && weightC >= 0;
         boolean allNegative = weightA <= 0 && weightB <= 0 && weightC <= 0;
-        // NaN where all weights are 0: the triangle is seen as a line, and its neighbors cover what it does.
+        // NaN if all weights are 0: the triangle is seen edge-on, and its neighbors cover the same points.
         return allPositive || allNegative ? (weightA * az + weightB * bz + weightC * cz) / (weightA + weightB + weightC) * inverseDepth
                 : Double.NaN;
     }
@@ -155,7 +153,10 @@ final class MeshRay {
                 ? MISS : clamped;
     }
 
-    /** Puts a distance into the interval in which a ray, made wide, crosses the triangle's box; {@code +∞} where that is behind it. */
+    /**
+     * Clamps a distance to the interval in which the padded ray crosses the triangle's box; {@code +∞} if that interval is
+     * behind the origin.
+     */
     static double clampToBox(double t, float[] v, int a, int b, int c, int step, double ox, double oy, double oz, double pad,
             double inverseX, double inverseY, double inverseZ) {
         double p = (min(v[a], v[b], v[c]) - (ox + pad)) * inverseX;
@@ -182,7 +183,10 @@ final class MeshRay {
         return Math.max(Math.max(a, b), c);
     }
 
-    /** Whether the wide ray may meet the box of child {@code i} at a distance up to {@code limit}; writes {@link #entryDistance}. */
+    /**
+     * Returns true if the padded ray may hit the box of child {@code i} at a distance up to {@code limit}; writes
+     * {@link #entryDistance}.
+     */
     boolean entersBox(float[] box, int i, double limit) {
         double p = (box[i] - lowX) * inverseX;
         double q = (box[i + 8] - highX) * inverseX;
@@ -207,8 +211,8 @@ final class MeshRay {
     }
 
     /**
-     * How far a point lies off a triangle at least: from its box along an axis, or from its plane. No more than the distance, and
-     * 0 on it, up to rounding.
+     * Returns a lower bound on the distance of a point from a triangle: the larger of the distances from its box along an axis
+     * and from its plane. 0 on the triangle, up to rounding.
      */
     static double triangleDistance(float[] v, int a, int b, int c, int step, double x, double y, double z) {
         double minDistance = 0;

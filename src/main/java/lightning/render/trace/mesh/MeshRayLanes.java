@@ -11,16 +11,13 @@ import jdk.incubator.vector.VectorSpecies;
 import lightning.render.trace.solid.DoubleLanes;
 import lightning.render.trace.solid.RayBatch;
 
-/**
- * The rays of a group in the space of a mesh, and how they meet the triangles of a leaf: {@link MeshRay} in lanes, operation by
- * operation. Reused; not shared between threads.
- */
+/** Lane version of {@link MeshRay} for the rays of a group, operation by operation. Reused; not thread-safe. */
 final class MeshRayLanes {
     private static final VectorSpecies<Double> SPECIES = DoubleLanes.SPECIES;
     private static final int W = MeshTree.WIDTH;
     static final VectorSpecies<Float> HALF = VectorSpecies.of(float.class, VectorShape.forBitSize(SPECIES.vectorBitSize() / 2));
 
-    /** Origins and directions, and what {@link MeshRay} makes of them. */
+    /** Origins, directions, and the values that {@link MeshRay} derives from them. */
     final double[] ox;
     final double[] oy;
     final double[] oz;
@@ -31,10 +28,10 @@ final class MeshRayLanes {
     final double[] inverseX;
     final double[] inverseY;
     final double[] inverseZ;
-    /** The first ray that was taken. */
+    /** First ray of the group. */
     int first;
 
-    /** @param capacity rays, a multiple of a packet's */
+    /** @param capacity number of rays, a multiple of a packet's */
     MeshRayLanes(int capacity) {
         ox = new double[capacity];
         oy = new double[capacity];
@@ -49,11 +46,11 @@ final class MeshRayLanes {
     }
 
     /**
-     * Takes the rays of a packet.
+     * Sets the rays of a packet.
      *
-     * @param m    the map to the mesh's space at {@code m[at …]}
-     * @param mask which of them, not 0; what is made of the others is not to be read
-     * @param to   the place of the first; at 0 a new group begins
+     * @param m transform to the mesh's space at {@code m[at …]}
+     * @param mask rays of the packet, not 0; values of other rays are undefined
+     * @param to index of the first ray; 0 starts a new group
      */
     void addPacket(MeshTree tree, double[] m, int at, RayBatch p, int mask, int to) {
         if (to == 0) {
@@ -81,7 +78,7 @@ final class MeshRayLanes {
     }
 
     private void computeInverses(MeshTree tree, int h) {
-        // Numbers that are not negative have the order of their bits, which lanes compare faster.
+        // Non-negative doubles are ordered like their bits, which lanes compare faster.
         fromArray(SPECIES, ox, h).abs().reinterpretAsLongs().max(fromArray(SPECIES, oy, h).abs().reinterpretAsLongs())
                 .max(fromArray(SPECIES, oz, h).abs().reinterpretAsLongs()).reinterpretAsDoubles()
                 .add(tree.maxCoordinate).mul(MeshRay.PADDING_SHARE).intoArray(padding, h);
@@ -96,7 +93,10 @@ final class MeshRayLanes {
                 .intoArray(to, h);
     }
 
-    /** The distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}: {@link MeshRay#distance}. */
+    /**
+     * Returns the distance of ray {@code i} to the triangle of a leaf whose first coordinate is {@code v[at]}, as
+     * {@link MeshRay#distance}.
+     */
     double distance(int i, float[] v, int at) {
         double x = dx[i];
         double y = dy[i];

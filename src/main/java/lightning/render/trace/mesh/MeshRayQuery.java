@@ -3,12 +3,11 @@ package lightning.render.trace.mesh;
 import lightning.scene.Mesh;
 
 /**
- * Asks meshes what a ray meets, one ray after the other; all in the space of the mesh. Scratch memory: one for each thread.
- *
+ * Queries for the triangle that a single ray hits, in the space of the mesh. Holds scratch memory: use one per thread.
  * <pre>{@code
- * probe.enter(solid, ox, oy, oz, dx, dy, dz);
- * double t = probe.nearest(Double.POSITIVE_INFINITY);
- * int triangle = probe.triangle();
+ * query.setRay(solid, ox, oy, oz, dx, dy, dz);
+ * double t = query.nearest(Double.POSITIVE_INFINITY);
+ * int triangle = query.triangle();
  * }</pre>
  */
 public final class MeshRayQuery {
@@ -16,34 +15,40 @@ public final class MeshRayQuery {
     private final MeshTraversal traversal = new MeshTraversal();
     private MeshSolid solid;
     private int triangle;
-    /** Null where the mesh has no holes. */
+    /** Null if the mesh has no cutouts. */
     private AlphaTest alphaTest;
 
-    /** Takes a mesh and a ray; the direction has any length. */
+    /** Sets a mesh and a ray; the direction has any length. */
     public void setRay(MeshSolid newSolid, double ox, double oy, double oz, double dx, double dy, double dz) {
         solid = newSolid;
         ray.setRay(ox, oy, oz, dx, dy, dz, newSolid.tree.maxCoordinate);
         alphaTest = null;
     }
 
-    /** Lets the ray pass all triangles that are this near to a point, own units: it begins or ends on them, as far as rounding can tell. */
+    /**
+     * Makes the ray ignore all triangles within a distance of a point, local units: the ray starts or ends on them, up to
+     * rounding.
+     */
     public void ignoreNear(double x, double y, double z, double distance) {
         ray.ignoreNear(x, y, z, distance);
     }
 
-    /** Lets the ray pass triangles where they have holes. */
+    /** Sets the alpha test that lets the ray pass through holes of triangles. */
     public void setAlphaTest(AlphaTest test) {
         alphaTest = test;
     }
 
-    /** The distance to the triangle that is met first, the lowest among equals; {@code +∞} where none is up to {@code limit}. */
+    /**
+     * Returns the distance to the first triangle hit, the lowest among equal distances; {@code +∞} if there is none up to
+     * {@code limit}.
+     */
     public double nearest(double limit) {
         double t = traversal.nearest(solid.tree, ray, alphaTest, limit);
         triangle = traversal.triangle;
         return t;
     }
 
-    /** The same by asking every triangle in turn. */
+    /** Returns the distance to the first triangle hit; tests every triangle. */
     public double nearestBruteForce() {
         Mesh mesh = solid.mesh;
         int[] v = mesh.triangles();
@@ -59,12 +64,12 @@ public final class MeshRayQuery {
         return best;
     }
 
-    /** The triangle that was found last, −1 where none was. */
+    /** Returns the triangle found last, −1 for none. */
     public int triangle() {
         return triangle;
     }
 
-    /** Whether a triangle is met at a distance below {@code limit}. */
+    /** Returns true if the ray hits a triangle at a distance below {@code limit}. */
     public boolean isBlocked(double limit) {
         return traversal.isBlocked(solid.tree, ray, alphaTest, limit);
     }

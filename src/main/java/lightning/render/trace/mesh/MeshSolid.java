@@ -2,7 +2,7 @@ package lightning.render.trace.mesh;
 
 import lightning.scene.Mesh;
 
-/** A mesh and its tree, which all shapes that show the mesh share: what rays meet of a shape that is one. Shared between threads. */
+/** Mesh with its BVH, shared by all shapes that use the mesh. Thread-safe. */
 public final class MeshSolid {
     final Mesh mesh;
     final MeshTree tree;
@@ -17,12 +17,12 @@ public final class MeshSolid {
         this.tree = tree;
     }
 
-    /** A mesh with a tree of its own, which nobody shares: for who measures how it is built. */
+    /** Returns a mesh with an unshared BVH, for measuring the build. */
     public static MeshSolid withUnsharedTree(Mesh mesh) {
         return new MeshSolid(mesh, MeshTreeBuilder.build(mesh));
     }
 
-    /** Bytes of the tree. */
+    /** Returns the bytes of the BVH. */
     public long treeBytes() {
         return tree.bytes();
     }
@@ -31,7 +31,10 @@ public final class MeshSolid {
         return mesh;
     }
 
-    /** Writes no more than the least of mx·x + my·y + mz·z + t over the mesh's box to {@code box[i]}, the greatest to {@code box[i + 3]}. */
+    /**
+     * Writes a lower bound of the minimum of mx·x + my·y + mz·z + t over the mesh's box to {@code box[i]}, and an upper bound
+     * of the maximum to {@code box[i + 3]}.
+     */
     public void extent(double mx, double my, double mz, double t, double[] box, int i) {
         float[] b = tree.bounds;
         box[i] = t + Math.min(mx * b[0], mx * b[3]) + Math.min(my * b[1], my * b[4]) + Math.min(mz * b[2], mz * b[5]);
@@ -39,8 +42,8 @@ public final class MeshSolid {
     }
 
     /**
-     * How far a point lies off the mesh at least, own units: off each triangle from its box along an axis or from its plane,
-     * whichever is more; {@code +∞} where there is no triangle.
+     * Returns a lower bound on the distance of a point from the mesh, local units: for each triangle the larger of the
+     * distances from its box along an axis and from its plane. {@code +∞} without triangles.
      */
     public double surfaceDistance(double x, double y, double z) {
         return surfaceDistance(0, x, y, z, Double.POSITIVE_INFINITY);

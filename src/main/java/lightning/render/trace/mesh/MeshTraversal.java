@@ -1,17 +1,17 @@
 package lightning.render.trace.mesh;
 
-/** Searches which triangle of a mesh a ray meets, by the tree of boxes. Scratch memory: one for each thread. */
+/** Single-ray traversal of a mesh's BVH. Holds scratch memory: use one per thread. */
 final class MeshTraversal {
     private int[] stack = new int[64];
     private double[] entryDistance = new double[64];
-    /** The triangle that {@link #nearest} found. */
+    /** Triangle found by {@link #nearest}. */
     int triangle;
 
     /**
-     * The distance of the triangle that is met first, the one with the lowest index among equals; {@code +∞} where none is met at a
-     * distance up to {@code limit}.
+     * Returns the distance of the triangle hit first, the one with the lowest index among equal distances; {@code +∞} if there
+     * is none up to {@code limit}.
      *
-     * @param alphaTest where triangles are passed; null for nowhere
+     * @param alphaTest test for holes; null for none
      */
     double nearest(MeshTree tree, MeshRay ray, AlphaTest alphaTest, double limit) {
         ensureCapacity(tree);
@@ -42,7 +42,7 @@ final class MeshTraversal {
         return triangle < 0 ? MeshRay.MISS : nearestDistance;
     }
 
-    /** Whether a triangle is met at a distance below {@code limit}. */
+    /** Returns true if the ray hits a triangle at a distance below {@code limit}. */
     boolean isBlocked(MeshTree tree, MeshRay ray, AlphaTest alphaTest, double limit) {
         ensureCapacity(tree);
         int top = push(tree, ray, 0, 0, limit);
@@ -75,7 +75,7 @@ final class MeshTraversal {
         }
     }
 
-    /** Puts the children of a node whose boxes the ray enters on the stack, the nearest last. */
+    /** Pushes the children of a node whose boxes the ray enters onto the stack, the nearest last. */
     private int push(MeshTree tree, MeshRay ray, int node, int top, double limit) {
         int end = top;
         for (int c = 0; c < MeshTree.WIDTH && tree.child[MeshTree.WIDTH * node + c] != MeshTree.NONE; c++) {

@@ -8,13 +8,13 @@ import java.util.stream.IntStream;
 import lightning.scene.Mesh;
 
 /**
- * Builds the tree of a mesh from the top: sets of triangles are split in two ({@link TriangleSplitter}), on all processors, then made eight wide
- * ({@link WideNodes}).
+ * Top-down builder of a mesh's BVH: splits sets of triangles in two ({@link TriangleSplitter}) on all processors, then
+ * collapses them to eight-wide nodes ({@link WideNodes}).
  */
 final class MeshTreeBuilder {
     /** Sets of more triangles are split by two threads. */
     private static final int PARALLEL_THRESHOLD = 8192;
-    /** Triangles or leaves that one thread takes at a time. */
+    /** Triangles or leaves per unit of work. */
     private static final int CHUNK = 16384;
 
     private final Mesh mesh;
@@ -28,15 +28,15 @@ final class MeshTreeBuilder {
     }
 
     /**
-     * Builds the tree of a mesh. What is large is built by threads of its own: in the common pool a thread that waits for its part takes up other work there, and that
-     * may be work which waits for this tree.
+     * Builds the BVH of a mesh. Large meshes use a separate pool: in the common pool a thread that waits for its part runs
+     * other tasks, which may in turn wait for this BVH.
      */
     static MeshTree build(Mesh mesh) {
         var builder = new MeshTreeBuilder(mesh);
         if (builder.count <= PARALLEL_THRESHOLD) {
             return builder.buildTree();
         }
-        // A task that is no ForkJoinTask: who waits for it does nothing else meanwhile.
+        // A FutureTask, not a ForkJoinTask: the waiting thread must not run other tasks meanwhile.
         var task = new FutureTask<>(builder::buildTree);
         try (var pool = new ForkJoinPool()) {
             pool.execute(task);
@@ -44,7 +44,7 @@ final class MeshTreeBuilder {
         }
     }
 
-    /** An interrupt is kept for later: half a tree is of no use to the others who wait for it. */
+    /** Waits for the result and defers interrupts, since other threads need the complete BVH. */
     private static MeshTree awaitResult(FutureTask<MeshTree> task) {
         boolean interrupted = false;
         try {
@@ -54,7 +54,7 @@ final class MeshTreeBuilder {
                 } catch (InterruptedException e) {
                     interrupted = true;
                 } catch (ExecutionException e) {
-                    // Memory may have run out.
+                    // Memory may be exhausted.
                     if (e.getCause() instanceof Error error) {
                         throw error;
                     }

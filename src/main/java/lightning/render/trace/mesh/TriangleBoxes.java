@@ -4,13 +4,13 @@ import java.util.Arrays;
 import lightning.scene.Mesh;
 
 /**
- * The boxes of a mesh's triangles, in an order that a builder changes. A box is its least x y z and its negative greatest, so that the lesser is the
- * larger box in all six.
+ * Boxes of a mesh's triangles, in an order that the builder permutes. A box stores its minimum x y z and its negated maximum,
+ * so that the smaller value is the larger box in all six.
  */
 final class TriangleBoxes {
-    /** Six floats for each triangle. */
+    /** Six floats per triangle. */
     final float[] boxes;
-    /** Which triangles these are. */
+    /** Indices of the triangles. */
     final int[] ids;
 
     TriangleBoxes(int count) {
@@ -18,7 +18,7 @@ final class TriangleBoxes {
         ids = new int[count];
     }
 
-    /** Takes some triangles of a mesh, each at its own place. */
+    /** Sets a range of a mesh's triangles, each at its own index. */
     void setTriangles(Mesh mesh, int from, int to) {
         float[] p = mesh.positions();
         int[] t = mesh.triangles();
@@ -36,12 +36,12 @@ final class TriangleBoxes {
         }
     }
 
-    /** Twice the center of triangle {@code i}'s box. */
+    /** Returns twice the center of triangle {@code i}'s box. */
     float doubledCenter(int i, int a) {
         return boxes[6 * i + a] - boxes[6 * i + 3 + a];
     }
 
-    /** Changes the places of two triangles. */
+    /** Swaps two triangles. */
     void swap(int i, int j) {
         int id = ids[i];
         ids[i] = ids[j];
@@ -53,7 +53,7 @@ final class TriangleBoxes {
         }
     }
 
-    /** Writes the box of the triangles {@code from … to − 1} to {@code box}. */
+    /** Writes the bounds of the triangles {@code from … to − 1} to {@code box}. */
     void enclose(int from, int to, float[] box) {
         float x = Float.POSITIVE_INFINITY;
         float y = x;
@@ -77,21 +77,21 @@ final class TriangleBoxes {
         box[5] = w;
     }
 
-    /** A box that holds nothing. */
+    /** Returns an empty box. */
     static float[] emptyBox() {
         float[] box = new float[6];
         Arrays.fill(box, Float.POSITIVE_INFINITY);
         return box;
     }
 
-    /** Makes the box at {@code box[at]} hold that at {@code by[i]}. */
+    /** Extends the box at {@code box[at]} by the one at {@code other[i]}. */
     static void grow(float[] box, int at, float[] other, int i) {
         for (int k = 0; k < 6; k++) {
             box[at + k] = other[i + k] < box[at + k] ? other[i + k] : box[at + k];
         }
     }
 
-    /** Half the area of a box; 0 where it holds nothing. */
+    /** Returns half the surface area of a box; 0 if it is empty. */
     static double area(float[] box) {
         double x = -(double) box[3] - box[0];
         double y = -(double) box[4] - box[1];

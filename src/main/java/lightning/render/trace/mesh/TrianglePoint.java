@@ -2,12 +2,12 @@ package lightning.render.trace.mesh;
 
 import lightning.scene.Mesh;
 
-/** A triangle of a mesh and a point on it, in the space of the mesh. Reused for one after the other. */
+/** Point on a triangle of a mesh with its barycentric weights, in the space of the mesh. Reused. */
 public final class TrianglePoint {
     private Mesh mesh;
     private final int[] vertex = new int[3];
     private final double[] weight = new double[3];
-    /** A direction at a right angle to the triangle, of any length, towards its front; 0 where it has no area. */
+    /** Direction perpendicular to the triangle, of any length, toward its front; 0 for a triangle without area. */
     public double nx;
     public double ny;
     public double nz;
@@ -15,7 +15,7 @@ public final class TrianglePoint {
     private double py;
     private double pz;
 
-    /** Takes a triangle and a point on it. */
+    /** Sets a triangle and a point on it. */
     public void setPoint(Mesh newMesh, int triangle, double x, double y, double z) {
         mesh = newMesh;
         px = x;
@@ -40,7 +40,10 @@ public final class TrianglePoint {
         computeWeights(a, b, c);
     }
 
-    /** How much each vertex counts at the point: the areas opposite to them, seen along the axis that the triangle faces most. */
+    /**
+     * Computes the barycentric weights from the areas opposite the vertices, projected along the axis that the triangle faces
+     * most.
+     */
     private void computeWeights(int a, int b, int c) {
         float[] p = mesh.positions();
         double absX = Math.abs(nx);
@@ -66,54 +69,60 @@ public final class TrianglePoint {
         weight[2] = sum > 0 ? weightC / sum : 0;
     }
 
-    /** Rounding may put the point a little outside, and a triangle without area has no shares. */
+    /** Clamps a weight: rounding may move the point slightly outside, and a triangle without area has NaN weights. */
     private static double clampWeight(double v) {
         return v > 0 ? v < 1 ? v : 1 : 0;
     }
 
-    /** Whether the mesh has normals at its vertices. */
+    /** Returns true if the mesh has vertex normals. */
     public boolean isSmooth() {
         return mesh.normals() != null;
     }
 
-    /** How much vertex {@code v}, 0 1 2, counts at the point: from 0 to 1, together 1. */
+    /** Returns the barycentric weight of vertex {@code v}, 0 1 2: from 0 to 1; their sum is 1. */
     public double weight(int v) {
         return weight[v];
     }
 
-    /** Coordinate {@code axis} of the normal at vertex {@code v}. */
+    /** Returns coordinate {@code axis} of the normal at vertex {@code v}. */
     public double normal(int v, int axis) {
         return mesh.normals()[3 * vertex[v] + axis];
     }
 
-    /** Whether the mesh has tangents at its vertices. */
+    /** Returns true if the mesh has vertex tangents. */
     public boolean hasTangents() {
         return mesh.tangents() != null;
     }
 
-    /** Coordinate {@code axis} of the tangent between those of the vertices, of any length; 3 for the hand, below 0 for −1. */
+    /** Returns coordinate {@code axis} of the interpolated tangent, of any length; 3 for the handedness, below 0 for −1. */
     public double tangent(int axis) {
         float[] t = mesh.tangents();
         return weight[0] * t[4 * vertex[0] + axis] + weight[1] * t[4 * vertex[1] + axis] + weight[2] * t[4 * vertex[2] + axis];
     }
 
-    /** How far the point lies before the plane through vertex {@code v} at a right angle to the normal there. */
+    /**
+     * Returns the signed distance of the point in front of the plane through vertex {@code v} perpendicular to the normal
+     * there.
+     */
     public double tangentPlaneDistance(int v) {
         float[] p = mesh.positions();
         int i = 3 * vertex[v];
         return (px - p[i]) * normal(v, 0) + (py - p[i + 1]) * normal(v, 1) + (pz - p[i + 2]) * normal(v, 2);
     }
 
-    /** Red, green or blue, {@code channel} 0 1 2, between the colors of the vertices, which the mesh has: from 0 to 1. */
+    /**
+     * Returns red, green or blue, {@code channel} 0 1 2, of the interpolated vertex color, from 0 to 1. The mesh must have
+     * vertex colors.
+     */
     public double color(int channel) {
         float[] c = mesh.colors();
         double value = weight[0] * c[3 * vertex[0] + channel] + weight[1] * c[3 * vertex[1] + channel]
                 + weight[2] * c[3 * vertex[2] + channel];
-        // Weights are rounded; and no zero has a sign.
+        // Clamps rounded weights, and makes zero positive.
         return value < 1 ? value > 0 ? value : 0 : 1;
     }
 
-    /** The texture coordinate across, {@code axis} 0, or upwards, 1; 0 where the mesh has none. */
+    /** Returns the texture coordinate: horizontal for {@code axis} 0, upward for 1; 0 if the mesh has none. */
     public double textureCoordinate(int axis) {
         float[] c = mesh.coordinates();
         return c == null ? 0 : weight[0] * c[2 * vertex[0] + axis] + weight[1] * c[2 * vertex[1] + axis]
@@ -121,8 +130,9 @@ public final class TrianglePoint {
     }
 
     /**
-     * Writes the gradient of a texture coordinate over the triangle, {@code axis} 0 or 1, to {@code to[i … i + 2]}: with the edges e and f
-     * from the first vertex, along which it grows by p and q, and n = e × f it is (p·(f × n) + q·(n × e)) / n². 0 where there is none.
+     * Writes the gradient of a texture coordinate over the triangle, {@code axis} 0 or 1, to {@code to[i … i + 2]}; 0 if there
+     * is none. For edges e and f from the first vertex, along which it grows by p and q, and n = e × f, it is (p·(f × n) + q·(n
+     * × e)) / n².
      */
     public void textureGradient(int axis, double[] to, int i) {
         float[] p = mesh.positions();

@@ -1,6 +1,9 @@
 package lightning.render.trace.mesh;
 
-/** Some triangles of {@link TriangleBoxes}, those from {@code from} to {@code to} − 1, their box, and the two sets that they are split into. */
+/**
+ * Set of triangles in {@link TriangleBoxes}, from {@code from} to {@code to} − 1, with its bounds and the two sets that it is
+ * split into.
+ */
 final class TriangleSet {
     final int from;
     final int to;

@@ -3,12 +3,12 @@ package lightning.render.trace.mesh;
 import java.util.Arrays;
 
 /**
- * Parts sets of triangles where the surface area heuristic, on a few bins along each axis, expects the fewest blocks of eight triangles to be tested
- * (Wald 2007, On fast Construction of SAH-based Bounding Volume Hierarchies). Scratch memory: one for each thread.
+ * Binned SAH splitter: minimizes the expected number of tested blocks of eight triangles (Wald 2007, On fast Construction of
+ * SAH-based Bounding Volume Hierarchies). Holds scratch memory: use one per thread.
  */
 final class TriangleSplitter {
     private static final int BINS = 16;
-    /** Just less than the bins, so that what lies at the end is in the last. */
+    /** Slightly less than the number of bins, so that the end of the range falls into the last bin. */
     private static final float BIN_RANGE = BINS * 0.9999f;
     /** Below this depth sets are halved by count, which bounds the depth for any input. */
     private static final int MAX_SAH_DEPTH = 50;
@@ -20,12 +20,12 @@ final class TriangleSplitter {
     private final float[] mergedBox = new float[6];
     private final float[] low = new float[3];
     private final float[] scale = new float[3];
-    /** Of sets of more triangles about half as many are looked at: enough to tell where to split. */
+    /** Larger sets are sampled, which suffices to choose a split. */
     private static final int SAMPLING_THRESHOLD = 2048;
 
-    /** Which triangles of a set are looked at: one in so many. Odd, as files list triangles in pairs. */
+    /** Sampling interval of a set's triangles. Odd, because files list triangles in pairs. */
     private int step;
-    /** Where {@link #findBestSplit} would split. */
+    /** Best split found by {@link #findBestSplit}. */
     private int axis;
     private int bin;
 
@@ -34,18 +34,18 @@ final class TriangleSplitter {
     }
 
     /**
-     * Parts triangles in two.
+     * Splits triangles in two.
      *
-     * @param level  how deep their set lies
-     * @param first  gets the box of those that are in front afterwards, {@code second} that of the others; both hold nothing before
-     * @return where the others begin
+     * @param level depth of their set
+     * @param first receives the bounds of the triangles in front, {@code second} those of the others; both are empty before
+     * @return start of the second part
      */
     int split(int from, int to, int level, float[] first, float[] second) {
         return level < MAX_SAH_DEPTH && findBestSplit(from, to) ? splitAtBin(from, to, first, second)
                 : splitInHalf(from, to, first, second);
     }
 
-    /** Writes where a set is best split to {@link #axis} and {@link #bin}; whether it can be split so at all. */
+    /** Writes the best split of a set to {@link #axis} and {@link #bin}; returns false if there is none. */
     private boolean findBestSplit(int from, int to) {
         step = to - from > SAMPLING_THRESHOLD ? 2 * (to - from) / SAMPLING_THRESHOLD | 1 : 1;
         computeRanges(from, to);
@@ -58,7 +58,7 @@ final class TriangleSplitter {
             int n = 0;
             double cost = 0;
             for (int b = BINS - 1; b > 0; b--) {
-                // Of small sets most bins are empty.
+                // Most bins of small sets are empty.
                 if (count[a * BINS + b] > 0) {
                     TriangleBoxes.grow(mergedBox, 0, box, 6 * (a * BINS + b));
                     n += count[a * BINS + b];
@@ -69,7 +69,7 @@ final class TriangleSplitter {
             Arrays.fill(mergedBox, Float.POSITIVE_INFINITY);
             n = 0;
             for (int b = 1; b < BINS; b++) {
-                // Behind an empty bin it is split as before it.
+                // A split after an empty bin is the same as one before it.
                 if (count[a * BINS + b - 1] == 0) {
                     continue;
                 }
@@ -90,7 +90,7 @@ final class TriangleSplitter {
         return (triangles + MeshTree.WIDTH - 1) / MeshTree.WIDTH;
     }
 
-    /** Finds where the bins are: one pass over all axes, for large sets do not fit into the processor's cache. */
+    /** Computes the range of the bins. One pass over all axes, because large sets do not fit into the CPU cache. */
     private void computeRanges(int from, int to) {
         float[] b = triangles.boxes;
         float lowX = Float.POSITIVE_INFINITY;
@@ -122,7 +122,7 @@ final class TriangleSplitter {
 
     private int bin(float center, int a) {
         int b = (int) ((center - low[a]) * scale[a]);
-        // A range so small that its inverse is endless, or a triangle that was not looked at; NaN makes 0.
+        // Handles a range so small that its inverse is infinite, and triangles that were not sampled; NaN becomes 0.
         return b < 0 ? 0 : b < BINS ? b : BINS - 1;
     }
 
@@ -137,7 +137,7 @@ final class TriangleSplitter {
         }
     }
 
-    /** Makes a bin hold one more. Written as branches, nearly all of which are not taken: blending would store six numbers each time. */
+    /** Adds a box to a bin. Written with branches, which are rarely taken: blending would store six numbers each time. */
     private void addToBin(int bin, float[] b, int i) {
         count[bin]++;
         float[] to = box;
@@ -162,7 +162,7 @@ final class TriangleSplitter {
         }
     }
 
-    /** Moves the triangles before the best place to the front and returns where the others begin. */
+    /** Moves the triangles before the best split to the front and returns the start of the others. */
     private int splitAtBin(int from, int to, float[] first, float[] second) {
         int boundary = from;
         int high = to - 1;

@@ -3,8 +3,8 @@ package lightning.render.trace.mesh;
 import java.util.Arrays;
 
 /**
- * Nodes of up to eight children made of sets that are split in two: a node takes its children's children in, the largest first, until it is
- * full (Wald, Benthin and Boulos 2008, Getting Rid of Packets). As {@link MeshTree} has them.
+ * Collapse of a binary BVH to nodes of up to eight children: a node adopts its children's children, the largest first, until it
+ * is full (Wald, Benthin and Boulos 2008, Getting Rid of Packets). The layout is that of {@link MeshTree}.
  */
 final class WideNodes {
     private float[] box = new float[MeshTree.NODE_FLOATS];
@@ -14,7 +14,7 @@ final class WideNodes {
     private int leafCount;
     private int depth;
 
-    /** @param root the set of all triangles; null where there is none */
+    /** @param root set of all triangles; null if there are none */
     WideNodes(TriangleSet root) {
         addNode();
         if (root != null) {
@@ -22,7 +22,7 @@ final class WideNodes {
         }
     }
 
-    /** The boxes of all children. */
+    /** Returns the boxes of all children. */
     float[] boxes() {
         return Arrays.copyOf(box, MeshTree.NODE_FLOATS * nodes);
     }
@@ -35,17 +35,17 @@ final class WideNodes {
         return leafCount;
     }
 
-    /** The triangles of a leaf. */
+    /** Returns the triangles of a leaf. */
     TriangleSet leaf(int leaf) {
         return leaves[leaf];
     }
 
-    /** How many nodes lie above each other. */
+    /** Returns the depth of the tree. */
     int depth() {
         return depth;
     }
 
-    /** Writes what is under a set to node {@code node}, which has nothing yet. */
+    /** Writes the subtree of a set to node {@code node}, which must be empty. */
     private void collapse(TriangleSet set, int node, int level) {
         depth = Math.max(depth, level);
         TriangleSet[] children = new TriangleSet[MeshTree.WIDTH];

@@ -1,5 +1,5 @@
 /**
- * Triangle meshes as rays meet them, in the space that their vertices are given in: which triangle a ray meets, by a tree of boxes
- * or by asking every one, and what the surface is there.
+ * Ray intersection with triangle meshes in local space, by a BVH or by testing every triangle, and surface properties at the
+ * hit.
  */
 package lightning.render.trace.mesh;

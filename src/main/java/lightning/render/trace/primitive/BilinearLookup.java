@@ -4,8 +4,8 @@ import lightning.scene.Texture;
 import lightning.scene.TextureMap;
 
 /**
- * Where texture coordinates lie in a picture: the four nearest pixels and their shares. The picture repeats endlessly; v runs upwards,
- * from its bottom row. Reused for one after the other.
+ * Bilinear texture lookup: the four nearest pixels and their weights. The image repeats endlessly; v points up from its bottom
+ * row. Reused.
  */
 final class BilinearLookup {
     private Texture image;
@@ -16,7 +16,7 @@ final class BilinearLookup {
     private double fractionX;
     private double fractionY;
 
-    /** Takes texture coordinates, which are multiplied by the map's repeat counts. */
+    /** Sets texture coordinates, which are multiplied by the map's repeat counts. */
     void setCoordinates(TextureMap map, double u, double v) {
         image = map.image();
         double scaledU = u * map.repeatU();
@@ -38,17 +38,20 @@ final class BilinearLookup {
         image.interpolate(x0, y0, x1, y1, fractionX, fractionY, rgb);
     }
 
-    /** Its first channel alone. */
+    /** Returns the first channel. */
     float red() {
         return image.interpolate(x0, y0, x1, y1, fractionX, fractionY, 0);
     }
 
-    /** By how much the luminance rises over the picture's width, as it does from one pixel to the left to one to the right. */
+    /**
+     * Returns the derivative of the luminance over the image's width, as central difference between one pixel to the left and
+     * one to the right.
+     */
     double slopeU() {
         return (luminance(1, 0) - luminance(-1, 0)) * 0.5 * image.width();
     }
 
-    /** By how much the luminance rises over the picture's height, upwards. */
+    /** Returns the derivative of the luminance over the image's height, upward. */
     double slopeV() {
         return (luminance(0, -1) - luminance(0, 1)) * 0.5 * image.height();
     }

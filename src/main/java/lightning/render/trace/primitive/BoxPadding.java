@@ -2,19 +2,19 @@ package lightning.render.trace.primitive;
 
 import lightning.base.math.Transform;
 
-/** How far a placed solid may be met outside its box. */
+/** Bounds on the distance outside a placed solid's box at which rays may still hit it. */
 final class BoxPadding {
     private BoxPadding() {}
 
     /**
-     * How far a ray may meet the shape outside its box because {@code inverse} is rounded, scene units.
+     * Returns the padding required because {@code inverse} is rounded, scene units.
      *
-     * <p>With E = map·inverse − 1 and r = map·(inverse of the origin) the solid that {@code inverse}
-     * describes is the box's one moved by at most (|E|·reach + |r|) / (1 − |E|). Mapping a ray adds a few
-     * roundings, made larger by |map|·|inverse|, the map's condition.
+     * <p>With E = map·inverse − 1 and r = map·(inverse of the origin), the solid that {@code inverse} describes is the box's
+     * one moved by at most (|E|·extent + |r|) / (1 − |E|). Mapping a ray adds a few roundings, amplified by |map|·|inverse|,
+     * the map's condition.
      *
-     * @param extent the largest absolute coordinate of the shape's box
-     * @return {@code +∞} where the condition is above 2²⁰: far from the shape roundings would outgrow any padding
+     * @param extent largest absolute coordinate of the shape's box
+     * @return {@code +∞} if the condition is above 2²⁰: then rounding would exceed any padding for distant rays
      */
     static double inverseErrorPadding(Transform map, Transform inverse, double extent) {
         double[][] m = {{map.m00(), map.m01(), map.m02()}, {map.m10(), map.m11(), map.m12()}, {map.m20(), map.m21(), map.m22()}};
@@ -53,21 +53,21 @@ final class BoxPadding {
     }
 
     /**
-     * How far a ray may meet a canonical solid outside its box because its {@link lightning.render.trace.solid.SolidGeometry} rounds in own space, as a
-     * share of the scene's extent.
+     * Returns the padding required because {@link lightning.render.trace.solid.SolidGeometry} rounds in local space, relative
+     * to the scene's extent.
      *
-     * <p>What is met is met by the solid grown by 8 units in the last place of the farthest own coordinate of the ray's origin, up to
-     * {@code edgeMarginFactor} times as far where its side leans ({@code HardRaysTest} holds it to 130 digits): 2⁻⁴⁹·tip·|o|. An origin within the
-     * extent E has |o| ≤ √3·2·|inverse|·E, as the origin of own space is no farther than E either; |map| leads back to the scene. In
-     * maximum norms, which know that a height lost in rounding is a width lost where the side is flat, and 2√3 ≤ 2².
+     * <p>Hits are exact for the solid extended by 8 ulp of the largest local coordinate of the ray's origin, times
+     * {@code edgeMarginFactor} where its side leans: 2⁻⁴⁹·factor·|o| ({@code HardRaysTest} verifies this with 130 digits). An
+     * origin within the extent E has |o| ≤ √3·2·|inverse|·E, since the local origin is within E too; |map| transforms back to
+     * the scene. Maximum norms are used because a rounded height changes the width of a flat side; 2√3 ≤ 2².
      *
-     * @param edgeMarginFactor as {@code Form} tells it
+     * @param edgeMarginFactor value of the solid's {@code SolidGeometry}
      */
     static double roundingShare(Transform map, Transform inverse, double edgeMarginFactor) {
         return 0x1p-47 * edgeMarginFactor * norm(map) * norm(inverse);
     }
 
-    /** The greatest sum of a row of absolute values, without the translation. */
+    /** Returns the maximum row sum of absolute values, without the translation. */
     private static double norm(Transform m) {
         Transform a = m.absolute();
         return Math.max(a.m00() + a.m01() + a.m02(), Math.max(a.m10() + a.m11() + a.m12(), a.m20() + a.m21() + a.m22()));

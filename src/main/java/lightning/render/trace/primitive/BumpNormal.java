@@ -5,25 +5,27 @@ import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.BumpMapping;
 
 /**
- * How a normal is bent by a material's relief, in the frame that the texture coordinates u, v make of a surface. Reused for one after the
- * other.
+ * Normal perturbed by a material's bump or normal map, in the frame of the texture coordinates u, v. Reused.
  *
- * <p><b>The frame</b> are the gradients of u and v along the surface, ∇u and ∇v: how fast they grow, and where to. They are gradients in
- * the primitive's own space, brought to the scene by the transpose of the map back, as normals are, less what is along the normal N, which
- * points outwards. So they need no tangents, hold under any placement, and where u and v are not at a right angle.
+ * <p><b>Frame:</b> the gradients of u and v along the surface, ∇u and ∇v. They are gradients in local space, transformed to the
+ * scene by the transpose of the inverse, as normals are, and projected perpendicular to the outward normal N. So they need no
+ * tangents and hold for any transform, even where u and v are not perpendicular.
  *
- * <p><b>Heights</b> h tilt N to N − ∇h, ∇h = h′u·∇u + h′v·∇v (Blinn 1978, Simulation of Wrinkled Surfaces, in the form of Mikkelsen 2010,
- * Bump Mapping Unparametrized Surfaces on the GPU): the normal of the surface that lies h above this one, but for its curvature. <b>A
- * picture's normal</b> (x, y, z) = 2·rgb − 1 is x·s·T + y·s·B + z·N as in glTF 2.0, s the strength: B is the unit vector along ∇v, and T
- * that at a right angle to B and N on the side where u grows; on a mesh with tangents they are those of the {@link TangentFrame}. With both it is x·s·T + y·s·B + z·(N − ∇h).
+ * <p><b>Bump map:</b> heights h tilt N to N − ∇h, ∇h = h′u·∇u + h′v·∇v (Blinn 1978, Simulation of Wrinkled Surfaces, in the
+ * form of Mikkelsen 2010, Bump Mapping Unparametrized Surfaces on the GPU). This is the normal of the surface displaced by h,
+ * without its curvature.
  *
- * <p>A normal that nothing tilts keeps its bits, and so does one where u and v have no gradient: at the pole of a sphere, at an apex, on a
- * mesh without texture coordinates.
+ * <p><b>Normal map:</b> (x, y, z) = 2·rgb − 1 becomes x·s·T + y·s·B + z·N as in glTF 2.0, with strength s. B is the unit vector
+ * along ∇v; T is perpendicular to B and N on the side where u grows. On a mesh with tangents they are those of the
+ * {@link TangentFrame}. With both maps it is x·s·T + y·s·B + z·(N − ∇h).
+ *
+ * <p>An unperturbed normal keeps its bits, and so does one where u and v have no gradient: at the pole of a sphere, at an apex,
+ * on a mesh without texture coordinates.
  */
 final class BumpNormal {
     private final BilinearLookup lookup = new BilinearLookup();
     private final double[] uv = new double[2];
-    /** Of u, then of v. */
+    /** Gradient of u, then of v. */
     private final double[] localGradients = new double[6];
     private final double[] sceneGradients = new double[6];
     private final float[] rgb = new float[3];
@@ -32,11 +34,11 @@ final class BumpNormal {
     /**
      * Tilts a normal.
      *
-     * @param facet  the triangle and the point; of no use where the primitive is no mesh
-     * @param x      the point in own space, and so {@code y}, {@code z}
-     * @param side   1 where the normal that is given leads out of the surface, −1 where it leads into it
-     * @param normal of length 1
-     * @return whether anything tilts it
+     * @param facet triangle and point; unused if the primitive is not a mesh
+     * @param x point in local space; also {@code y}, {@code z}
+     * @param side 1 if the given normal points out of the surface, −1 if it points into it
+     * @param normal normal of length 1
+     * @return true if the normal is tilted
      */
     boolean tilt(PrimitiveTable primitives, int s, BumpMapping bumpMapping, TrianglePoint facet, double x, double y, double z, double side,
             ShadingNormal normal) {
@@ -78,7 +80,7 @@ final class BumpNormal {
         double upX = sceneGradients[3];
         double upY = sceneGradients[4];
         double upZ = sceneGradients[5];
-        // ∇v × N leads where u grows, or the other way: along it, u grows by this.
+        // ∇v × N points where u grows, or opposite; u grows by this along it.
         double acrossX = upY * nz - upZ * ny;
         double acrossY = upZ * nx - upX * nz;
         double acrossZ = upX * ny - upY * nx;
@@ -108,7 +110,7 @@ final class BumpNormal {
         }
     }
 
-    /** Brings one of the gradients into the scene, along the surface. */
+    /** Transforms one of the gradients to the scene and projects it onto the surface. */
     private void transformToScene(double[] m, int i, int g, double nx, double ny, double nz) {
         double x = m[i] * localGradients[g] + m[i + 4] * localGradients[g + 1] + m[i + 8] * localGradients[g + 2];
         double y = m[i + 1] * localGradients[g] + m[i + 5] * localGradients[g + 1] + m[i + 9] * localGradients[g + 2];

@@ -6,7 +6,7 @@ import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.AlphaCutout;
 import lightning.scene.TextureMap;
 
-/** Tells where one ray after the other finds a hole in a primitive whose material is cut out. Reused; not shared between threads. */
+/** Alpha test of single rays against primitives with cutout materials. Reused; not thread-safe. */
 public final class CutoutTest implements AlphaTest {
     private final PrimitiveTable primitives;
     private int s;
@@ -26,7 +26,7 @@ public final class CutoutTest implements AlphaTest {
         this.primitives = primitives;
     }
 
-    /** Takes a primitive that has holes and a ray. */
+    /** Sets a primitive with cutouts and a ray. */
     public CutoutTest setRay(int primitive, double originX, double originY, double originZ, double directionX, double directionY,
             double directionZ) {
         AlphaCutout cutout = primitives.cutout(primitive);

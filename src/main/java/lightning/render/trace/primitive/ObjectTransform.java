@@ -4,11 +4,11 @@ import lightning.base.math.Transform;
 import lightning.base.math.Vec3;
 import lightning.scene.PlacedShape;
 
-/** The maps from a shape's own space to render space and back, and what the latter may be off by. */
+/** Transforms between a shape's local space and render space, with an error bound of the inverse. */
 final class ObjectTransform {
-    /** To render space. */
+    /** Transform from local space to render space. */
     final Transform toRenderSpace;
-    /** Where the own origin lies in render space. */
+    /** Local origin in render space. */
     final Vec3 renderOrigin;
     final Transform inverse;
     private final PlacedShape shape;
@@ -20,25 +20,25 @@ final class ObjectTransform {
         inverse = inverse(shape.directionsToLocal(), renderOrigin);
     }
 
-    /** How far a number of the map of directions back may be off, as a share of the row that it is in. */
+    /** Returns the error bound of an element of the inverse transform of directions, relative to its row. */
     double inverseRelativeError() {
         Vec3 rowSums = rowSums(shape.directionsToLocal().absolute());
         Vec3 rowErrors = rowSums(shape.error().directionsToLocal());
         return Math.max(Math.max(rowErrors.x() / rowSums.x(), rowErrors.y() / rowSums.y()), rowErrors.z() / rowSums.z());
     }
 
-    /** The sum of each row of a map without its translation, none of whose numbers is below 0. */
+    /** Returns the row sums of a transform without its translation; all elements are non-negative. */
     private static Vec3 rowSums(Transform m) {
         return new Vec3(m.m00() + m.m01() + m.m02(), m.m10() + m.m11() + m.m12(), m.m20() + m.m21() + m.m22());
     }
 
-    /** A map to the scene as one to the space whose origin is the camera. */
+    /** Converts a transform to the scene into one to render space, with the camera as origin. */
     private static Transform toRenderSpace(Transform m, Vec3 camera) {
         return new Transform(m.m00(), m.m01(), m.m02(), m.t0() - camera.x(), m.m10(), m.m11(), m.m12(), m.t1() - camera.y(),
                 m.m20(), m.m21(), m.m22(), m.t2() - camera.z());
     }
 
-    /** Directions back, and the translation by which the place of the shape becomes the origin. */
+    /** Combines the inverse transform of directions with the translation that moves the shape's position to the origin. */
     private static Transform inverse(Transform directionsToLocal, Vec3 place) {
         Vec3 origin = directionsToLocal.transformVector(place);
         return new Transform(directionsToLocal.m00(), directionsToLocal.m01(), directionsToLocal.m02(), -origin.x(),

@@ -1,18 +1,17 @@
 package lightning.render.trace.primitive;
 
 /**
- * Boxes around the primitives as floats, {@code float[6 * count]}: min x y z, max x y z of primitive 0, then of 1, ….
+ * Padded boxes of the primitives as floats, {@code float[6 * count]}: min x y z, max x y z of primitive 0, then of 1, ….
  *
- * <p>Each is padded by 2⁻¹⁹ of the scene's extent, the largest coordinate of any primitive seen from the
- * camera. That covers everything by which a ray that {@link lightning.render.trace.solid.SolidGeometry} lets hit the primitive may miss its box:
- * the rounding of the box, of a ray that starts within the extent, and of a distance to float, together below
- * 11·2⁻²⁴ of the extent, and the error of {@code Form} in double, about 2⁻²⁶ of it where a cone is grazed.
- * Where a primitive is far wider along one axis than along another, what rounds along the one counts for more along the
- * other; then a share of the extent is added to its pad ({@link BoxPadding#roundingShare}). Rays also start from where such a primitive is met:
- * the extent holds every pad.
+ * <p>Each box is padded by 2⁻¹⁹ of the scene's extent, the largest coordinate of any primitive relative to the camera. This
+ * covers every distance outside the box at which {@link lightning.render.trace.solid.SolidGeometry} may report a hit. Rounding
+ * of the box, of a ray origin within the extent, and of a distance to float are together below 11·2⁻²⁴ of the extent. The error
+ * of {@code SolidGeometry} in double is about 2⁻²⁶ of it for grazing rays on a cone. Where a primitive is much wider along one
+ * axis than another, rounding along one axis has more effect along the other; then a share of the extent is added to its
+ * padding ({@link BoxPadding#roundingShare}). Rays also start at hits of such primitives, so the extent includes all paddings.
  *
- * <p>Where a primitive is so skewed that its inverse map hardly inverts, its share is above ½, or a scene is so large that floats
- * would overflow, boxes cannot be trusted: then all are infinite and every primitive is tested.
+ * <p>All boxes are infinite, and every primitive is tested, if boxes are unreliable: the inverse transform of a primitive is
+ * nearly singular, its share is above ½, or the scene is so large that floats would overflow.
  */
 public final class PrimitiveBoxes {
     private static final double PADDING_SHARE = 0x1p-19;
@@ -21,9 +20,9 @@ public final class PrimitiveBoxes {
     private PrimitiveBoxes() {}
 
     /**
-     * @param bounds what the primitives take up seen from the camera, {@code double[6 * count]}: min x y z, max x y z
-     * @param padding  how far the map lets rays meet each outside of that; {@code +∞} if nobody knows
-     * @param roundingShare  how far roundings of its form do, as a share of the extent
+     * @param bounds bounds of the primitives relative to the camera, {@code double[6 * count]}: min x y z, max x y z
+     * @param padding distance outside its bounds at which each may be hit because of its transform; {@code +∞} if unknown
+     * @param roundingShare the same for rounding in its {@code SolidGeometry}, relative to the extent
      */
     static float[] of(double[] bounds, double[] padding, double[] roundingShare) {
         double extent = 0;

@@ -19,15 +19,15 @@ import lightning.scene.Solid;
 import lightning.scene.Stage;
 
 /**
- * All that rays of a scene can meet, as plain columns, in render space.
+ * All primitives of a scene as columns, in render space.
  *
  * <p>Primitive {@code s} is a canonical solid of kind {@link #kind} or a {@link #mesh}, a part of the shape with index
- * {@code owner[s]}, of material index {@code material[s]}. Its data begin at {@code data[at[s]]}, as {@link SolidGeometry} has them: the map
- * from render space to its own space, and numbers of its own. What is met of a mesh is one of its triangles, the <em>part</em> of a
- * hit; of a solid it is 0.
+ * {@code owner[s]}, with material index {@code material[s]}. Its data begins at {@code data[dataStart[s]]} in the layout of
+ * {@link SolidGeometry}: the transform from render space to local space, then its parameters. A hit on a mesh is on one of its
+ * triangles, the <em>part</em> of the hit; for a solid the part is 0.
  */
 public final class PrimitiveTable {
-    /** The error of a way to a light as a share of the coordinates of its ends ({@link #placementError}). */
+    /** Error of a shadow ray relative to the coordinates of its ends ({@link #placementError}). */
     public static final double SHADOW_RAY_ERROR = 0x1p-47;
 
     public final int count;
@@ -35,39 +35,40 @@ public final class PrimitiveTable {
     public final int[] material;
     public final int[] dataStart;
     public final double[] data;
-    /** A bound on the error of a hit point on the primitive that its distance from the camera causes, scene units. */
+    /** Error bound of a hit point on the primitive because of its distance from the camera, scene units. */
     public final double[] hitError;
-    /** Where the primitives stand. Placed shapes are made anew for each camera: kept, each would take 112 bytes. */
+    /** Stage with the placements. Placed shapes are recreated for each camera: storing them would take 112 bytes each. */
     public final Stage stage;
 
-    /** The ordinal of each solid's kind; {@link #MESH} for a mesh. */
+    /** Ordinal of each solid's kind; {@link #MESH} for a mesh. */
     private final byte[] kind;
-    /** The mesh of each primitive that is one; null where none is. */
+    /** Meshes by primitive; null if there are none. */
     private final MeshSolid[] meshes;
     private final SurfaceTraits traits;
-    /** How far a point that was put on the primitive may lie off it because shape and camera are rounded, scene units. */
+    /** Maximum distance from the primitive of a point placed on it, because shape and camera are rounded, scene units. */
     private final double[] placementError;
-    /** Whether the eye lies on the primitive. */
+    /** True for primitives that contain the eye. */
     private final boolean[] eyeOnSurface;
-    /** How far the primitive reaches from its place, scene units along an axis. */
+    /** Maximum distance of the primitive from its position, scene units along an axis. */
     private final double[] extent;
-    /** The largest coordinate of a primitive, render space: rays may start within it. */
+    /** Largest coordinate of any primitive, render space: rays may start within it. */
     public final double maxCoordinate;
-    /** More than the |x| + |y| + |z| of any point of a primitive. */
+    /** Upper bound on |x| + |y| + |z| of any point of a primitive. */
     public final double maxCoordinateSum;
-    /** The most that a point put on any primitive may lie off it because shape and camera are rounded, scene units. */
+    /** Maximum of {@link #placementError} over all primitives, scene units. */
     private final double maxPlacementError;
 
     private static final byte MESH = -1;
 
     /**
-     * Primitives with their boxes, which the tree keeps.
+     * Primitives with their boxes, which the BVH stores.
      *
-     * @param boxes as {@link PrimitiveBoxes} makes them
+     * @param primitives table of the primitives
+     * @param boxes boxes from {@link PrimitiveBoxes}
      */
     public record BoxedPrimitives(PrimitiveTable primitives, float[] boxes) {}
 
-    /** Writes to {@code bounds}, {@code padding} and {@code roundingShare} what {@link PrimitiveBoxes} wants. */
+    /** Also writes {@code bounds}, {@code padding} and {@code roundingShare} for {@link PrimitiveBoxes}. */
     private PrimitiveTable(byte[] kind, MeshSolid[] meshes, SurfaceTraits traits, int[] material, int[] owner, int[] dataStart,
             double[] data,
             Stage stage, Vec3 camera, double[] bounds, double[] padding, double[] roundingShare) {
@@ -113,7 +114,7 @@ public final class PrimitiveTable {
         maxPlacementError = maxima[1];
     }
 
-    /** @param material the material index of each shape */
+    /** @param material material index of each shape */
     public static BoxedPrimitives of(Stage stage, int[] material, Vec3 camera) {
         List<Shape> shapes = stage.shapes();
         int count = shapes.size();
@@ -160,8 +161,8 @@ public final class PrimitiveTable {
     }
 
     /**
-     * Whether all that rays read of primitive {@code s} has the same bits as what they read of primitive {@code t} of another table
-     * in the same render space; materials may differ, normals that are bent, and what passes through.
+     * Returns true if rays read the same bits of primitive {@code s} and of primitive {@code t} of another table in the same
+     * render space. Materials, bent normals and transmission may differ.
      */
     public boolean hasSameGeometry(int s, PrimitiveTable other, int t) {
         return kind[s] == other.kind[t] && (kind[s] != MESH || mesh(s).mesh() == other.mesh(t).mesh())
@@ -174,22 +175,14 @@ public final class PrimitiveTable {
         return s + 1 < count ? dataStart[s + 1] : data.length;
     }
 
-    /** The same primitives seen from elsewhere. */
+    /** Returns the same primitives seen from another camera position. */
     public BoxedPrimitives movedCamera(Vec3 camera) {
         return withBoxes(kind, meshes, traits, material, owner, dataStart, data.clone(), stage, camera);
     }
 
     /**
-     * The bound on how far a point x that was put on the shape lies off the surface that rays meet, scene units.
-     *
-     * <p>Its own point is B·(x − place). A number of B is off by what {@code PlacementError} tells, times a distance within the
-     * shape; the place by the same. Maximum norms, u = 2⁻⁵³: x and the camera are decimals made doubles and subtracted, u·(2|x|
-     * + |camera|), the place u·|place|; mapping takes 4u·|x| + 4u·|place|, and for the eye, x = 0, only 3u·|place|. For the eye that
-     * is all, with 4u in own units for the surface's formula, where 1 is no more than the shape's size in the scene.
-     *
-     * <p>A way from p to a light at x has errors of its own: 6u·|x| + u·|place| are left from above; 13u·|p| + 8u·|place| + 5u·|x| in
-     * its map, and 8 units in the last place of its length in what its {@link SolidGeometry} finds, 16u·(|p| + |place|) and 16u in own units.
-     * As |place| ≤ |x| + size, all of it is less than 64u of |x|, |p| and the size.
+     * Computes the bound on the distance of a point placed on the shape from the surface that rays hit, scene units. Proof:
+     * docs/numerics.md, "Proof: points placed on a surface".
      */
     private void computePlacementError(int s, PlacedShape shape, ObjectTransform transform, double[] bounds, Vec3 camera) {
         int b = 6 * s;
@@ -201,20 +194,23 @@ public final class PrimitiveTable {
     }
 
     /**
-     * How far a light that was put on a primitive may lie off it, scene units.
+     * Returns the maximum distance of a light placed on a primitive from it, scene units.
      *
-     * @param coordinateSum the sum of |x| + |y| + |z| at both ends of a way to it, render space
+     * @param coordinateSum sum of |x| + |y| + |z| at both ends of a shadow ray, render space
      */
     public double lightTolerance(int s, double coordinateSum) {
         return placementError[s] + SHADOW_RAY_ERROR * (extent[s] + coordinateSum);
     }
 
-    /** No less than that of any primitive: none reaches farther from its place than {@link #maxCoordinateSum}, and rounding keeps order. */
+    /**
+     * Returns an upper bound of the tolerance for any primitive: none extends farther from its position than
+     * {@link #maxCoordinateSum}, and rounding is monotone.
+     */
     public double lightTolerance(double coordinateSum) {
         return maxPlacementError + SHADOW_RAY_ERROR * (maxCoordinateSum + coordinateSum);
     }
 
-    /** How far the eye may lie off a primitive on which it was put, scene units. */
+    /** Returns the maximum distance of an eye placed on a primitive from it, scene units. */
     public double eyeTolerance(int s) {
         return placementError[s];
     }
@@ -228,17 +224,17 @@ public final class PrimitiveTable {
         }
     }
 
-    /** Whether any primitive is a mesh. */
+    /** Returns true if any primitive is a mesh. */
     public boolean hasMeshes() {
         return meshes != null;
     }
 
-    /** The mesh that primitive {@code s} is; null where it is a canonical solid. */
+    /** Returns the mesh of primitive {@code s}; null for a canonical solid. */
     public MeshSolid mesh(int s) {
         return meshes == null ? null : meshes[s];
     }
 
-    /** How long a step of at most 1 along each axis of the scene can be in its own units. */
+    /** Returns the maximum local length of a step of at most 1 along each axis of the scene. */
     public double maxScale(int s) {
         double[] m = data;
         int i = dataStart[s];
@@ -248,9 +244,9 @@ public final class PrimitiveTable {
     }
 
     /**
-     * How far a point in render space lies off the surface of a primitive at least, scene units: from the patch on each axis
-     * by itself; from a solid by its own distance, which changes by no more than a point moves, over how long a step of the
-     * scene can be in it.
+     * Returns a lower bound on the distance of a point in render space from the surface of a primitive, scene units. Uses each
+     * axis separately for the plane. For other solids it uses the local distance, divided by the maximum local length of a
+     * scene step.
      */
     public double surfaceDistance(int s, double x, double y, double z) {
         double[] m = data;
@@ -263,12 +259,12 @@ public final class PrimitiveTable {
                 : mesh.surfaceDistance(px, py, pz) / maxScale(s);
     }
 
-    /** Whether rays may pass any primitive where they meet it. */
+    /** Returns true if any primitive has cutouts. */
     public boolean hasCutouts() {
         return traits.hasCutouts();
     }
 
-    /** Whether rays may pass primitive {@code s} where they meet it. */
+    /** Returns true if primitive {@code s} has cutouts. */
     public boolean hasCutout(int s) {
         return cutout(s) != null;
     }
@@ -277,43 +273,46 @@ public final class PrimitiveTable {
         return traits.cutout(s);
     }
 
-    /** Where a ray finds holes in primitive {@code s}, which has some. */
+    /** Returns the alpha test of a ray for primitive {@code s}, which has cutouts. */
     private CutoutTest cutoutTest(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
         return new CutoutTest(this).setRay(s, ox, oy, oz, dx, dy, dz);
     }
 
-    /** What bends the normals of primitive {@code s}; null for nothing. */
+    /** Returns the bump mapping of primitive {@code s}; null for none. */
     public BumpMapping bumpMapping(int s) {
         return traits.bumpMapping(s);
     }
 
-    /** Whether rays go on behind primitive {@code s} as they do behind primitive {@code t} of another table. */
+    /** Returns true if primitive {@code s} refracts rays like primitive {@code t} of another table. */
     public boolean refractsLike(int s, PrimitiveTable o, int t) {
         return traits.refractsLike(s, o.traits, t);
     }
 
-    /** Whether normals of primitive {@code s} are bent as those of primitive {@code t} of another table. */
+    /** Returns true if primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
     public boolean hasSameNormals(int s, PrimitiveTable o, int t) {
         return traits.hasSameNormals(s, o.traits, t);
     }
 
-    /** Whether primitive {@code s} shows colors of its vertices. */
+    /** Returns true if primitive {@code s} shows vertex colors. */
     public boolean hasVertexColors(int s) {
         return meshes != null && stage.shapes().get(owner[s]).solid() instanceof Solid.TriangleMesh triangles
                 && triangles.hasVertexColors();
     }
 
-    /** The kind of a canonical solid. */
+    /** Returns the kind of a canonical solid. */
     public SolidKind kind(int s) {
         return SolidKind.fromOrdinal(kind[s]);
     }
 
-    /** Whether the eye lies on primitive {@code s}: it then does not hide from the eye what is before it. */
+    /** Returns true if the eye is on primitive {@code s}, which then does not hide other primitives from it. */
     public boolean isEyeOnSurface(int s) {
         return eyeOnSurface[s];
     }
 
-    /** The distance along the ray to primitive {@code s}, or {@code +∞}; a ray from the origin of render space is the eye's. */
+    /**
+     * Returns the distance along the ray to primitive {@code s}, or {@code +∞}. A ray from the origin of render space is a
+     * camera ray.
+     */
     public double distance(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
         return distance(s, ox, oy, oz, dx, dy, dz, contact(s, ox, oy, oz));
     }
@@ -322,23 +321,23 @@ public final class PrimitiveTable {
         return eyeOnSurface[s] && ox == 0 && oy == 0 && oz == 0 ? SurfaceContact.START : SurfaceContact.NONE;
     }
 
-    /** Hands a mesh and a ray, which is the eye's where it begins at the origin of render space, to a probe. */
+    /** Sets a mesh and a ray on a query. A ray from the origin of render space is a camera ray. */
     public void setProbeRay(MeshRayQuery probe, int s, double ox, double oy, double oz, double dx, double dy, double dz) {
         setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, contact(s, ox, oy, oz));
     }
 
-    /** The same for a way that perhaps ends on the mesh. */
+    /** Sets a mesh and a shadow ray, which may end on the mesh, on a query. */
     public void setProbeRay(MeshRayQuery probe, int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends) {
         setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, ends ? SurfaceContact.END : contact(s, ox, oy, oz));
     }
 
-    /** The same for a way of which an end may lie on the mesh: it passes the triangles on which it may. */
+    /** Sets a mesh and a ray with a contact on a query. The ray ignores triangles that may contain that end. */
     public void setProbeRay(MeshRayQuery probe, int s, double ox, double oy, double oz, double dx, double dy, double dz,
             SurfaceContact contact) {
         setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, contact, cutout(s) == null ? null : cutoutTest(s, ox, oy, oz, dx, dy, dz));
     }
 
-    /** The same through a sieve; null for none. */
+    /** Sets a mesh and a ray with an alpha test, null for none, on a query. */
     private void setProbeRay(MeshRayQuery probe, int s, double ox, double oy, double oz, double dx, double dy, double dz,
             SurfaceContact contact,
             AlphaTest alphaTest) {
@@ -361,19 +360,19 @@ public final class PrimitiveTable {
         }
     }
 
-    /** The sum of |x| + |y| + |z| at both ends of a way. */
+    /** Returns the sum of |x| + |y| + |z| at both ends of a shadow ray. */
     private static double coordinateSum(double ox, double oy, double oz, double dx, double dy, double dz) {
         return Math.abs(ox + dx) + Math.abs(oy + dy) + Math.abs(oz + dz) + Math.abs(ox) + Math.abs(oy) + Math.abs(oz);
     }
 
-    /** Asks all triangles of mesh {@code s}. */
+    /** Tests all triangles of mesh {@code s}. */
     private double bruteForceDistance(int s, double ox, double oy, double oz, double dx, double dy, double dz, SurfaceContact contact) {
         MeshRayQuery probe = new MeshRayQuery();
         setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, contact);
         return probe.nearestBruteForce();
     }
 
-    /** The part of primitive {@code s} that a ray meets first; the primitive is met. */
+    /** Returns the part of primitive {@code s} that a ray hits first; the ray must hit the primitive. */
     public int hitPart(int s, double ox, double oy, double oz, double dx, double dy, double dz) {
         if (mesh(s) == null) {
             return 0;
@@ -384,7 +383,10 @@ public final class PrimitiveTable {
         return probe.triangle();
     }
 
-    /** The distance along a way of which an end may lie on primitive {@code s}, or {@code +∞}; every triangle of a mesh is asked. */
+    /**
+     * Returns the distance along a ray with one end possibly on primitive {@code s}, or {@code +∞}; tests every triangle of a
+     * mesh.
+     */
     public double distance(int s, double ox, double oy, double oz, double dx, double dy, double dz, SurfaceContact contact) {
         if (mesh(s) != null) {
             return bruteForceDistance(s, ox, oy, oz, dx, dy, dz, contact);
@@ -397,10 +399,10 @@ public final class PrimitiveTable {
     }
 
     /**
-     * The distance to what is there first of a solid with holes, which a ray that neither begins nor ends on it meets at {@code t} if nothing is
-     * missing; {@code +∞} where nothing is there, and perhaps where it lies beyond a limit.
+     * Returns the distance to the first hit on a solid with cutouts for a ray with no contact that hits the full surface at
+     * {@code t}. Returns {@code +∞} if both crossings are in holes, and possibly if the hit is beyond a limit.
      *
-     * @param cutoutTest scratch
+     * @param cutoutTest scratch memory
      */
     public double cutoutDistance(int s, double ox, double oy, double oz, double dx, double dy, double dz, double t, double limit,
             CutoutTest cutoutTest) {
@@ -417,7 +419,7 @@ public final class PrimitiveTable {
         return out < SolidGeometry.MISS && out <= limit && !cutoutTest.passes(0, out) ? out : SolidGeometry.MISS;
     }
 
-    /** The distance to a surface without holes. */
+    /** Returns the distance to a surface without cutouts. */
     private double solidDistance(int s, double ox, double oy, double oz, double dx, double dy, double dz, SurfaceContact contact) {
         double tolerance = switch (contact) {
             case NONE -> 0;
@@ -427,7 +429,7 @@ public final class PrimitiveTable {
         return solidDistance(s, ox, oy, oz, dx, dy, dz, contact, tolerance);
     }
 
-    /** The same where the end that lies on the surface is off it by so much, in scene space. */
+    /** Returns the distance to a surface without cutouts if the end in contact is off by an error, in scene units. */
     private double solidDistance(int s, double ox, double oy, double oz, double dx, double dy, double dz, SurfaceContact contact,
             double tolerance) {
         double[] m = data;
@@ -447,41 +449,44 @@ public final class PrimitiveTable {
         return form.distance(m, i, px, py, pz, vx, vy, vz, contact, margin);
     }
 
-    /** The distance to where a ray that met a convex surface at {@code t} meets it once more, or {@code +∞}. */
+    /**
+     * Returns the distance of the second crossing of a convex surface by a ray that crosses it first at {@code t}, or
+     * {@code +∞}.
+     */
     private double exitDistance(int s, double ox, double oy, double oz, double dx, double dy, double dz, SurfaceContact contact, double t) {
         double out =
                 contact == SurfaceContact.NONE ? solidDistance(s, ox, oy, oz, dx, dy, dz, SurfaceContact.START, 0) : SolidGeometry.MISS;
         return out > t ? out : SolidGeometry.MISS;
     }
 
-    /** Whether light on its way to a point passes any primitive. */
+    /** Returns true if any primitive transmits shadow rays with a tint. */
     public boolean hasShadowTints() {
         return traits.hasShadowTints();
     }
 
-    /** The material of primitive {@code s} where light on its way to a point passes it; else null. */
+    /** Returns the material of primitive {@code s} if it tints shadow rays, otherwise null. */
     public Material shadowTint(int s) {
         return traits.shadowTint(s);
     }
 
-    /** Whether light passes primitive {@code s} as it passes primitive {@code t} of another table. */
+    /** Returns true if primitive {@code s} tints shadow rays like primitive {@code t} of another table. */
     public boolean hasSameShadowTint(int s, PrimitiveTable o, int t) {
         return traits.hasSameShadowTint(s, o.traits, t);
     }
 
     /**
-     * Adds all places where a way meets primitive {@code s} before a distance.
+     * Adds all hits of a shadow ray on primitive {@code s} before a distance.
      *
-     * @param ends  whether it ends on the primitive
-     * @param probe for meshes
-     * @param bruteForce whether each triangle of a mesh is asked
+     * @param ends true if the ray ends on the primitive
+     * @param probe query for meshes
+     * @param bruteForce true to test each triangle of a mesh
      */
     public void addHits(int s, double ox, double oy, double oz, double dx, double dy, double dz, boolean ends, double limit,
             MeshRayQuery probe, boolean bruteForce, ShadowRayHits hits) {
         SurfaceContact contact = ends ? SurfaceContact.END : contact(s, ox, oy, oz);
         CutoutTest cutoutTest = cutout(s) == null ? null : cutoutTest(s, ox, oy, oz, dx, dy, dz);
         if (mesh(s) != null) {
-            // What is passed is noted, and all is.
+            // The alpha test records each triangle and lets the ray pass all of them.
             setProbeRay(probe, s, ox, oy, oz, dx, dy, dz, contact, (triangle, t) -> {
                 hits.add(s, triangle, t, limit, cutoutTest);
                 return true;
@@ -500,7 +505,7 @@ public final class PrimitiveTable {
         }
     }
 
-    /** The same for a solid without holes, which a way that neither begins nor ends on it is known to meet first at {@code t}. */
+    /** Adds the hits on a solid without cutouts for a shadow ray with no contact whose first hit is at {@code t}. */
     public void addHits(int s, double ox, double oy, double oz, double dx, double dy, double dz, double t, double limit,
             ShadowRayHits hits) {
         hits.add(s, 0, t, limit, null);

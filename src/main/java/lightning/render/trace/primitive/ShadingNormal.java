@@ -1,15 +1,15 @@
 package lightning.render.trace.primitive;
 
-/** A normal by which a point is shaded though the surface there has another; of length 1. Reused for one after the other. */
+/** Shading normal that differs from the geometric normal, of length 1. Reused. */
 final class ShadingNormal {
-    /** The sine of half a degree, about: as flat as a bent normal lets a mirrored ray leave. */
+    /** Sine of about half a degree: the minimum elevation of a reflected ray. */
     private static final double MIN_SINE = 0x1p-7;
 
     double x;
     double y;
     double z;
 
-    /** Makes a direction of any length the normal; whether it is one. */
+    /** Normalizes a direction of any length and sets it as the normal; returns false if that is impossible. */
     boolean setNormalized(double toX, double toY, double toZ) {
         double length = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
         boolean valid = length > 0 && length < Double.POSITIVE_INFINITY;
@@ -22,12 +22,12 @@ final class ShadingNormal {
     }
 
     /**
-     * Bends it towards the viewer until the mirrored ray rises by at least {@link #MIN_SINE} from the surface, or as steeply as the
-     * viewer's own ray where that is flatter (after Keller et al. 2017, The Iray Light Transport Simulation and Rendering System,
-     * appendix A.3). So it faces the viewer, too.
+     * Bends the normal toward the viewer until the reflected ray rises by at least {@link #MIN_SINE} from the surface, or as
+     * steeply as the viewer's own ray if that is flatter (after Keller et al. 2017, The Iray Light Transport Simulation and
+     * Rendering System, appendix A.3). The result also faces the viewer.
      *
-     * @param gx the surface's own normal, of length 1, on the side that is seen
-     * @param dx the direction of the ray, of any length
+     * @param gx geometric normal, of length 1, on the visible side
+     * @param dx direction of the ray, of any length
      */
     void bend(double gx, double gy, double gz, double dx, double dy, double dz) {
         double back = -1 / Math.sqrt(dx * dx + dy * dy + dz * dz);
@@ -42,7 +42,7 @@ final class ShadingNormal {
         double viewerHeight = vx * gx + vy * gy + vz * gz;
         double minHeight = Math.min(MIN_SINE, viewerHeight);
         if (twice < 0 && reflectedHeight >= minHeight) {
-            // It leads into the surface, and mirrors as its opposite does. Bent on from where it is seen from its side.
+            // The normal points into the surface and reflects like its opposite. Continue from where it is seen edge-on.
             rx = -vx;
             ry = -vy;
             rz = -vz;

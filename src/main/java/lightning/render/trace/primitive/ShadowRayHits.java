@@ -3,17 +3,12 @@ package lightning.render.trace.primitive;
 import java.util.Arrays;
 
 /**
- * Where ways meet primitives, for each way the nearest place first; of equal ones the lowest primitive, then its lowest part. Places of a way
- * are a chain, in whatever order they are found. Reused.
- *
- * <pre>{@code
- * for (int i = crossings.first(way); i != ShadowRayHits.END; i = crossings.next(i)) {
- *     double t = crossings.t[i];
- * }
- * }</pre>
+ * Hits of shadow rays on primitives, per ray the nearest hit first; among equal distances the lowest primitive, then its lowest
+ * part. The hits of a ray are a linked list, in whatever order they are added. Reused.
+ * <pre>{@code for (int i = hits.first(ray); i != ShadowRayHits.END; i = hits.next(i)) { double t = hits.t[i]; } }</pre>
  */
 public final class ShadowRayHits {
-    /** The end of a chain. */
+    /** End of a list. */
     public static final int END = -1;
 
     public int[] primitive = new int[8];
@@ -24,34 +19,34 @@ public final class ShadowRayHits {
     private int count;
     private int currentRay;
 
-    /** @param rayCount how many there are */
+    /** @param rayCount number of rays */
     public ShadowRayHits(int rayCount) {
         first = new int[rayCount];
         clear();
     }
 
-    /** Forgets all. */
+    /** Removes all hits. */
     public void clear() {
         Arrays.fill(first, END);
         count = 0;
     }
 
-    /** Says whose places are added from now on. */
+    /** Sets the ray whose hits are added next. */
     public void selectRay(int ray) {
         currentRay = ray;
     }
 
-    /** The nearest place of a way. */
+    /** Returns the nearest hit of a ray. */
     public int first(int ray) {
         return first[ray];
     }
 
-    /** The place behind another. */
+    /** Returns the next hit of a ray. */
     public int next(int i) {
         return next[i];
     }
 
-    /** Adds a place, unless it lies at the limit or beyond, or in a hole; {@code cutoutTest} is null where there are none. */
+    /** Adds a hit unless it is at or beyond the limit, or in a hole; {@code cutoutTest} is null if there are no cutouts. */
     public void add(int s, int partIndex, double distance, double limit, CutoutTest cutoutTest) {
         if (!(distance < limit) || distance == Double.POSITIVE_INFINITY || cutoutTest != null && cutoutTest.passes(partIndex, distance)) {
             return;

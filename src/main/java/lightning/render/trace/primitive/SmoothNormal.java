@@ -3,35 +3,34 @@ package lightning.render.trace.primitive;
 import lightning.render.trace.mesh.TrianglePoint;
 
 /**
- * How a flat triangle is shaded as a part of a smooth surface: by a normal between those of its vertices, from a point on a rounder
- * surface. Reused for one after the other.
+ * Smooth shading of a flat triangle: interpolated vertex normal, and a point lifted to the rounded surface. Reused.
  *
- * <p><b>The normal</b> is the mean of the vertices' by their weights at the point, on the side of the triangle that is seen. A mirror
- * would send some rays into the surface by it, at the rim of what is seen; it is therefore {@link ShadingNormal#bend bent} afterwards.
- * What the material does not mirror gets the same normal: a material's edit must not move it.
+ * <p><b>Normal:</b> mean of the vertex normals with the barycentric weights, on the visible side of the triangle. Near
+ * silhouettes, reflected rays could enter the surface, so it is {@link ShadingNormal#bend bent} afterward. Materials that do
+ * not reflect get the same normal, so that editing a material never moves it.
  *
- * <p><b>The point</b> from which shadows are asked is lifted to where the planes through the vertices at a right angle to their
- * normals are, those below it left out, by the same weights (Hanika 2021, Hacking the Shadow Terminator, Ray Tracing Gems II,
- * chapter 4). Else a round body would throw the shadow of its facets on itself where the light begins to set. Nothing is lifted where
- * the surface is hollow, nor from a vertex whose normal leads into the triangle.
+ * <p><b>Point:</b> start of shadow rays, lifted by the same weights to the planes through the vertices perpendicular to their
+ * normals; planes below the point are skipped (Hanika 2021, Hacking the Shadow Terminator, Ray Tracing Gems II, chapter 4).
+ * Otherwise a round body would show the shadows of its own facets near the terminator. Concave surfaces are not lifted, nor are
+ * vertices whose normal points into the triangle.
  */
 final class SmoothNormal {
     private final double[] x = new double[3];
     private final double[] y = new double[3];
     private final double[] z = new double[3];
-    /** 1 where the vertices' normals lead to the side that is seen, −1 where they lead away from it. */
+    /** 1 if the vertex normals point to the visible side, −1 if they point away from it. */
     double side;
-    /** How the point is lifted, scene units. */
+    /** Lift of the point, scene units. */
     double liftX;
     double liftY;
     double liftZ;
 
     /**
-     * Computes the normal, in the scene.
+     * Computes the normal in scene space.
      *
-     * @param m  the map to the mesh's own space at {@code m[i …]}, by whose transpose normals come back
-     * @param gx the triangle's normal, of length 1, on the side that is seen
-     * @param result gets the normal, not yet bent
+     * @param m transform to the mesh's local space at {@code m[i …]}; its transpose transforms normals back
+     * @param gx normal of the triangle, of length 1, on the visible side
+     * @param result receives the normal, not yet bent
      */
     void compute(TrianglePoint facet, double[] m, int i, double gx, double gy, double gz, ShadingNormal result) {
         double sumX = 0;
@@ -63,7 +62,7 @@ final class SmoothNormal {
             double square = x[v] * x[v] + y[v] * y[v] + z[v] * z[v];
             double below = -side * facet.tangentPlaneDistance(v);
             if (below > 0 && side * (x[v] * gx + y[v] * gy + z[v] * gz) > 0) {
-                // Once to measure the plane's distance in the scene, once to walk it.
+                // The side applies twice: to measure the plane's distance in the scene, and to move by it.
                 double scale = side * facet.weight(v) * below / square;
                 liftX += scale * x[v];
                 liftY += scale * y[v];

@@ -6,20 +6,18 @@ import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.BumpMapping;
 
 /**
- * Where a ray meets a shape, in two forms: the point in the shape's own space, in double, and what
- * shading sees, rounded to float.
+ * Surface data at a ray's hit: the point in local space, in double, and the values for shading, rounded to float.
  *
- * <p>The stored point lies off the surface, on the side that the ray came from, by a bound on its own
- * error along the normal: twice what rounding each coordinate to float can move it that way, Σ|nᵢ·pᵢ|·2⁻²⁴, and
- * the error of the hit in double, which grows with the coordinates of the shape and of the ray's origin. Rays
- * that leave from it need no further care. The normal has length 1 and faces the incoming ray. A mesh that has normals is shaded by
- * them, and the point is lifted first ({@link SmoothNormal}); one whose material has a relief by what that makes of the normal
- * ({@link BumpNormal}).
+ * <p>The stored point is offset from the surface along the normal, on the side that the ray came from, by a bound on its own
+ * error. The bound is twice the effect of rounding each coordinate to float, Σ|nᵢ·pᵢ|·2⁻²⁴, plus the error of the hit in
+ * double, which grows with the coordinates of the shape and of the ray's origin. So rays that start at it need no epsilon. The
+ * normal has length 1 and faces the incoming ray. Meshes with vertex normals are shaded by these, from a lifted point
+ * ({@link SmoothNormal}). Materials with bump or normal maps use the perturbed normal ({@link BumpNormal}).
  */
 public final class SurfaceHit {
-    /** The share of a point's coordinates, seen along the normal, by which it is moved: two float roundings. */
+    /** Offset relative to a point's coordinates, weighted by the normal: two float roundings. */
     public static final double OFFSET = 0x1p-23;
-    /** The error of a hit in double, as a share of the coordinates of the ray's origin and of the shape. */
+    /** Error of a hit in double, relative to the coordinates of the ray's origin and of the shape. */
     public static final double HIT_ERROR = 0x1p-46;
 
     private final double[] outward = new double[3];
@@ -33,7 +31,7 @@ public final class SurfaceHit {
     public float px;
     public float py;
     public float pz;
-    /** The point on the other side of the surface, off it by the same bound, once {@link #computeBackPoint} was called. */
+    /** Point on the other side of the surface, offset by the same bound; valid after {@link #computeBackPoint}. */
     public float backX;
     public float backY;
     public float backZ;
@@ -70,7 +68,7 @@ public final class SurfaceHit {
         pz = (float) (z + geometricZ * offset);
     }
 
-    /** The same without a point: own coordinates, normal and side alone. */
+    /** Computes only local coordinates, normal and side, without the point. */
     public void computeNormal(PrimitiveTable primitives, int s, int part, double ox, double oy, double oz, double dx, double dy, double dz,
             double t) {
         double x = ox + t * dx;
@@ -90,13 +88,13 @@ public final class SurfaceHit {
         double ax = mesh == null ? outward[0] : facet.nx;
         double ay = mesh == null ? outward[1] : facet.ny;
         double az = mesh == null ? outward[2] : facet.nz;
-        // Normals go by the transpose of the inverse map.
+        // Normals are transformed by the transpose of the inverse.
         double bx = m[i] * ax + m[i + 4] * ay + m[i + 8] * az;
         double by = m[i + 1] * ax + m[i + 5] * ay + m[i + 9] * az;
         double bz = m[i + 2] * ax + m[i + 6] * ay + m[i + 10] * az;
         double square = bx * bx + by * by + bz * bz;
         if (!(square > 0)) {
-            // A cone's apex, or a shape smaller than the spacing of doubles where it stands: it faces whoever sees it.
+            // At a cone's apex, or on a shape smaller than the spacing of doubles at its position, the normal faces the ray.
             bx = -dx;
             by = -dy;
             bz = -dz;
@@ -128,7 +126,7 @@ public final class SurfaceHit {
         }
     }
 
-    /** Finds the point behind the surface that was computed last, where a ray that passes goes on. No mesh's normals lift it. */
+    /** Computes the point behind the latest surface, at which a refracted ray starts. Vertex normals do not lift it. */
     public void computeBackPoint() {
         double offset = (Math.abs(hitX * geometricX) + Math.abs(hitY * geometricY) + Math.abs(hitZ * geometricZ)) * OFFSET + hitError;
         backX = (float) (hitX - geometricX * offset);
@@ -136,22 +134,22 @@ public final class SurfaceHit {
         backZ = (float) (hitZ - geometricZ * offset);
     }
 
-    /** Whether the ray came to the surface that was computed last from inside: along its outward normal. */
+    /** Returns true if the ray reached the latest surface from inside, along its outward normal. */
     public boolean isInside() {
         return inside;
     }
 
-    /** The normal of the surface that was computed last, whatever shades it: of length 1, on the side that is seen. */
+    /** Returns the geometric normal of the latest surface: of length 1, on the visible side. */
     public Vec3 geometricNormal() {
         return new Vec3(geometricX, geometricY, geometricZ);
     }
 
     /**
-     * By what the primitive that was computed last would be shaded if nothing bent it towards the viewer: computed once more.
+     * Recomputes the shading normal of the latest surface before it is bent toward the viewer.
      *
-     * @param smoothMesh  by the normals of a mesh's vertices, which there are
+     * @param smoothMesh true to use vertex normals, which must exist
      * @param bumpMapping null for none
-     * @return of length 1, on the side that is seen; null where the relief tilts nothing
+     * @return normal of length 1, on the visible side; null if the bump mapping does not tilt it
      */
     public Vec3 unbentNormal(PrimitiveTable primitives, int s, boolean smoothMesh, BumpMapping bumpMapping) {
         if (smoothMesh) {
@@ -161,18 +159,18 @@ public final class SurfaceHit {
         return bumpMapping != null && !tilts ? null : new Vec3(shadingNormal.x, shadingNormal.y, shadingNormal.z);
     }
 
-    /** How far the vertices' normals lifted the point that was computed last, scene units. */
+    /** Returns the lift of the latest point by vertex normals, scene units. */
     public double liftDistance() {
         return Math.sqrt(smoothNormal.liftX * smoothNormal.liftX + smoothNormal.liftY * smoothNormal.liftY
                 + smoothNormal.liftZ * smoothNormal.liftZ);
     }
 
-    /** Whether the primitive that was computed last is a mesh with normals at its vertices. */
+    /** Returns true if the latest primitive is a mesh with vertex normals. */
     public boolean isSmooth(PrimitiveTable primitives, int s) {
         return primitives.mesh(s) != null && facet.isSmooth();
     }
 
-    /** Shades by another normal than the surface's own, by the relief and the mesh's normals, as far as there are any. */
+    /** Replaces the geometric normal by the shading normal from bump mapping and vertex normals, if any. */
     private void applyShadingNormal(PrimitiveTable primitives, int s, BumpMapping bumpMapping, boolean smoothMesh, double dx, double dy,
             double dz) {
         if (tiltNormal(primitives, s, bumpMapping, smoothMesh) || smoothMesh) {
@@ -183,7 +181,7 @@ public final class SurfaceHit {
         }
     }
 
-    /** Begins with the surface's own normal, unless a mesh's is there already; whether the relief tilts it. */
+    /** Applies bump mapping to the geometric normal, or to the smooth normal if one is set; returns true if it tilts it. */
     private boolean tiltNormal(PrimitiveTable primitives, int s, BumpMapping bumpMapping, boolean smoothMesh) {
         if (!smoothMesh) {
             shadingNormal.x = geometricX;

@@ -12,15 +12,15 @@ import lightning.scene.Shape;
 import lightning.scene.Stage;
 import lightning.scene.Transmission;
 
-/** What materials of primitives say of where rays go there: what bends normals, what passes through, and what is cut out. */
+/** Material properties of primitives that affect rays: bump mapping, transmission and cutouts. */
 final class SurfaceTraits {
-    /** What bends the normals of each primitive, null for nothing; null where there is nothing at all. */
+    /** Bump mapping of each primitive, null for none; null if there is none at all. */
     private final BumpMapping[] bumpMappings;
-    /** What passes through each primitive, null for nothing; null where there is nothing at all. */
+    /** Transmission of each primitive, null for none; null if there is none at all. */
     private final Transmission[] transmissions;
-    /** What is cut out of each primitive, null for nothing; null where there is nothing at all. */
+    /** Cutout of each primitive, null for none; null if there is none at all. */
     private final AlphaCutout[] cutouts;
-    /** The material of each primitive that light passes, null for others; null where it passes none. */
+    /** Material of each primitive that tints shadow rays, null for others; null if there is none at all. */
     private final Material[] shadowTints;
 
     SurfaceTraits(Stage stage) {
@@ -39,58 +39,58 @@ final class SurfaceTraits {
         return shapes.stream().map(s -> trait.apply(materials.get(s.material()))).map(t -> hasEffect.test(t) ? t : null).toArray(array);
     }
 
-    /** What bends the normals of primitive {@code s}; null for nothing. */
+    /** Returns the bump mapping of primitive {@code s}; null for none. */
     BumpMapping bumpMapping(int s) {
         return bumpMappings == null ? null : bumpMappings[s];
     }
 
-    /** What passes through primitive {@code s}; null for nothing. */
+    /** Returns the transmission of primitive {@code s}; null for none. */
     private Transmission transmission(int s) {
         return transmissions == null ? null : transmissions[s];
     }
 
-    /** What is cut out of primitive {@code s}; null for nothing. */
+    /** Returns the cutout of primitive {@code s}; null for none. */
     AlphaCutout cutout(int s) {
         return cutouts == null ? null : cutouts[s];
     }
 
-    /** The material of primitive {@code s} where light on its way to a point passes it; else null. */
+    /** Returns the material of primitive {@code s} if it tints shadow rays, otherwise null. */
     Material shadowTint(int s) {
         return shadowTints == null ? null : shadowTints[s];
     }
 
-    /** Whether light passes any primitive. */
+    /** Returns true if any primitive tints shadow rays. */
     boolean hasShadowTints() {
         return shadowTints != null;
     }
 
-    /** Whether light passes primitive {@code s} as it passes primitive {@code t} of others. */
+    /** Returns true if primitive {@code s} tints shadow rays like primitive {@code t} of another table. */
     boolean hasSameShadowTint(int s, SurfaceTraits o, int t) {
         Material one = shadowTint(s);
         Material other = o.shadowTint(t);
         return one == other || one != null && other != null && one.hasSameShadowTint(other) && hasSameNormals(s, o, t);
     }
 
-    /** Whether anything is cut out of any primitive. */
+    /** Returns true if any primitive has cutouts. */
     boolean hasCutouts() {
         return cutouts != null;
     }
 
-    /** Whether primitive {@code s} has the holes of primitive {@code t} of others. */
+    /** Returns true if primitive {@code s} has the cutouts of primitive {@code t} of another table. */
     boolean hasSameCutout(int s, SurfaceTraits o, int t) {
         AlphaCutout one = cutout(s);
         AlphaCutout other = o.cutout(t);
         return one == other || one != null && other != null && one.hasSameHoles(other);
     }
 
-    /** Whether rays go on behind primitive {@code s} as they do behind primitive {@code t} of others. */
+    /** Returns true if primitive {@code s} refracts rays like primitive {@code t} of another table. */
     boolean refractsLike(int s, SurfaceTraits o, int t) {
         Transmission one = transmission(s);
         Transmission other = o.transmission(t);
         return one == other || one != null && other != null && one.refractsLike(other);
     }
 
-    /** Whether normals of primitive {@code s} are bent as those of primitive {@code t} of others. */
+    /** Returns true if primitive {@code s} has the bump mapping of primitive {@code t} of another table. */
     boolean hasSameNormals(int s, SurfaceTraits o, int t) {
         BumpMapping one = bumpMapping(s);
         BumpMapping other = o.bumpMapping(t);

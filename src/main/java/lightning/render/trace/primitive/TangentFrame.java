@@ -3,11 +3,12 @@ package lightning.render.trace.primitive;
 import lightning.render.trace.mesh.TrianglePoint;
 
 /**
- * The frame of a normal map that a mesh's tangents make: T along the tangent and at a right angle to the normal N, B = N × T, or its
- * opposite by the tangent's hand. Reused for one after the other.
+ * Tangent frame of a normal map from a mesh's tangents: T along the tangent and perpendicular to the normal N; B = ±(N × T) by
+ * the tangent's handedness. Reused.
  *
- * <p>Tangents go to the scene as directions do, by the map itself, of which a primitive has the inverse: up to a factor they are
- * t₀·(b × c) + t₁·(c × a) + t₂·(a × b), a, b, c being its rows. Where that map mirrors, N × T is on the other side, as the picture is.
+ * <p>Tangents are transformed to the scene like directions, by the transform itself. The primitive stores its inverse; with
+ * rows a, b, c of the inverse, the transformed tangent is t₀·(b × c) + t₁·(c × a) + t₂·(a × b) up to a factor. If the transform
+ * mirrors, N × T changes sides, and so does the image.
  */
 final class TangentFrame {
     double tx;
@@ -18,10 +19,10 @@ final class TangentFrame {
     double bz;
 
     /**
-     * Computes it; whether there is one.
+     * Computes the frame; returns false if there is none.
      *
-     * @param m  the map to the mesh's own space at {@code m[i …]}
-     * @param nx the normal that points outwards, of length 1
+     * @param m transform to the mesh's local space at {@code m[i …]}
+     * @param nx outward normal, of length 1
      */
     boolean compute(TrianglePoint facet, double[] m, int i, double nx, double ny, double nz) {
         double t0 = facet.tangent(0);
@@ -48,7 +49,7 @@ final class TangentFrame {
         return valid;
     }
 
-    /** One coordinate of the cross product of two rows. */
+    /** Returns one coordinate of the cross product of two rows. */
     private static double cross(double[] m, int i, int a, int b, int j, int k) {
         return m[i + a + j] * m[i + b + k] - m[i + a + k] * m[i + b + j];
     }

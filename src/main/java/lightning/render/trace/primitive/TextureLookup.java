@@ -6,10 +6,11 @@ import lightning.render.trace.mesh.TrianglePoint;
 import lightning.scene.TextureMap;
 
 /**
- * The factor on the diffuse color where a primitive is met: the color of its texture, times that between the vertices of a mesh. Holds scratch memory: one for each thread.
+ * Lookup of the factor for the diffuse color at a hit: texture color times interpolated vertex color. Holds scratch memory: use
+ * one per thread.
  *
- * <p>Texture coordinates are multiplied by the repeat counts. The four nearest pixels are mixed bilinearly and the
- * picture repeats endlessly; v runs upwards, from the picture's bottom row.
+ * <p>Texture coordinates are multiplied by the repeat counts. The lookup is bilinear and the image repeats endlessly; v points
+ * up from the image's bottom row.
  */
 public final class TextureLookup {
     private final BilinearLookup lookup = new BilinearLookup();
@@ -17,10 +18,10 @@ public final class TextureLookup {
     private final double[] uv = new double[2];
 
     /**
-     * Writes the linear RGB, 0…1, at an own point of primitive {@code s} to {@code rgb[0…2]}.
+     * Writes the linear RGB, 0…1, at a local point of primitive {@code s} to {@code rgb[0…2]}.
      *
-     * @param part the part that was hit
-     * @param map  the texture of its material; null where it has none
+     * @param part part that was hit
+     * @param map texture of its material; null if it has none
      */
     public void lookUp(PrimitiveTable primitives, int s, int part, TextureMap map, double x, double y, double z, float[] rgb) {
         MeshSolid mesh = primitives.mesh(s);

@@ -1,7 +1,8 @@
 /**
- * What rays can meet: the primitives of a scene as plain columns in render space, and the surface where one of them is met.
+ * Primitives of a scene as columns in render space, and surface data at a ray's hit.
  *
- * <p>A primitive is a canonical {@link lightning.render.trace.solid solid} or a {@link lightning.render.trace.mesh mesh}, with its map and the shape
- * that it is a part of. Errors that placing it may have made are bounded here, for rays that begin or end on it.
+ * <p>A primitive is a canonical {@link lightning.render.trace.solid solid} or a {@link lightning.render.trace.mesh mesh}, with
+ * its transform and the shape that it belongs to. This package also bounds the errors of transforms, for rays that start or end
+ * on a primitive.
  */
 package lightning.render.trace.primitive;

@@ -1,11 +1,11 @@
 package lightning.render.trace.solid;
 
-/** A frustum whose side does not lean: both its bases have radius 1. */
+/** Frustum with a vertical side: both bases have radius 1. */
 final class Cylinder extends Frustum {
-    /** Below this ratio of (sideways / along)² a ray through a cylinder does not move sideways. */
+    /** Below this ratio of (sideways / along)² a ray through a cylinder counts as parallel to the axis. */
     static final double PARALLEL = 0x1p-200;
 
-    /** The sphere's formula in two dimensions. */
+    /** Computes the sphere's formula in two dimensions. */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
             SurfaceContact touch, double margin) {
@@ -38,7 +38,7 @@ final class Cylinder extends Frustum {
         return 0.5 * (in + out);
     }
 
-    /** What has no discs is met only where its side is crossed. */
+    /** Returns −∞ for a cylinder without caps, which has no inside. */
     @Override
     public double insideDepth(double[] data, int at, double x, double y, double z) {
         return data[at + CAPS] == 0 ? -MISS : Math.min(1 - Math.sqrt(x * x + z * z), Math.min(y, 1 - y));

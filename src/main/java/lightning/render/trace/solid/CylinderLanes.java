@@ -11,11 +11,11 @@ import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 
-/** {@link Cylinder} in lanes, operation by operation. */
+/** Lane version of {@link Cylinder}, operation by operation. */
 final class CylinderLanes {
     private CylinderLanes() {}
 
-    /** Writes the intervals of the lanes {@code from … to − 1} inside the endless cylinder. */
+    /** Writes the intervals of the lanes {@code from … to − 1} inside the infinite cylinder. */
     static void writeSideIntervals(double[] m, int i, RayBatch p, IntervalHitLanes slab, int from, int to) {
         for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector x = fromArray(SPECIES, p.ox, h);
@@ -50,7 +50,7 @@ final class CylinderLanes {
         }
     }
 
-    /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
+    /** Writes outward directions of the surface at the local points {@code h … h + COUNT − 1}. */
     static void outwardNormals(double[] m, int i, PointLanes p, int h) {
         DoubleVector zero = broadcast(SPECIES, 0);
         DoubleVector ox = fromArray(SPECIES, p.localX, h);

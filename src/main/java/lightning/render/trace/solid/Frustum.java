@@ -1,13 +1,13 @@
 package lightning.render.trace.solid;
 
 /**
- * A cone cut parallel to its base: radius 1 at y = 0, its first own number at y = 1, closed by two discs where its second is not
- * 0. A cone's top has radius 0. With h = 1 − lean·y, the radius at height y, its side is x² + z² = h².
+ * Cone cut parallel to its base: radius 1 at y = 0; radius at y = 1 from its first parameter; closed by two caps if its second
+ * parameter is not 0. A cone's top has radius 0. With h = 1 − lean·y, the radius at height y, its side is x² + z² = h².
  */
 class Frustum extends SolidGeometry {
-    /** The radius at y = 1. */
+    /** Index of the radius at y = 1. */
     static final int TOP_RADIUS = MAP_SIZE;
-    /** 1 where discs close it, else 0. */
+    /** Index of the flag for caps: 1 or 0. */
     static final int CAPS = MAP_SIZE + 1;
 
     @Override
@@ -20,8 +20,9 @@ class Frustum extends SolidGeometry {
     }
 
     /**
-     * Above y = 1 and not falling, or below 0 and not rising. Both ends of the interval in which 0 ≤ y ≤ 1, −oy / dy and
-     * (1 − oy) / dy, are then 0 or less, or −∞ where dy is 0, and what is met lies at no more ({@link IntervalHit}).
+     * Returns true for rays above y = 1 that do not descend, or below y = 0 that do not ascend. Then both ends of the interval
+     * with 0 ≤ y ≤ 1, −oy / dy and (1 − oy) / dy, are at most 0, or −∞ for dy = 0. The hit cannot be beyond them
+     * ({@link IntervalHit}).
      */
     @Override
     public final boolean isCertainMiss(double minY, double maxY, double minDirectionY, double maxDirectionY) {
@@ -34,11 +35,15 @@ class Frustum extends SolidGeometry {
     }
 
     /**
-     * In x, z and h a cone, whatever the lean: the origin is first moved along the ray to its point nearest to the apex. Otherwise
-     * the terms of a ray from far away that runs along a generator cancel, and the error grows with the square of the distance
-     * (Haines et al., Ray Tracing Gems, ch. 7, do so for the sphere). The discriminant is Lagrange's identity for
-     * that form. A ray steeper than the side always crosses the double cone, and for a point at a right angle to it this
-     * discriminant is a sum of squares, w²·(dh²/side − 1) among them; b² − ac rounds to either side of 0 at the apex.
+     * Intersects the side as a cone in x, z and h, for any lean.
+     *
+     * <p>The origin is first moved along the ray to its point nearest to the apex. Otherwise the terms of a distant ray along a
+     * generator cancel, and the error grows with the square of the distance (Haines et al., Ray Tracing Gems, ch. 7, do so for
+     * the sphere).
+     *
+     * <p>The discriminant uses Lagrange's identity for that form. A ray steeper than the side always crosses the double cone.
+     * For a point perpendicular to the ray, this discriminant is a sum of squares, including w²·(dh²/side − 1); b² − ac rounds
+     * to either side of 0 at the apex.
      */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
@@ -64,33 +69,36 @@ class Frustum extends SolidGeometry {
         double t0 = q == 0 ? t1 : shift + c / q;
         double low = t0 < t1 ? t0 : t1;
         double high = t0 < t1 ? t1 : t0;
-        // Steeper than the side (a < 0) the ray enters the half of the double cone in which h > 0 once and
-        // stays; along a generator (a = 0) only one root is left.
+        // Steeper than the side (a < 0): the ray enters the half of the double cone with h > 0 once and stays inside. Along a
+        // generator (a = 0) only one root remains.
         boolean steep = a < 0;
         boolean generator = a == 0;
         boolean forward = steep ? dh > 0 : b >= 0;
         double bound = steep ? (dh > 0 ? high : low) : t0;
         double sideIn = steep || generator ? (forward ? bound : -MISS) : low;
         double sideOut = steep || generator ? (forward ? MISS : bound) : high;
-        // Where there is no real root, one end of the interval at least is NaN: a miss by itself.
+        // Without a real root, at least one end of the interval is NaN: a miss.
         boolean miss = Math.abs(c * a) > 2 * q * q;
         return hitDistance(data, at, miss ? MISS : sideIn, miss ? -MISS : sideOut, oy, dy, touch, margin);
     }
 
-    /** What is met of the interval within the endless side. */
+    /** Returns the hit within the interval inside the infinite side. */
     static double hitDistance(double[] data, int at, double sideIn, double sideOut, double oy, double dy, SurfaceContact touch,
             double margin) {
         return data[at + CAPS] != 0 ? IntervalHit.hitWithCaps(sideIn, sideOut, oy, dy, touch, margin)
                 : IntervalHit.hitWithoutCaps(sideIn, sideOut, oy, dy, touch, margin);
     }
 
-    /** The rim at the wider end is the sharper, the more the side leans. */
+    /** Returns the factor of the rim at the wider end, which is sharper the more the side leans. */
     @Override
     public final double edgeMarginFactor(double[] data, int at) {
         return 4 * steepness(data[at + TOP_RADIUS]);
     }
 
-    /** From the side within its height, or from a disc: each distance changes by no more than the point moves. */
+    /**
+     * Returns the smaller of the distances to the side within its height and to a cap. Neither changes by more than the point
+     * moves.
+     */
     @Override
     public final double surfaceDistance(double[] data, int at, double x, double y, double z, double maxScale) {
         double top = data[at + TOP_RADIUS];
@@ -117,7 +125,7 @@ class Frustum extends SolidGeometry {
         out[2] = side ? z : 0;
     }
 
-    /** Whether a point of the surface belongs to the side rather than to a disc: the nearest of them. */
+    /** Returns true if a point of the surface belongs to the side instead of a cap, by the nearest of them. */
     private static boolean isSide(double[] data, int at, double x, double y, double z) {
         double top = data[at + TOP_RADIUS];
         if (data[at + CAPS] == 0) {
@@ -127,7 +135,10 @@ class Frustum extends SolidGeometry {
         return Math.abs(Math.sqrt(x * x + z * z) - (1 - (1 - top) * y)) <= disc * steepness(top);
     }
 
-    /** How far a point beside the side can lie off it along x and z for each unit that it is off by: 1 up to a cone's lean. */
+    /**
+     * Returns the bound on the distance from the side along x and z, per unit of error perpendicular to it. It is 1 up to a
+     * cone's lean.
+     */
     static double steepness(double top) {
         return Math.max(1, Math.abs(1 - top));
     }

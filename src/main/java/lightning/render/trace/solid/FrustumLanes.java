@@ -12,7 +12,7 @@ import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 
-/** {@link Frustum} in lanes, operation by operation. */
+/** Lane version of {@link Frustum}, operation by operation. */
 final class FrustumLanes {
     private FrustumLanes() {}
 
@@ -70,7 +70,7 @@ final class FrustumLanes {
         }
     }
 
-    /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
+    /** Writes outward directions of the surface at the local points {@code h … h + COUNT − 1}. */
     static void outwardNormals(double[] m, int i, PointLanes p, int h) {
         double top = m[i + Frustum.TOP_RADIUS];
         double taper = 1 - top;

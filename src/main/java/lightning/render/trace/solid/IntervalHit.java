@@ -1,10 +1,10 @@
 package lightning.render.trace.solid;
 
-/** What a ray meets first of a convex solid that it is in along one interval. */
+/** First hit on a convex solid, from the interval of the ray inside it. */
 final class IntervalHit {
     private IntervalHit() {}
 
-    /** Cuts the interval within a side with the one in which 0 ≤ y ≤ 1. NaN in the interval is a miss. */
+    /** Intersects the interval inside a side with the one with 0 ≤ y ≤ 1. NaN in the interval is a miss. */
     static double hitWithCaps(double sideIn, double sideOut, double oy, double dy, SurfaceContact touch, double margin) {
         double inverse = 1 / dy;
         double t0 = -oy * inverse;
@@ -19,8 +19,8 @@ final class IntervalHit {
     }
 
     /**
-     * What is met of a side alone, from without or from within, where 0 ≤ y ≤ 1. The side, without its end, is convex: a way is
-     * within it along the interval, and crosses it at the ends. NaN in the interval is a miss.
+     * Returns the hit on a side without caps, from outside or inside, with 0 ≤ y ≤ 1. The infinite side is convex: the ray is
+     * inside during the interval and crosses the side at its ends. NaN in the interval is a miss.
      */
     static double hitWithoutCaps(double sideIn, double sideOut, double oy, double dy, SurfaceContact touch, double margin) {
         double inverse = 1 / dy;
@@ -43,13 +43,14 @@ final class IntervalHit {
     }
 
     /**
-     * What a way meets of a solid that it is in from {@code in} to {@code out}.
+     * Returns the hit of a ray that is inside a solid from {@code in} to {@code out}.
      *
-     * <p>An end on the surface is, by rounding, a little before it or behind it, and {@code in} or {@code out} tells nothing
-     * there. The middle of the interval does: it lies on the way if the way goes through the solid, else beyond its end.
+     * <p>If an end of the ray is on the surface, rounding puts it on either side, and {@code in} or {@code out} decides nothing
+     * there. The midpoint of the interval decides: it lies on the ray if the ray passes through the solid, otherwise beyond its
+     * end.
      *
-     * @param margin twice the distance from the end up to which the middle tells nothing either, as where a way only
-     *               cuts off the tip of an edge or of an apex on which the end lies
+     * @param margin twice the distance from the end within which the midpoint decides nothing either, as where a ray only cuts
+     *     off the tip of an edge or apex that contains the end
      */
     static double hitDistance(double in, double out, SurfaceContact touch, double margin) {
         return switch (touch) {
@@ -59,7 +60,7 @@ final class IntervalHit {
         };
     }
 
-    /** The first positive end of an interval; a miss if it is empty, behind or NaN. */
+    /** Returns the first positive end of an interval; a miss if the interval is empty, behind the origin, or NaN. */
     private static double nearest(double in, double out) {
         boolean hit = in <= out && out > 0;
         double t = in > 0 ? in : out;

@@ -12,16 +12,16 @@ import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 
-/** {@link IntervalHit} in lanes, operation by operation: what is met of the intervals within sides. */
+/** Lane version of {@link IntervalHit}, operation by operation. */
 final class IntervalHitLanes {
-    /** Heights of the origins and of the directions in the shape's space. */
+    /** Local y of the origins and of the directions. */
     final double[] oy = new double[RayBatch.WIDTH];
     final double[] dy = new double[RayBatch.WIDTH];
-    /** The intervals in which the rays are within the side. */
+    /** Intervals of the rays inside the side. */
     final double[] sideIn = new double[RayBatch.WIDTH];
     final double[] sideOut = new double[RayBatch.WIDTH];
 
-    /** {@link IntervalHit#hitWithCaps}: writes the distances of the lanes {@code from … to − 1} to {@code out}. */
+    /** Writes the distances of {@link IntervalHit#hitWithCaps} for the lanes {@code from … to − 1} to {@code out}. */
     void hitWithCaps(double[] out, int from, int to) {
         for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector miss = broadcast(SPECIES, SolidGeometry.MISS);
@@ -46,7 +46,7 @@ final class IntervalHitLanes {
         }
     }
 
-    /** {@link IntervalHit#hitWithoutCaps}: writes the distances of the lanes {@code from … to − 1} to {@code out}. */
+    /** Writes the distances of {@link IntervalHit#hitWithoutCaps} for the lanes {@code from … to − 1} to {@code out}. */
     void hitWithoutCaps(double[] out, int from, int to) {
         for (int h = from; h < to; h += DoubleLanes.COUNT) {
             DoubleVector miss = broadcast(SPECIES, SolidGeometry.MISS);

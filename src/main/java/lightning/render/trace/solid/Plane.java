@@ -1,6 +1,6 @@
 package lightning.render.trace.solid;
 
-/** The unit square about the origin in the plane y = 0, which has no inside. */
+/** Unit square around the origin in the plane y = 0, without an inside. */
 final class Plane extends SolidGeometry {
     @Override
     public void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
@@ -18,14 +18,17 @@ final class Plane extends SolidGeometry {
         return hit ? t : MISS;
     }
 
-    /** A way crosses it at that end or nowhere. */
+    /** Returns the crossing. A ray that ends on the plane has no other crossing. */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz,
             SurfaceContact touch, double margin) {
         return touch == SurfaceContact.NONE ? distance(data, at, ox, oy, oz, dx, dy, dz) : MISS;
     }
 
-    /** The distance is −oy / dy: below 0, or 0, or without a number, unless one of them is above 0 and the other below. */
+    /**
+     * Returns true unless origin and direction can have opposite signs of y: otherwise the distance −oy / dy is at most 0, or
+     * NaN.
+     */
     @Override
     public boolean isCertainMiss(double minY, double maxY, double minDirectionY, double maxDirectionY) {
         return minY >= 0 && minDirectionY >= 0 || maxY <= 0 && maxDirectionY <= 0;
@@ -36,7 +39,7 @@ final class Plane extends SolidGeometry {
         return 4;
     }
 
-    /** On each axis by itself: along y from the square, along x and z from its edges. */
+    /** Returns the largest of the distances per axis: along y from the square, along x and z from its edges. */
     @Override
     public double surfaceDistance(double[] m, int i, double x, double y, double z, double maxScale) {
         return Math.max(Math.abs(y) / (Math.abs(m[i + 4]) + Math.abs(m[i + 5]) + Math.abs(m[i + 6])),

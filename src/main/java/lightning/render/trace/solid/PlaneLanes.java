@@ -10,7 +10,7 @@ import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 
-/** {@link Plane} in lanes, operation by operation. */
+/** Lane version of {@link Plane}, operation by operation. */
 final class PlaneLanes {
     private PlaneLanes() {}
 
@@ -38,7 +38,7 @@ final class PlaneLanes {
         }
     }
 
-    /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
+    /** Writes outward directions of the surface at the local points {@code h … h + COUNT − 1}. */
     static void outwardNormals(PointLanes p, int h) {
         broadcast(SPECIES, 0).intoArray(p.outwardX, h);
         broadcast(SPECIES, 1).intoArray(p.outwardY, h);

@@ -2,9 +2,9 @@ package lightning.render.trace.solid;
 
 import jdk.incubator.vector.FloatVector;
 
-/** A handful of rays, one lane each. */
+/** Small batch of rays, one per lane. */
 public class RayBatch {
-    /** How many rays fit: the float lanes of this machine. */
+    /** Capacity: the number of float lanes of this CPU. */
     public static final int WIDTH = FloatVector.SPECIES_PREFERRED.length();
 
     /** Origins and directions (any length), render space; {@code double[WIDTH]} each. */

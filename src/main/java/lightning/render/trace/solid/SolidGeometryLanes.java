@@ -1,10 +1,13 @@
 package lightning.render.trace.solid;
 
-/** The {@link SolidGeometry} of each kind in lanes. Holds scratch memory: one for each thread. */
+/** Lane versions of {@link SolidGeometry} for all kinds. Holds scratch memory: use one per thread. */
 public final class SolidGeometryLanes {
     private final IntervalHitLanes slab = new IntervalHitLanes();
 
-    /** {@link SolidGeometry#distance}: writes the distances of the lanes {@code from … to − 1}, whole vectors, to {@code out}. */
+    /**
+     * Writes the distances of {@link SolidGeometry#distance} for the lanes {@code from … to − 1}, whole vectors, to
+     * {@code out}.
+     */
     public void distances(SolidKind kind, double[] data, int at, RayBatch rays, double[] out, int from, int to) {
         switch (kind) {
             case SPHERE -> SphereLanes.distances(data, at, rays, out, from, to);
@@ -28,7 +31,7 @@ public final class SolidGeometryLanes {
         }
     }
 
-    /** {@link SolidGeometry#outwardNormal} for the points of one vector, which begins at lane {@code h}. */
+    /** Writes {@link SolidGeometry#outwardNormal} for the points of one vector, which begins at lane {@code h}. */
     public static void outwardNormals(SolidKind kind, double[] data, int at, PointLanes points, int h) {
         switch (kind) {
             case SPHERE -> SphereLanes.outwardNormals(points, h);

@@ -2,11 +2,11 @@ package lightning.render.trace.solid;
 
 import lightning.scene.Solid;
 
-/** The kinds of canonical solids that rays can meet: a closed set. */
+/** Kind of canonical solid; a closed set. */
 public enum SolidKind {
     SPHERE(new Sphere()),
     CYLINDER(new Cylinder()),
-    /** Cones too: their top has radius 0. */
+    /** Also cones, whose top has radius 0. */
     FRUSTUM(new Frustum()),
     PLANE(new Plane());
 
@@ -19,7 +19,7 @@ public enum SolidKind {
         this.geometry = geometry;
     }
 
-    /** The kind with a given {@link #ordinal}. */
+    /** Returns the kind with a given {@link #ordinal}. */
     public static SolidKind fromOrdinal(int ordinal) {
         return ALL[ordinal];
     }
@@ -34,7 +34,7 @@ public enum SolidKind {
         };
     }
 
-    /** The numbers of a solid of its own, as its {@link SolidGeometry} expects them behind its map. */
+    /** Returns the parameters of a solid that its {@link SolidGeometry} expects after the transform. */
     public static double[] parameters(Solid.Canonical solid) {
         return switch (solid) {
             case Solid.Sphere _ -> NONE;
@@ -49,7 +49,7 @@ public enum SolidKind {
         return new double[] {top, caps ? 1 : 0};
     }
 
-    /** What tracing must know of it. */
+    /** Returns the intersection code of this kind. */
     public SolidGeometry geometry() {
         return geometry;
     }

@@ -1,6 +1,6 @@
 package lightning.render.trace.solid;
 
-/** Radius 1 about the origin. Texture coordinates are longitude and latitude. */
+/** Sphere of radius 1 around the origin. Texture coordinates are longitude and latitude. */
 final class Sphere extends SolidGeometry {
     @Override
     public void extent(double[] data, int at, double mx, double my, double mz, double t, double[] box, int i) {
@@ -10,11 +10,14 @@ final class Sphere extends SolidGeometry {
     }
 
     /**
-     * The discriminant b² − ac is |d|² − |o × d|² by Lagrange's identity, which
-     * loses no digits to cancellation far from the sphere, and each root is the quotient that loses
-     * none near it (after Haines et al., Ray Tracing Gems, ch. 7). Only the nearest root ahead is
-     * divided out: the second one for a ray that leaves from inside, else the first. That |c·a| ≤ q² holds;
-     * where it fails by far, c and q are mere rounding of a ray that touches the surface it leaves: a miss.
+     * Intersects a ray.
+     *
+     * <p>The discriminant b² − ac is |d|² − |o × d|² by Lagrange's identity, without cancellation far from the sphere. Each
+     * root is computed by the quotient without cancellation near it (after Haines et al., Ray Tracing Gems, ch. 7). Only the
+     * nearest root ahead is divided: the second one for a ray that starts inside, otherwise the first.
+     *
+     * <p>|c·a| ≤ q² holds exactly. Where it fails by far, c and q are rounding errors of a tangent to the surface that the ray
+     * leaves: a miss.
      */
     @Override
     public double distance(double[] data, int at, double ox, double oy, double oz, double dx, double dy, double dz) {
@@ -47,7 +50,7 @@ final class Sphere extends SolidGeometry {
         return Math.abs(c * a) <= 2 * q * q ? IntervalHit.hitDistance(t0 < t1 ? t0 : t1, t0 < t1 ? t1 : t0, touch, margin) : MISS;
     }
 
-    /** Heights alone tell nothing that rounding may not spoil. */
+    /** Returns false: rounding may invalidate any conclusion from heights alone. */
     @Override
     public boolean isCertainMiss(double minY, double maxY, double minDirectionY, double maxDirectionY) {
         return false;
@@ -63,7 +66,7 @@ final class Sphere extends SolidGeometry {
         return 1 - Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** It has no edge. */
+    /** Returns the value for a solid without edges. */
     @Override
     public double edgeMarginFactor(double[] data, int at) {
         return 4;
@@ -87,7 +90,7 @@ final class Sphere extends SolidGeometry {
         uv[1] = StrictMath.asin(y < -1 ? -1 : y > 1 ? 1 : y) / Math.PI + 0.5;
     }
 
-    /** Along the surface, latitude rises as y / (π·cosine of the latitude) does. */
+    /** Writes the gradients; along the surface, latitude grows like y / (π·cosine of the latitude). */
     @Override
     public void textureGradients(double[] data, int at, double x, double y, double z, double[] to) {
         double ring = Math.PI * Math.sqrt(x * x + z * z);

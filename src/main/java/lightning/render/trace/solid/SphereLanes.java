@@ -11,7 +11,7 @@ import static lightning.render.trace.solid.DoubleLanes.SPECIES;
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 
-/** {@link Sphere} in lanes, operation by operation. */
+/** Lane version of {@link Sphere}, operation by operation. */
 final class SphereLanes {
     private SphereLanes() {}
 
@@ -47,7 +47,7 @@ final class SphereLanes {
         }
     }
 
-    /** Writes directions that lead out of the surface at the own points {@code h … h + COUNT − 1}. */
+    /** Writes outward directions of the surface at the local points {@code h … h + COUNT − 1}. */
     static void outwardNormals(PointLanes p, int h) {
         fromArray(SPECIES, p.localX, h).intoArray(p.outwardX, h);
         fromArray(SPECIES, p.localY, h).intoArray(p.outwardY, h);

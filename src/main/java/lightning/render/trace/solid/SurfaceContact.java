@@ -1,11 +1,11 @@
 package lightning.render.trace.solid;
 
-/** Which end of a way lies on the surface of the solid that it may cut. Such a surface does not come between at that end. */
+/** End of a ray that lies on the surface of the solid to intersect. At that end the surface does not block the ray. */
 public enum SurfaceContact {
-    /** None: the solid is met wherever the ray first crosses its surface. */
+    /** Neither end: the hit is the first crossing of the surface. */
     NONE,
-    /** Where it begins, at the eye: the solid is met on its far side, if the ray goes through it, and not where it begins. */
+    /** Start, at the eye: the hit is on the far side if the ray passes through the solid, never at the start. */
     START,
-    /** Where it ends, at distance 1, at a light: the solid is met where the ray enters it, if it then goes through it to the light. */
+    /** End, at distance 1, at a light: the hit is the entry into the solid if the ray then passes through it to the light. */
     END
 }

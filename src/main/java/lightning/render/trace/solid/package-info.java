@@ -1,5 +1,5 @@
 /**
- * The canonical solids: how each is met by rays, scalar and in lanes, and what its surface is. A solid is a {@link
- * lightning.render.trace.solid.SolidGeometry} in readable code, its lanes beside it, and a name among the {@link lightning.render.trace.solid.SolidKind}s.
+ * Canonical solids: ray intersection, scalar and in lanes, and surface properties. Each solid has a readable
+ * {@link lightning.render.trace.solid.SolidGeometry}, a lane version, and a {@link lightning.render.trace.solid.SolidKind}.
  */
 package lightning.render.trace.solid;

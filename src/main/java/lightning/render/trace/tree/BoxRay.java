@@ -1,8 +1,8 @@
 package lightning.render.trace.tree;
 
-/** A ray to be tested against padded boxes, in double; one after the other. */
+/** Ray in double precision for tests against padded boxes. Reused. */
 public final class BoxRay {
-    /** Finite, so that a ray within a box's plane makes no NaN. */
+    /** Finite, so that a ray within a box's plane produces no NaN. */
     private static final double MAX_INVERSE = 0x1p900;
 
     private double ox;
@@ -12,7 +12,7 @@ public final class BoxRay {
     private double inverseY;
     private double inverseZ;
 
-    /** Takes a ray. */
+    /** Sets the ray. */
     public void setRay(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
         ox = originX;
         oy = originY;
@@ -27,12 +27,12 @@ public final class BoxRay {
         return inverse < -MAX_INVERSE ? -MAX_INVERSE : inverse > MAX_INVERSE ? MAX_INVERSE : inverse;
     }
 
-    /** Whether the ray goes towards greater coordinates on the axis. */
+    /** Returns true if the ray has a positive direction on the axis. */
     boolean isForward(int axis) {
         return (axis == 0 ? inverseX : axis == 1 ? inverseY : inverseZ) > 0;
     }
 
-    /** Whether the ray may meet the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
+    /** Returns true if the ray may hit the box {@code boxes[at … at + 5]} at a distance up to {@code limit}. */
     public boolean hits(float[] boxes, int at, double limit) {
         double in = 0;
         double out = limit;
@@ -51,7 +51,7 @@ public final class BoxRay {
         return in <= out;
     }
 
-    /** Math.min but for the order of ±0, on which nothing depends here, and for NaN, of which there is none. */
+    /** Math.min without its order of ±0, which is irrelevant here, and without NaN, which cannot occur. */
     private static double min(double a, double b) {
         return a < b ? a : b;
     }

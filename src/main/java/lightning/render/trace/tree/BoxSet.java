@@ -4,14 +4,14 @@ import java.util.Arrays;
 import lightning.render.trace.primitive.PrimitiveBoxes;
 
 /**
- * The padded boxes of some primitives: whether a ray, or any of a bundle, can meet one of them. Immutable.
+ * Padded boxes of some primitives, for tests against a ray or a beam. Immutable.
  *
- * <p>It rejects as the tree does, by the same boxes and the same tests: what is not touched here would not have been asked there,
- * and would not have been met ({@link PrimitiveBoxes}).
+ * <p>The tests and the boxes are the same as in the BVH. So a ray rejected here would not reach these primitives there, and
+ * would not hit them ({@link PrimitiveBoxes}).
  */
 public final class BoxSet {
     public static final BoxSet NONE = new BoxSet(new float[0]);
-    /** So many boxes lie in one around them, which is asked first. */
+    /** Number of boxes in one group, whose bounds are tested first. */
     private static final int GROUP_SIZE = 16;
 
     private final float[] boxes;
@@ -29,7 +29,7 @@ public final class BoxSet {
         }
     }
 
-    /** The boxes of some primitives of a tree. */
+    /** Returns the boxes of some primitives of a BVH. */
     public static BoxSet of(Bvh bvh, int[] primitives, int count) {
         float[] boxes = new float[6 * count];
         for (int i = 0; i < count; i++) {
@@ -38,7 +38,7 @@ public final class BoxSet {
         return count == 0 ? NONE : new BoxSet(boxes);
     }
 
-    /** Of this one's boxes and those of another. */
+    /** Returns the union of these boxes and those of another set. */
     public BoxSet union(BoxSet other) {
         float[] merged = Arrays.copyOf(boxes, boxes.length + other.boxes.length);
         System.arraycopy(other.boxes, 0, merged, boxes.length, other.boxes.length);
@@ -49,7 +49,7 @@ public final class BoxSet {
         return boxes.length == 0;
     }
 
-    /** Whether any ray of a bundle can meet any of the boxes. */
+    /** Returns true if any ray of a beam can hit any of the boxes. */
     public boolean intersects(RayBeam beam) {
         for (int a = 0; a < groupBoxes.length; a += 6) {
             if (beam.entryTime(groupBoxes, a) < Double.POSITIVE_INFINITY) {
@@ -63,7 +63,7 @@ public final class BoxSet {
         return false;
     }
 
-    /** Whether a ray can meet any of the boxes at a distance up to {@code limit}. */
+    /** Returns true if a ray can hit any of the boxes at a distance up to {@code limit}. */
     public boolean intersects(BoxRay ray, double limit) {
         for (int a = 0; a < groupBoxes.length; a += 6) {
             if (ray.hits(groupBoxes, a, limit)) {

@@ -5,26 +5,26 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 
 /**
- * A binary tree of boxes over the primitives, one primitive in each leaf, as plain arrays.
+ * Binary BVH over the primitives as flat arrays, one primitive per leaf.
  *
- * <p>A child is the index of an inner node or, where negative, the complement of a primitive. Node {@code n}
- * has the children {@code child[2 n]} and {@code child[2 n + 1]}, their boxes in
- * {@code boxes[12 n …]}, six floats each, and the axis along which the first lies before the second in
- * {@code axis[n]}. The root is node 0; there is no node where there are fewer than two primitives.
+ * <p>A child is the index of an inner node or, if negative, the complement of a primitive. Node {@code n} has the children
+ * {@code child[2 n]} and {@code child[2 n + 1]}, their boxes in {@code boxes[12 n …]}, six floats each, and in {@code axis[n]}
+ * the axis along which the first child comes before the second. The root is node 0; there are no nodes for fewer than two
+ * primitives.
  */
 public final class Bvh {
-    /** A tree whose boxes are larger together than this times what they were is built anew. */
+    /** Growth of the total box area above which the BVH is rebuilt. */
     private static final double REBUILD_RATIO = 1.25;
 
     public final PrimitiveTable primitives;
-    /** Where the box of each primitive begins in {@link #boxes}; one that is alone has the only one there. */
+    /** Start of each primitive's box in {@link #boxes}; a single primitive has the only box. */
     public final int[] leafBox;
     public final int[] child;
     public final float[] boxes;
     public final byte[] axis;
-    /** Pushed at most this many at a time when one child of every node is put aside. */
+    /** Upper bound of the stack size: one child of every node on a path is pushed. */
     public final int depth;
-    /** How large all boxes were together, each as an area, when the form of the tree was found. */
+    /** Total area of all boxes when the topology was built. */
     private final double builtArea;
 
     public Bvh(PrimitiveTable.BoxedPrimitives boxed) {
@@ -43,7 +43,7 @@ public final class Bvh {
         builtArea = totalArea();
     }
 
-    /** The tree of the same primitives seen from elsewhere: its form with their boxes. */
+    /** Refits the topology of another BVH to the same primitives seen from another camera position. */
     public Bvh(PrimitiveTable.BoxedPrimitives boxed, Bvh topology) {
         primitives = boxed.primitives();
         child = topology.child;
@@ -52,7 +52,7 @@ public final class Bvh {
         depth = topology.depth;
         builtArea = topology.builtArea;
         boxes = primitives.count == 1 ? boxed.boxes() : new float[topology.boxes.length];
-        // Children come after their node, so that from the last on all are there.
+        // Children come after their node, so going backward all children are complete.
         for (int c = child.length - 1; c >= 0; c--) {
             if (child[c] < 0) {
                 System.arraycopy(boxed.boxes(), 6 * ~child[c], boxes, 6 * c, 6);
@@ -65,8 +65,8 @@ public final class Bvh {
     }
 
     /**
-     * A tree over primitives that follow from those of another, in the same order: its form with their boxes, or a form of their own
-     * where there are more or fewer, or where boxes became so large that rays would find them more slowly than a new form takes.
+     * Refits a BVH to changed primitives in the same order, or rebuilds it. Rebuilds if their number differs, or if the boxes
+     * grew so much that slower traversal costs more than a rebuild.
      */
     public static Bvh refitOrRebuild(PrimitiveTable.BoxedPrimitives boxed, Bvh topology) {
         if (boxed.primitives().count != topology.primitives.count) {
@@ -76,7 +76,7 @@ public final class Bvh {
         return refitted.totalArea() <= REBUILD_RATIO * topology.builtArea ? refitted : new Bvh(boxed);
     }
 
-    /** A tree of those primitives of another that are kept, with its boxes, in the order of its nodes; at least one is kept. */
+    /** Creates the BVH of selected primitives of another, with its boxes, in the order of its nodes; at least one is selected. */
     private Bvh(Bvh source, boolean[] selected) {
         primitives = source.primitives;
         depth = source.depth;
@@ -96,7 +96,7 @@ public final class Bvh {
         leafBox = new int[primitives.count];
         int root = copySelected(source, selectedBelow, selected, 0, new int[1]);
         if (root < 0) {
-            // One that is left alone is both children of the root.
+            // A single remaining primitive becomes both children of the root.
             child[0] = root;
             child[1] = root;
         }
@@ -113,15 +113,15 @@ public final class Bvh {
     }
 
     /**
-     * Keeps what is below a child of a node of another tree that has anything to keep.
+     * Copies the selected primitives below a child of another BVH's node; there must be at least one.
      *
-     * @param selectedBelow of each node of it how many primitives are kept
-     * @param nodeCount how many nodes there are here, {@code int[1]}
-     * @return what stands for it here
+     * @param selectedBelow number of selected primitives below each node of the source
+     * @param nodeCount number of nodes so far, {@code int[1]}
+     * @return the copied child
      */
     private int copySelected(Bvh source, int[] selectedBelow, boolean[] selected, int from, int[] nodeCount) {
         int at = from;
-        // Of a node with one side alone that side stands in its place.
+        // Skip nodes with selected primitives on only one side.
         while (at >= 0) {
             int left = source.child[2 * at];
             int right = source.child[2 * at + 1];
@@ -142,9 +142,9 @@ public final class Bvh {
     }
 
     /**
-     * The tree that finds the same primitives but those that are left out; their indices and boxes stay.
+     * Returns a BVH over some of the primitives; their indices and boxes stay.
      *
-     * @param selected for each primitive whether it is kept: at least one is
+     * @param selected flag for each primitive; at least one is selected
      */
     public Bvh subset(boolean[] selected) {
         return primitives.count == 1 ? this : new Bvh(this, selected);
@@ -158,24 +158,27 @@ public final class Bvh {
         return size;
     }
 
-    /** The primitive that a ray meets first, the one with the lowest index among equals, or −1. */
+    /** Returns the primitive that a ray hits first, the one with the lowest index among equal distances, or −1. */
     public int nearest(Ray ray) {
         return traversal(ray).nearest();
     }
 
-    /** Whether a ray meets any primitive at a distance below {@code limit}. */
+    /** Returns true if a ray hits any primitive at a distance below {@code limit}. */
     public boolean isBlocked(Ray ray, double limit) {
         return traversal(ray).isBlocked(limit);
     }
 
-    /** The primitive that a way to a light meets first before its end, the one with the lowest index among equals, or −1. */
+    /**
+     * Returns the primitive that a shadow ray hits first before its end, the one with the lowest index among equal distances,
+     * or −1.
+     */
     public int blocker(Ray shadowRay, ShadowRayTarget target) {
         RayTraversal traversal = traversal(shadowRay);
         traversal.setTarget(target);
         return traversal.nearest(1);
     }
 
-    /** A walk that has taken a ray. */
+    /** Returns a traversal for a ray. */
     public RayTraversal traversal(Ray ray) {
         Vec3 o = ray.origin();
         Vec3 d = ray.direction();

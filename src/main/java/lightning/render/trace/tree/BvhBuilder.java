@@ -3,8 +3,7 @@ package lightning.render.trace.tree;
 import java.util.Arrays;
 
 /**
- * Builds the tree from the top: each node is split where the surface area heuristic, on a few bins per
- * axis, expects the fewest boxes and primitives to be tested (Wald 2007, On fast Construction of
+ * Top-down binned SAH builder: minimizes the expected number of tested boxes and primitives (Wald 2007, On fast Construction of
  * SAH-based Bounding Volume Hierarchies).
  */
 final class BvhBuilder {
@@ -40,7 +39,7 @@ final class BvhBuilder {
         }
     }
 
-    /** Builds the tree over {@code order[from … to − 1]} and returns it as a child. */
+    /** Builds the subtree over {@code order[from … to − 1]} and returns it as a child. */
     private int build(int from, int to, int level) {
         if (to - from == 1) {
             return ~order[from];
@@ -58,7 +57,7 @@ final class BvhBuilder {
         return node;
     }
 
-    /** Moves the primitives of one side before those of the other and returns where the other begins. */
+    /** Partitions the primitives and returns the start of the second side. */
     private int split(int from, int to, int node) {
         setEmpty(centers, 0);
         for (int i = from; i < to; i++) {
@@ -129,7 +128,7 @@ final class BvhBuilder {
         return 0.5f * primitiveBoxes[6 * primitive + a] + 0.5f * primitiveBoxes[6 * primitive + 3 + a];
     }
 
-    /** All in bin 0 where the centers do not differ, or are NaN because boxes are infinite. */
+    /** Returns the bin of a primitive; 0 if all centers are equal, or NaN because boxes are infinite. */
     private int bin(int primitive, int a) {
         float from = centers[a];
         float range = centers[3 + a] - from;
@@ -150,7 +149,7 @@ final class BvhBuilder {
 
     static void grow(float[] b, int at, float[] other, int i) {
         for (int a = 0; a < 3; a++) {
-            // Not Math.min and max, whose order of ±0 and NaN costs half of the building time.
+            // Not Math.min and max: their handling of ±0 and NaN costs half of the build time.
             b[at + a] = other[i + a] < b[at + a] ? other[i + a] : b[at + a];
             b[at + 3 + a] = other[i + 3 + a] > b[at + 3 + a] ? other[i + 3 + a] : b[at + 3 + a];
         }
@@ -160,7 +159,7 @@ final class BvhBuilder {
         return area(b, 0);
     }
 
-    /** Half the surface of the box {@code b[at … at + 5]}; 0 where it is empty. */
+    /** Returns half the surface area of the box {@code b[at … at + 5]}; 0 if it is empty. */
     static double area(float[] b, int at) {
         double x = (double) b[at + 3] - b[at];
         double y = (double) b[at + 4] - b[at + 1];

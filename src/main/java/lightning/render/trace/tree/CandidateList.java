@@ -6,25 +6,25 @@ import java.util.stream.IntStream;
 import lightning.render.trace.primitive.PrimitiveTable;
 
 /**
- * The few primitives that a bundle of rays can meet, nearest first, each with its box: found once for the
- * bundle, so that its packets need not search the tree. Reused; not shared between threads.
+ * Primitives that a beam of rays can hit, nearest first, with their boxes. Collected once per beam so that its packets need not
+ * traverse the BVH. Reused; not thread-safe.
  */
 public final class CandidateList {
-    /** With more than this the tree is faster. */
+    /** Capacity; with more candidates the BVH is faster. */
     static final int MAX_COUNT = 48;
 
     public int count;
-    /** Whether there are more than fit: packets must search the tree. */
+    /** True if there are more candidates than fit: packets must traverse the BVH. */
     public boolean overflow;
     public int[] primitive = new int[MAX_COUNT];
-    /** The primitives' boxes, {@code float[6 * count]}. */
+    /** Boxes of the candidates, {@code float[6 * count]}. */
     public float[] boxes = new float[6 * MAX_COUNT];
-    /** Scratch of the tracer: which lanes of a packet may meet each. */
+    /** Scratch memory of the tracer: lanes of a packet that may hit each candidate. */
     public int[] masks = new int[MAX_COUNT];
     private final double[] entryTime = new double[MAX_COUNT];
     private int[] stack = new int[16];
 
-    /** All primitives of a small scene. */
+    /** Returns all primitives of a small scene. */
     public static CandidateList fromBvh(Bvh bvh) {
         CandidateList c = new CandidateList();
         c.count = bvh.primitives.count;
@@ -38,7 +38,7 @@ public final class CandidateList {
         return c;
     }
 
-    /** All primitives of a tree that has not all of a scene's. */
+    /** Returns the selected primitives of a small scene, whose BVH contains only these. */
     public static CandidateList fromBvh(Bvh bvh, boolean[] selected) {
         CandidateList c = new CandidateList();
         c.primitive = IntStream.range(0, selected.length).filter(s -> selected[s]).toArray();
@@ -51,12 +51,12 @@ public final class CandidateList {
         return c;
     }
 
-    /** Whether no ray of the bundle meets anything: nothing blocks it. */
+    /** Returns true if no ray of the beam can hit a primitive. */
     public boolean isEmpty() {
         return count == 0 && !overflow;
     }
 
-    /** Finds the primitives whose boxes the beam touches. */
+    /** Collects the primitives whose boxes the beam touches. */
     public void collect(Bvh bvh, RayBeam beam) {
         count = 0;
         overflow = false;
@@ -86,7 +86,7 @@ public final class CandidateList {
         }
     }
 
-    /** Puts a primitive before those that the beam touches later. */
+    /** Inserts a primitive before those that the beam enters later. */
     private void add(Bvh bvh, int s, double time) {
         if (!(time < Double.POSITIVE_INFINITY)) {
             return;
@@ -106,7 +106,7 @@ public final class CandidateList {
         System.arraycopy(bvh.boxes, bvh.leafBox[s], boxes, 6 * at, 6);
     }
 
-    /** Leaves out the primitives of all materials but one; does nothing where there are too many. */
+    /** Removes the primitives of all materials except one; does nothing on overflow. */
     public void retainMaterial(PrimitiveTable primitives, int material) {
         retain(s -> primitives.material[s] == material);
     }
@@ -121,12 +121,12 @@ public final class CandidateList {
         count = retained;
     }
 
-    /** Leaves out the primitives that ways leave behind; does nothing where there are too many. */
+    /** Removes the primitives that horizon culling proves to be missed; does nothing on overflow. */
     public void cull(PrimitiveTable primitives, HorizonCulling culling) {
         retain(s -> !culling.isCulled(primitives, s));
     }
 
-    /** Takes those of others, which are not too many, that a beam within theirs touches and ways in it do not leave behind. */
+    /** Copies the candidates of an enclosing beam, without overflow, that this beam touches and horizon culling keeps. */
     public void collectFrom(CandidateList source, PrimitiveTable primitives, RayBeam beam, HorizonCulling culling) {
         count = 0;
         overflow = false;
@@ -143,7 +143,7 @@ public final class CandidateList {
         System.arraycopy(source.boxes, 6 * c, boxes, 6 * at, 6);
     }
 
-    /** Moves a primitive that blocks rays to the front: the next packet is likely to be blocked by it too. */
+    /** Moves a primitive that blocks rays to the front, since it will probably block the next packet too. */
     public void moveToFront(int c) {
         for (int i = 6 * c - 1; i >= 0; i--) {
             float b = boxes[i + 6];

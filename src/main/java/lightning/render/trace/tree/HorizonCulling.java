@@ -5,15 +5,15 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 
 /**
- * Ways from the points of a box to a light or to places on it, and which primitives they certainly leave behind: those that lie on one side of the box
- * while no way turns to that side, as the floor on which points lie lies below a lamp above it.
+ * Conservative culling of primitives that no shadow ray from a box of points can hit: they lie on one side of the box, and no
+ * ray goes to that side. An example is the floor below points lit from above.
  *
- * <p>Certain means that the distance which rays compute is a miss, roundings included. No margin is needed. Rays map a point to the
- * own height m₀·x + m₁·y + m₂·z + m₃ and a direction likewise, without the last; a direction is source − point, and both lie in boxes. All of it are
- * rounded sums and products, and a rounded sum or product by a constant never falls where the exact one rises (IEEE 754, §4.3:
- * rounding keeps order). So the same operations in the same order, done with the end of each axis that makes the result
- * least, give no more than the height of any point of the box; done with the other ends, no less. What follows from heights,
- * {@link lightning.render.trace.solid.SolidGeometry#isCertainMiss} tells. Where a sum is not finite nothing is certain. Reused; not shared between threads.
+ * <p>A culled primitive is certain to be missed, rounding included, without any margin. Rays compute local heights m₀·x + m₁·y
+ * + m₂·z + m₃ of points, and those of directions without m₃; a direction is source − point. Rounded sums and products are
+ * monotone in each operand (IEEE 754, §4.3). So the same operations in the same order, with the minimizing end of each axis,
+ * give a lower bound for the whole box; the other ends give an upper bound.
+ * {@link lightning.render.trace.solid.SolidGeometry#isCertainMiss} decides by these heights. If a sum is not finite, nothing is
+ * culled. Reused; not thread-safe.
  */
 public final class HorizonCulling {
     private PointBox box;
@@ -25,13 +25,13 @@ public final class HorizonCulling {
     private double max;
 
     /**
-     * Takes ways.
+     * Sets the shadow rays.
      *
-     * @param points     where they begin
-     * @param min      the least coordinates of the points where they end, or of their directions; render space
-     * @param max       the greatest
-     * @param toPoints   which of both
-     * @param canHoldEnd whether such a point may lie on a primitive
+     * @param points bounds of their origins
+     * @param min minimum coordinates of their end points, or of their directions; render space
+     * @param max maximum coordinates of their end points, or of their directions; render space
+     * @param toPoints true for end points, false for directions
+     * @param canHoldEnd primitives that may contain such an end point
      */
     public void setRays(PointBox points, Vec3 min, Vec3 max, boolean toPoints, IntPredicate canHoldEnd) {
         box = points;
@@ -41,7 +41,10 @@ public final class HorizonCulling {
         this.canHoldEnd = canHoldEnd;
     }
 
-    /** Whether no way meets primitive {@code s}, for certain; false for a mesh, and for what eye or light lie on. */
+    /**
+     * Returns true if certainly no shadow ray hits primitive {@code s}; false for a mesh and for primitives that contact the
+     * eye or the light.
+     */
     boolean isCulled(PrimitiveTable primitives, int s) {
         if (primitives.mesh(s) != null || primitives.isEyeOnSurface(s) || canHoldEnd.test(s)) {
             return false;
@@ -62,7 +65,7 @@ public final class HorizonCulling {
                 && primitives.kind(s).geometry().isCertainMiss(lowest, highest, min, max);
     }
 
-    /** The sums begin with −0, to which anything may be added. */
+    /** Resets the sums to −0, the neutral element of addition. */
     private void resetSums() {
         min = -0.0;
         max = -0.0;

@@ -1,6 +1,6 @@
 package lightning.render.trace.tree;
 
-/** The smallest box, along the axes of render space, that holds some points. */
+/** Axis-aligned bounds of points in render space. */
 public final class PointBox {
     private final float[] low = new float[3];
     private final float[] high = new float[3];
@@ -10,12 +10,12 @@ public final class PointBox {
         high[axis] = max;
     }
 
-    /** The lower side across axis 0, 1 or 2. */
+    /** Returns the minimum on axis 0, 1 or 2. */
     public float low(int axis) {
         return low[axis];
     }
 
-    /** The upper side across axis 0, 1 or 2. */
+    /** Returns the maximum on axis 0, 1 or 2. */
     public float high(int axis) {
         return high[axis];
     }

@@ -4,24 +4,16 @@ import java.util.Arrays;
 import lightning.base.math.Vec3;
 
 /**
- * The space that a bundle of rays can sweep: the shadow rays of a tile to one light, the eye rays
- * through a tile, the rays that a tile reflects.
+ * Volume swept by a bundle of rays, such as a tile's shadow rays to one light, its camera rays, or its reflected rays.
  *
- * <p>At the time {@code t}, from 0 to {@code end}, every ray is somewhere in the box from
- * {@code low + t·lowSpeed} to {@code high + t·highSpeed}: a box of origins that moves, and grows or
- * shrinks. Whether that moving box ever touches a fixed one is six linear inequalities in t, and the
- * answer is exact for the convex hull of origins and light (it does what the shafts of Haines and
- * Wallace 1991 do, without their planes). Reused; not shared between threads.
- *
- * <pre>{@code
- * beam.clear();
- * beam.origins(rows.box(tracer));
- * beam.towards(light);
- * candidates.collect(geometry.bvh(), beam);
- * }</pre>
+ * <p>At time {@code t}, from 0 to {@code end}, every ray is in the box from {@code low + t·lowSpeed} to
+ * {@code high + t·highSpeed}: a box of origins that moves, and grows or shrinks. Whether it ever touches a fixed box is a
+ * system of six linear inequalities in t. The answer is exact for the convex hull of origins and light (as the shafts of Haines
+ * and Wallace 1991, but without planes). Reused; not thread-safe.
+ * <pre>{@code beam.clear(); beam.addOrigins(rows.bounds(tracer)); beam.aimAt(light); candidates.collect(geometry.bvh(), beam); }</pre>
  */
 public final class RayBeam {
-    /** Rays reach their light only up to rounding. */
+    /** Maximum time, slightly above 1 because rays reach their light only up to rounding. */
     private static final double MAX_TIME = 1 + 0x1p-20;
 
     private final double[] low = new double[3];
@@ -34,7 +26,7 @@ public final class RayBeam {
         clear();
     }
 
-    /** Forgets origins and directions. */
+    /** Removes all origins and directions. */
     public void clear() {
         Arrays.fill(low, Double.POSITIVE_INFINITY);
         Arrays.fill(high, Double.NEGATIVE_INFINITY);
@@ -56,28 +48,28 @@ public final class RayBeam {
         }
     }
 
-    /** Adds a direction in which rays leave, of any length, without a limit. */
+    /** Adds a direction of any length for unbounded rays. */
     public void addDirection(double x, double y, double z) {
         include(lowSpeed, highSpeed, x, y, z);
     }
 
-    /** Adds directions whose components along an axis, 0, 1 or 2, lie from {@code min} to {@code max}. */
+    /** Adds directions whose components along an axis, 0, 1 or 2, are from {@code min} to {@code max}. */
     public void addDirectionRange(int axis, double min, double max) {
         lowSpeed[axis] = Math.min(lowSpeed[axis], min);
         highSpeed[axis] = Math.max(highSpeed[axis], max);
     }
 
-    /** All rays go in one direction, of any length, without a limit: to a directional light. */
+    /** Aims all rays in one direction, of any length, without limit: to a directional light. */
     public void aimAlong(Vec3 direction) {
         addDirection(direction.x(), direction.y(), direction.z());
     }
 
-    /** All rays go from their origins, which must have been added before, to a point in render space. */
+    /** Aims all rays from their origins, which must be added before, at a point in render space. */
     public void aimAt(Vec3 point) {
         aimAt(point, point);
     }
 
-    /** All rays go from their origins, which must have been added before, to points in a box of render space. */
+    /** Aims all rays from their origins, which must be added before, at a box in render space. */
     public void aimAt(Vec3 min, Vec3 max) {
         double[] from = {min.x(), min.y(), min.z()};
         double[] to = {max.x(), max.y(), max.z()};
@@ -88,7 +80,7 @@ public final class RayBeam {
         end = MAX_TIME;
     }
 
-    /** All rays go in directions of a box, of any length, without a limit. */
+    /** Aims all rays in the directions of a box, of any length, without limit. */
     public void aimAlong(Vec3 low, Vec3 high) {
         addDirection(low.x(), low.y(), low.z());
         addDirection(high.x(), high.y(), high.z());
@@ -104,7 +96,7 @@ public final class RayBeam {
     }
 
     /**
-     * When the beam first touches the padded box {@code boxes[at … at + 5]}.
+     * Returns the time at which the beam first touches the padded box {@code boxes[at … at + 5]}.
      *
      * @return a time, or {@code +∞} for never
      */
@@ -112,7 +104,7 @@ public final class RayBeam {
         double in = 0;
         double out = end;
         for (int a = 0; a < 3; a++) {
-            // low + t·lowSpeed ≤ the box's upper end, and high + t·highSpeed ≥ its lower one
+            // low + t·lowSpeed ≤ the box's maximum, and high + t·highSpeed ≥ its minimum
             double above = boxes[at + 3 + a] - low[a];
             double below = high[a] - boxes[at + a];
             double minSpeed = lowSpeed[a];

@@ -5,7 +5,7 @@ import lightning.render.trace.primitive.PrimitiveTable;
 import lightning.render.trace.solid.SolidGeometry;
 import lightning.render.trace.solid.SurfaceContact;
 
-/** Searches what one ray after the other meets, by the tree of boxes or among candidates. Scratch memory: one for each thread. */
+/** Single-ray traversal of the BVH or of a candidate list. Holds scratch memory: use one per thread. */
 public final class RayTraversal {
     /** Up to this many candidates are tested without their boxes. */
     private static final int MAX_WITHOUT_BOX_TEST = 2;
@@ -33,7 +33,7 @@ public final class RayTraversal {
         stack = new int[bvh.depth + 2];
     }
 
-    /** Takes a ray; its origin is the camera or lies within the box of the scene. */
+    /** Sets a ray; its origin must be the camera or lie within the scene's bounds. */
     public void setRay(double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
         ox = originX;
         oy = originY;
@@ -44,17 +44,17 @@ public final class RayTraversal {
         boxRay.setRay(ox, oy, oz, dx, dy, dz);
     }
 
-    /** Says where the rays end that are asked for from now on: at distance 1, if at all. */
+    /** Sets the target at which the next rays end, at distance 1. */
     public void setTarget(ShadowRayTarget newTarget) {
         target = newTarget;
     }
 
-    /** The primitive that the ray meets first, the one with the lowest index among equals, or −1. */
+    /** Returns the primitive that the ray hits first, the one with the lowest index among equal distances, or −1. */
     int nearest() {
         return nearest(SolidGeometry.MISS);
     }
 
-    /** The same of those at a distance below {@code limit}. */
+    /** Returns the primitive that the ray hits first at a distance below {@code limit}, or −1. */
     int nearest(double limit) {
         nearestDistance = limit;
         nearestPrimitive = -1;
@@ -84,7 +84,7 @@ public final class RayTraversal {
         return nearestPrimitive;
     }
 
-    /** The same by asking every primitive. */
+    /** Returns the primitive that the ray hits first; tests every primitive. */
     public int nearestBruteForce() {
         nearestDistance = SolidGeometry.MISS;
         nearestPrimitive = -1;
@@ -94,7 +94,7 @@ public final class RayTraversal {
         return nearestPrimitive;
     }
 
-    /** The same where only primitive {@code s} can be met. */
+    /** Returns primitive {@code s} if the ray hits it, otherwise −1. */
     public int intersectPrimitive(int s) {
         nearestDistance = SolidGeometry.MISS;
         nearestPrimitive = -1;
@@ -102,7 +102,7 @@ public final class RayTraversal {
         return nearestPrimitive;
     }
 
-    /** The same where only the candidates can be met. */
+    /** Returns the candidate that the ray hits first, or −1. */
     public int nearest(CandidateList candidates) {
         if (candidates.overflow) {
             return nearest();
@@ -117,12 +117,12 @@ public final class RayTraversal {
         return nearestPrimitive;
     }
 
-    /** The distance of what {@link #nearest} found, or {@code +∞}. */
+    /** Returns the distance of the hit found by {@link #nearest}, or {@code +∞}. */
     public double distance() {
         return nearestDistance;
     }
 
-    /** The part of it that was met. */
+    /** Returns the part of the primitive that was hit. */
     public int part() {
         return part;
     }
@@ -137,13 +137,13 @@ public final class RayTraversal {
         }
     }
 
-    /** The distance to mesh {@code s} where it is no farther than what was found. */
+    /** Returns the distance to mesh {@code s} if it is not beyond the nearest hit so far. */
     private double meshDistance(int s) {
         setMeshRay(s);
         return probe.nearest(nearestDistance);
     }
 
-    /** Whether the way meets any primitive at a distance below {@code limit}. */
+    /** Returns true if the ray hits any primitive at a distance below {@code limit}. */
     public boolean isBlocked(double limit) {
         if (lastOccluder >= 0 && boxRay.hits(bvh.boxes, bvh.leafBox[lastOccluder], limit) && isBlockedBy(lastOccluder, limit)) {
             return true;
@@ -170,7 +170,7 @@ public final class RayTraversal {
         return false;
     }
 
-    /** The same where only the candidates can be met; one that is goes to their front. */
+    /** Returns true if the ray hits any candidate at a distance below {@code limit}; moves that candidate to the front. */
     public boolean isBlocked(double limit, CandidateList candidates) {
         if (candidates.overflow) {
             return isBlocked(limit);

@@ -7,19 +7,19 @@ import lightning.base.math.Vec3;
 import lightning.render.trace.primitive.PrimitiveTable;
 
 /**
- * Where ways to a light end: a point, and the primitives on which it lies, as far as rounding can tell.
+ * End point of shadow rays to a light, with the primitives that contain it up to rounding.
  *
- * <p>A light that was put on a surface lies on either side of it by rounding, and rays that come from far are less exact than
- * such that come from near. So each primitive is noted with the distance from the camera from which on a row cannot tell.
+ * <p>A light placed on a surface is on either side of it by rounding, and rays from distant points are less exact. So each
+ * primitive has a minimum row distance from the camera, from which on the side is undecidable.
  */
 public final class ShadowRayTarget {
-    /** A way that ends on no primitive, or never. */
+    /** Target of shadow rays that end on no primitive, or are unbounded. */
     public static final ShadowRayTarget OFF_SURFACE = new ShadowRayTarget(Vec3.ZERO, new int[0], new double[0]);
 
     private final Vec3 point;
-    /** The primitives, ascending. */
+    /** Primitives, ascending. */
     private final int[] primitive;
-    /** A row's |x| + |y| + |z| from which on the light lies on the primitive, render space. */
+    /** Minimum |x| + |y| + |z| of a row, render space, from which on the light counts as on the primitive. */
     private final double[] minRowDistance;
 
     private ShadowRayTarget(Vec3 point, int[] primitive, double[] minRowDistance) {
@@ -29,11 +29,11 @@ public final class ShadowRayTarget {
     }
 
     /**
-     * The end of ways to a point in render space.
+     * Returns the target of shadow rays to a point in render space.
      *
-     * <p>It lies on a primitive if it is no farther off than {@link PrimitiveTable#lightTolerance} and a row tell: neither off the
-     * surface nor off the box around it, whichever shows it. The tree leads to the primitives by boxes that are wider for all by
-     * what any of them may be off.
+     * <p>The point is on a primitive if its distance is at most {@link PrimitiveTable#lightTolerance} for the row, measured
+     * both from the surface and from its box. The BVH finds these primitives with boxes padded by the largest tolerance of any
+     * of them.
      */
     public static ShadowRayTarget find(Vec3 point, Bvh bvh) {
         PrimitiveTable primitives = bvh.primitives;
@@ -62,14 +62,14 @@ public final class ShadowRayTarget {
         return findAmong(candidates, count, point, bvh);
     }
 
-    /** The same; every primitive is asked. */
+    /** Returns the target of shadow rays to a point; tests every primitive. */
     public static ShadowRayTarget findBruteForce(Vec3 point, Bvh bvh) {
         int[] candidates = new int[bvh.primitives.count];
         Arrays.setAll(candidates, s -> s);
         return findAmong(candidates, candidates.length, point, bvh);
     }
 
-    /** @param candidates ascending; the primitives on which the point may lie, {@code asked[0 … count − 1]} */
+    /** @param candidates ascending; the primitives that may contain the point, {@code candidates[0 … count − 1]} */
     private static ShadowRayTarget findAmong(int[] candidates, int count, Vec3 point, Bvh bvh) {
         PrimitiveTable primitives = bvh.primitives;
         int[] primitive = new int[count];
@@ -94,7 +94,7 @@ public final class ShadowRayTarget {
         return Math.abs(point.x()) + Math.abs(point.y()) + Math.abs(point.z());
     }
 
-    /** Whether a point lies in the box {@code boxes[at … at + 5]}, or off it by no more than the margin on each axis. */
+    /** Returns true if a point is in the box {@code boxes[at … at + 5]} or within a margin of it on each axis. */
     private static boolean contains(float[] boxes, int at, Vec3 p, double margin) {
         return p.x() >= boxes[at] - margin && p.x() <= boxes[at + 3] + margin
                 && p.y() >= boxes[at + 1] - margin && p.y() <= boxes[at + 4] + margin
@@ -102,10 +102,10 @@ public final class ShadowRayTarget {
     }
 
     /**
-     * Whether the primitives that are the same before and after a change are the same here and in {@code after}.
+     * Returns true if this target and {@code after} touch the same unchanged primitives.
      *
-     * @param newIndex of a primitive of before the index that it has after; negative where it is not the same
-     * @param existedBefore whether a primitive of after was there before
+     * @param newIndex maps old primitive indices to new ones; negative if removed or changed
+     * @param existedBefore true for new primitives that existed before
      */
     public boolean hasSameContacts(ShadowRayTarget after, IntUnaryOperator newIndex, IntPredicate existedBefore) {
         int common = 0;
@@ -122,27 +122,27 @@ public final class ShadowRayTarget {
         return common == Arrays.stream(after.primitive).filter(existedBefore).count();
     }
 
-    /** The point, render space. */
+    /** Returns the point, render space. */
     public Vec3 point() {
         return point;
     }
 
-    /** Whether it lies on no primitive. */
+    /** Returns true if the point is on no primitive. */
     public boolean isOffSurface() {
         return primitive.length == 0;
     }
 
-    /** The index of a primitive for {@link #touches(int, double, double, double)}, negative where the light is not on it. */
+    /** Returns the index of a primitive for {@link #touches(int, double, double, double)}; negative if the light is not on it. */
     public int indexOf(int s) {
         return primitive.length == 0 ? -1 : Arrays.binarySearch(primitive, s);
     }
 
-    /** Whether, for a row at a point in render space, the light lies on the primitive of an index. */
+    /** Returns true if the light is on the primitive of an index, for a row at a point in render space. */
     public boolean touches(int index, double x, double y, double z) {
         return Math.abs(x) + Math.abs(y) + Math.abs(z) >= minRowDistance[index];
     }
 
-    /** Whether, for a row at a point in render space, the light lies on primitive {@code s}. */
+    /** Returns true if the light is on primitive {@code s}, for a row at a point in render space. */
     public boolean touches(int s, Vec3 row) {
         int index = indexOf(s);
         return index >= 0 && touches(index, row.x(), row.y(), row.z());

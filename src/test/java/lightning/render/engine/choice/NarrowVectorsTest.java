@@ -19,7 +19,7 @@ import lightning.scene.Scene;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where Java has no vector module, or its vectors are narrow, all is done in plain loops. */
+/** Tests that the scalar engine is used if Java has no vector module, or narrow vectors. */
 @Slow
 class NarrowVectorsTest {
 
@@ -35,7 +35,7 @@ class NarrowVectorsTest {
         assertThat(java.waitFor()).isZero();
     }
 
-    /** The program of the other Java. */
+    /** Main class of the second JVM. */
     static final class NarrowVectorProcess {
         private static final String WANTED = "first pass: same bits, edit: same bits, lanes: false, scalar: true";
 

@@ -18,7 +18,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** A beam may hold too many shapes, never too few: every packet of it gets the answer of all shapes. */
+/** Tests that a beam's candidates contain every shape that its rays hit: each packet gets the same result as with all shapes. */
 class CandidateListTest {
     private final RayPacket packet = new RayPacket();
     private final RayBeam beam = new RayBeam();
@@ -102,7 +102,7 @@ class CandidateListTest {
         }
     }
 
-    /** Often all in one small region, as the points of a tile are. */
+    /** Returns points, often all in one small region, as those of a tile. */
     private static float[][] points(RandomRays rays, long seed, int count) {
         Random random = new Random(seed);
         float[][] points = new float[3][count];

@@ -15,8 +15,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Where several shapes are met at one distance, the first of them is: by one ray alone, in a packet, with the tree
- * of boxes and without it. And a way is blocked by a shape nearer than its end, never by one exactly there.
+ * Tests that the first of several shapes at equal distance is hit: by single rays and packets, with and without BVH. Also tests
+ * that shapes block only nearer than the end of a shadow ray, not exactly at it.
  */
 @Slow
 class EqualDistanceTest {
@@ -24,11 +24,11 @@ class EqualDistanceTest {
 
     static Stream<Arguments> scenes() {
         return Stream.of(
-                Arguments.of("equal balls in one spot", TraceScenes.overlappingShapes(1000)),
-                Arguments.of("a thousand shapes in one spot", TraceScenes.mixedOverlappingShapes(1000)),
-                Arguments.of("shapes within shapes", TraceScenes.nested()),
+                Arguments.of("equal balls at one position", TraceScenes.overlappingShapes(1000)),
+                Arguments.of("a thousand shapes at one position", TraceScenes.mixedOverlappingShapes(1000)),
+                Arguments.of("nested shapes", TraceScenes.nested()),
                 Arguments.of("flat shapes", TraceScenes.flat()),
-                Arguments.of("shapes of all scales, many of them twice", TraceScenes.randomScene(60, 8)));
+                Arguments.of("shapes of all scales, many duplicated", TraceScenes.randomScene(60, 8)));
     }
 
     private final RayPacket rayPacket = new RayPacket();
@@ -57,10 +57,10 @@ class EqualDistanceTest {
                 assertThat(rayPacket.t).isEqualTo(least);
             }
         }
-        assertThat(ties).as("rays that meet several shapes first").isGreaterThan(100);
+        assertThat(ties).as("rays with several nearest shapes").isGreaterThan(100);
     }
 
-    /** From the last shape to the first, unlike any tracer; returns how many shapes are met at the least distance. */
+    /** Searches from the last shape to the first, unlike any tracer; returns the number of shapes at the minimum distance. */
     private static int lowest(Geometry geometry, Ray ray, int lane, int[] nearest, double[] minDistance) {
         nearest[lane] = -1;
         minDistance[lane] = SolidGeometry.MISS;
@@ -102,6 +102,6 @@ class EqualDistanceTest {
             assertThat(byTree.findBlocked(rayPacket, RayPacket.WIDTH)).isEqualTo(expected);
             assertThat(inTurn.findBlocked(rayPacket, RayPacket.WIDTH)).isEqualTo(expected);
         }
-        assertThat(Math.min(blocked[0], blocked[1])).as("rays of either answer").isGreaterThan(100);
+        assertThat(Math.min(blocked[0], blocked[1])).as("rays with each result").isGreaterThan(100);
     }
 }

@@ -15,7 +15,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** A tile's rows where there are meshes are those of the plain loops, however its pixels fall into squares. */
+/** Tests that a tile's rows of meshes equal those of the scalar engine, however its pixels are divided into squares. */
 class MeshLaneTracerTest {
     @Property(tries = 100)
     void tileRows_matchScalarEngineBitForBit(@ForAll @IntRange(min = 1, max = 40) int shapes, @ForAll long seed,

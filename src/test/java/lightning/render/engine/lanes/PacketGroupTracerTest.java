@@ -12,7 +12,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** Every answer of a group is compared with the scalar functions of all shapes, bit for bit. */
+/** Compares every result of a packet group with the scalar functions over all shapes, bit for bit. */
 class PacketGroupTracerTest {
     private static final int GROUPS = 8;
     private static final int W = RayPacket.WIDTH;
@@ -23,7 +23,7 @@ class PacketGroupTracerTest {
         return candidates;
     }
 
-    /** Some rays of some packets, at least one. */
+    /** Returns some rays of some packets, at least one. */
     private static long randomSet(Random random) {
         long set = 0;
         for (int k = 0; k < PacketGroupTracer.MAX_PACKETS; k++) {
@@ -59,17 +59,17 @@ class PacketGroupTracerTest {
         });
     }
 
-    /** What is asked of a group's rays in a set. */
+    /** Check of a set of a group's rays. */
     private interface GroupCheck {
         void check(PacketGroupTracer tracer, long set);
     }
 
-    /** Looks at ray {@code i} of a packet, which is the group's ray of that bit. */
+    /** Check of ray {@code i} of a packet, which is the given bit of the group. */
     private interface RayCheck {
         void check(RayPacket packet, int i, long bit);
     }
 
-    /** Fills groups, that go down the tree and that ask all shapes, with rays, some of which are asked. */
+    /** Fills groups with rays, some of which are selected, and checks them with the BVH and with all shapes. */
     private static void checkGroups(Geometry geometry, long seed, GroupCheck check) {
         for (int maxLinear : new int[] {1, Integer.MAX_VALUE}) {
             PacketGroupTracer tracer = new PacketGroupTracer(geometry.bvh(), maxLinear);

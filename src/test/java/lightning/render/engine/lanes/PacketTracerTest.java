@@ -18,7 +18,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** Every answer of a packet is compared with the scalar functions of all shapes, bit for bit. */
+/** Compares every result of a packet with the scalar functions over all shapes, bit for bit. */
 class PacketTracerTest {
     private static final int PACKETS = 25;
 
@@ -120,7 +120,7 @@ class PacketTracerTest {
         }
     }
 
-    /** The vector code must have been compiled by the optimizing compiler to say that its bits are right. */
+    /** Runs long enough for the optimizing compiler, since interpreted vector code proves nothing about its bits. */
     @Test
     void compiledCode_matchesBitForBit() {
         for (Scene scene : new Scene[] {TraceScenes.bird(), TraceScenes.house(), TraceScenes.cloud(60, 5)}) {

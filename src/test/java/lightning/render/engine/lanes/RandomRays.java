@@ -9,7 +9,7 @@ import lightning.render.trace.CameraRays;
 import lightning.render.trace.Geometry;
 import lightning.render.trace.primitive.SurfaceHit;
 
-/** Rays that make trouble: grazing, tangent, axis-parallel, along generators, from surfaces and from inside. */
+/** Generator of difficult rays: grazing, tangent, axis-parallel, along generators, from surfaces and from inside. */
 public final class RandomRays {
     private final Geometry geometry;
     private final Random random;
@@ -21,7 +21,7 @@ public final class RandomRays {
         maxCoordinate = geometry.primitives().maxCoordinateSum / 4;
     }
 
-    /** Fills all lanes; neighbors often resemble each other. */
+    /** Fills all lanes; neighbors are often similar. */
     public void fill(RayPacket p) {
         Vec3 from = origin();
         boolean commonOrigin = random.nextBoolean();
@@ -43,7 +43,7 @@ public final class RandomRays {
         }
     }
 
-    /** Exactly at a hit or just behind it. */
+    /** Returns a limit exactly at a hit or just after it. */
     private double limitAtHit(Vec3 o, Vec3 d) {
         double t = geometry.distance(random.nextInt(geometry.primitiveCount()), new Ray(o, d));
         return random.nextBoolean() ? t : Math.nextUp(t);
@@ -79,7 +79,7 @@ public final class RandomRays {
         return new Vec3(v[0], v[1], v[2]);
     }
 
-    /** A point in, on, or at the edge of a shape. */
+    /** Returns a point in, on, or at the edge of a shape. */
     private Vec3 pointNearShape() {
         int s = random.nextInt(geometry.primitiveCount());
         Transform toWorld = geometry.primitives().stage.placedShapes().get(s).toWorld();
@@ -97,7 +97,7 @@ public final class RandomRays {
         return geometry.toRenderSpace(toWorld.transformPoint(local));
     }
 
-    /** About as far off as {@link SurfaceHit} puts the points from which secondary rays leave. */
+    /** Offsets a point by about as much as {@link SurfaceHit} offsets the origins of secondary rays. */
     private Vec3 offsetPoint(Vec3 p) {
         double radius = 0x1p-22 * (Math.abs(p.x()) + Math.abs(p.y()) + Math.abs(p.z()));
         return new Vec3((float) (p.x() + radius * signedRandom()), (float) (p.y() + radius * signedRandom()),
@@ -112,7 +112,7 @@ public final class RandomRays {
         return new Ray(new Vec3(p.ox[i], p.oy[i], p.oz[i]), new Vec3(p.dx[i], p.dy[i], p.dz[i]));
     }
 
-    /** Puts the eye's rays through a pixel and those to the right of it into a packet. */
+    /** Writes the camera rays through a pixel and those to the right of it to a packet. */
     public static void loadEyeRays(CameraRays camera, int x, int y, RayPacket p) {
         Arrays.fill(p.ox, 0);
         Arrays.fill(p.oy, 0);

@@ -13,7 +13,7 @@ import lightning.render.trace.tree.RayBeam;
 import lightning.scene.PictureSettings;
 import lightning.scene.Scene;
 
-/** Nanoseconds per ray of each stage of tracing, scalar beside packets. Run it by itself, on a quiet machine. */
+/** Benchmark of each stage of tracing in nanoseconds per ray, scalar and in packets. Run it alone, on a quiet machine. */
 final class TraceBench {
     private static final int SIZE = 512;
     private static final int TILE = 32;

@@ -26,11 +26,11 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
-/** Lanes find of shapes with holes, and of all shapes that ways cross, what plain loops find. */
+/** Tests that lanes and scalar code agree for shapes with cutouts, and for all hits of shadow rays. */
 class TracerAgreementTest {
     private static final int ROWS = 1024;
 
-    /** Every other of 5 × 3 pixels is missing. */
+    /** Cuts out every other one of 5 × 3 pixels. */
     private static Scene withHoles(Scene scene) {
         float[] rgb = new float[45];
         for (int i = 0; i < rgb.length; i++) {
@@ -96,7 +96,7 @@ class TracerAgreementTest {
         return result;
     }
 
-    /** Ways from anywhere about the shapes, those of a turn to one place, through about where a shape is. */
+    /** Creates shadow rays from random points around the shapes, with one target per rotation, that pass near a shape. */
     private static RowShadowRays randomShadowRays(Geometry geometry, HitRows rows, long seed, boolean toPoints) {
         Random random = new Random(seed);
         float[] boxes = CandidateList.fromBvh(geometry.bvh()).boxes;

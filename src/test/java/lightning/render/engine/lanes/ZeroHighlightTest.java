@@ -8,9 +8,9 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 
-/** Highlights of which no power is computed. */
+/** Tests the highlights for which no power is computed. */
 class ZeroHighlightTest {
-    /** The exponent is drawn, so that all sizes of shininess come up. */
+    /** Draws the exponent, so that every magnitude of shininess occurs. */
     @Property
     void zeroPowerCosine_hasZeroPowerAsFloat(@ForAll @DoubleRange(min = -6, max = 6) double exponent,
             @ForAll @DoubleRange(min = 0, max = 1) double share) {

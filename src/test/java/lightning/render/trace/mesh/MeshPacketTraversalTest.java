@@ -13,7 +13,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** Lanes answer as the scalar walk does, bit for bit: together and alone, from near and from afar. */
+/** Tests that lanes and scalar traversal agree bit for bit: in beams and as single rays, from near and far. */
 class MeshPacketTraversalTest {
     private static final Mesh BALL = SampleMeshes.ball(60, 100, false);
 
@@ -32,7 +32,7 @@ class MeshPacketTraversalTest {
         check(new MeshSolid(mesh), random, 10);
     }
 
-    /** The vector code must have been compiled by the optimizing compiler to say that its bits are right. */
+    /** Runs long enough for the optimizing compiler, since interpreted vector code proves nothing about its bits. */
     @Test
     @Slow
     void compiledCode_matchesBitForBit() {
@@ -53,25 +53,25 @@ class MeshPacketTraversalTest {
         }
     }
 
-    /** What floats leave out must not be what the test in doubles lets in: rays through vertices and along edges are the hardest. */
+    /** Floats must not reject a hit of the test in doubles: rays through vertices and along edges are the hardest. */
     @Test
     void raysAtVerticesAndEdges_matchBitForBit() {
         assertBitsMatch(new Random(2), 500, random -> Math.pow(10, 3 * random.nextDouble()), BALL.triangleCount());
     }
 
-    /** Rays from a point near the mesh that are led through it together, as those of an eye are. */
+    /** Uses rays from a point near the mesh that traverse it together, as camera rays do. */
     @Test
     void commonOriginRaysAtNearbyVertices_matchBitForBit() {
         assertBitsMatch(new Random(3), 2000, _ -> 1.5, 10);
     }
 
-    /** A beam that is wider than the mesh's boxes parts on its way down, and each of its rays goes on in one part. */
+    /** A beam that is wider than the mesh's boxes is split while it descends, and each of its rays continues in one part. */
     @Test
     void divergentRays_matchBitForBit() {
         assertBitsMatch(new Random(4), 300, _ -> 2, 3000);
     }
 
-    /** So many groups of rays that {@link #aim} makes, at such distances, through so many triangles of a ball. */
+    /** Compares groups of rays of {@link #aim}, from random distances, through triangles of a ball. */
     private void assertBitsMatch(Random random, int groups, ToDoubleFunction<Random> far, int triangles) {
         MeshSolid solid = new MeshSolid(BALL);
         double[] m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -82,7 +82,7 @@ class MeshPacketTraversalTest {
         }
     }
 
-    /** Makes rays of one origin through vertices and middles of edges of triangles that follow each other, or from there to one end. */
+    /** Creates rays from one origin through vertices and edge midpoints of consecutive triangles, or from there to one end. */
     private void aim(Random random, Mesh mesh, double far, int triangles) {
         int first = random.nextInt(mesh.triangleCount() - triangles + 1);
         boolean back = random.nextBoolean();
@@ -124,7 +124,7 @@ class MeshPacketTraversalTest {
             d[k] = 0.3 * random.nextGaussian() / scale - o[k];
         }
         int flat = random.nextInt(6);
-        // One origin, origins near each other, or ways that all end at one point, nearly or to the bit.
+        // One origin, nearby origins, or rays that all end at one point, approximately or exactly.
         int kind = random.nextInt(4);
         double off = random.nextBoolean() ? 0 : Math.pow(10, -18 * random.nextDouble()) / scale;
         for (int g = 0; g < count; g++) {
@@ -148,7 +148,7 @@ class MeshPacketTraversalTest {
                     p.dz[i] = d[2] + spread * random.nextGaussian() / scale;
                 }
                 if (random.nextInt(40) == 0) {
-                    // As the way from a row to a light at the row's very point, or almost there.
+                    // Like the shadow ray from a row to a light at the row's position, or almost there.
                     double less = random.nextBoolean() ? 0 : Math.pow(10, -330 * random.nextDouble());
                     p.dx[i] *= less;
                     p.dy[i] *= less;

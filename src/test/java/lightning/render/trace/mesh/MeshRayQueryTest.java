@@ -47,7 +47,7 @@ class MeshRayQueryTest {
         }
     }
 
-    /** A vertex, a point on an edge, or anything. */
+    /** Returns a vertex, a point on an edge, or any point. */
     private static double[] aim(Mesh mesh, Random random) {
         double[] at = {random.nextGaussian(), random.nextGaussian(), random.nextGaussian()};
         if (mesh.triangleCount() > 0 && random.nextInt(4) != 0) {
@@ -61,7 +61,7 @@ class MeshRayQueryTest {
         return at;
     }
 
-    /** {@code -Dlightning.aimed=2000000} aims as many. */
+    /** {@code -Dlightning.aimed=2000000} aims as many rays. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-3, 0.999})
     void raysFromInsideAtVerticesAndEdges_neverLeak(double off) {
@@ -72,7 +72,7 @@ class MeshRayQueryTest {
         for (int n = 0; n < rays; n++) {
             double[] o = new double[3];
             for (int a = 0; a < 3; a++) {
-                // Within the ball, which is nowhere flatter than this.
+                // Within the ball, whose inner radius is at least this.
                 o[a] = off * (random.nextDouble() - 0.5) * 1.15;
             }
             int t = 3 * random.nextInt(ball.triangleCount());
@@ -93,7 +93,7 @@ class MeshRayQueryTest {
         assertThat(lost).as("of %s rays", rays).isZero();
     }
 
-    /** Seen from its side a triangle is a line, and how near its vertices are to the ray is noise; the point met is by it all the same. */
+    /** Seen edge-on a triangle is a line, and depth differences of its vertices are noise; the hit must still be next to it. */
     @Test
     void edgeOnTriangles_areHitInsideTheirBoxes() {
         int hit = 0;

@@ -10,15 +10,15 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The trees of meshes, asked for by many threads. */
+/** Tests BVHs of meshes that are requested by many threads. */
 @Slow
 class MeshTreeTest {
-    /** Enough for a tree to be built by several threads. */
+    /** Enough for several threads to build a BVH. */
     private static final int TRIANGLES = 30_000;
     private static final int TREES = 60;
 
     @Test
-    // Threads that wait for each other do so for ever.
+    // Threads in a deadlock never finish.
     @Timeout(value = 5 * Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     void commonPoolThreads_canRequestTreesConcurrently() {
         long built = IntStream.range(0, TREES).parallel().mapToObj(seed -> MeshTree.of(SampleMeshes.randomTriangles(TRIANGLES, seed)))

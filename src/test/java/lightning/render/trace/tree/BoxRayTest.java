@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Rays against the box −1…1: it may be let pass too often, never too seldom. */
+/** Tests rays against the box −1…1: false hits are allowed, false misses are not. */
 class BoxRayTest {
     private static final float[] BOX = {-1, -1, -1, 1, 1, 1};
 
@@ -30,7 +30,7 @@ class BoxRayTest {
         assertThat(hits(new Vec3(1.001, 0, 5), new Vec3(zero, zero, -1), SolidGeometry.MISS)).isFalse();
     }
 
-    /** A shape in it may be met at that very distance, and have the lower index. */
+    /** A shape in the box may be hit at exactly that distance, and have the lower index. */
     @Test
     void boxAtLimit_isHit_andBeyondLimitIsMissed() {
         assertThat(hits(new Vec3(0, 0, 5), new Vec3(0, 0, -1), 4)).isTrue();

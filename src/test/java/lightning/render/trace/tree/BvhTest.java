@@ -41,7 +41,7 @@ class BvhTest {
         }
     }
 
-    /** Lights on shapes, above them, and away from all. */
+    /** Uses lights on shapes, above them, and away from all. */
     @Property
     void shadowRayTargetsAndBlockers_matchBruteForce(@ForAll @IntRange(min = 1, max = 60) int shapes, @ForAll long seed,
             @ForAll @IntRange(min = 0, max = 60) int up) {
@@ -169,7 +169,7 @@ class BvhTest {
         assertThat(packet.primitive).containsOnly(0);
     }
 
-    /** Distances that grow by a factor would make a split by surface area peel off one shape at a time. */
+    /** Distances that grow by a factor would make an SAH split separate one shape at a time. */
     @Test
     void shapesAtGrowingDistances_haveBoundedDepth() {
         float[] boxes = new float[6 * 120];
@@ -195,11 +195,11 @@ class BvhTest {
         ThreadMXBean threads = ManagementFactory.getThreadMXBean();
         long before = threads.getCurrentThreadCpuTime();
         assertThat(new BvhBuilder(boxes).depth).isBetween(20, 60);
-        // Of the processor, so that other work on the machine does not count.
+        // CPU time, so that other load on the machine does not count.
         assertThat(Duration.ofNanos(threads.getCurrentThreadCpuTime() - before)).isLessThan(Duration.ofSeconds(30));
     }
 
-    /** Skewed so much that the inverse map is noise: boxes say nothing, all shapes must be asked. */
+    /** The shapes are so skewed that the inverse transform is noise: boxes are unusable, and all shapes must be tested. */
     @Property
     void overflowingShapes_matchBruteForce(@ForAll long seed) {
         Geometry geometry;

@@ -20,14 +20,15 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 
-/** What is said to be in all ways blocks all of them, to the last bit of what rays compute, on every engine. */
+/** Tests that a reported full occluder blocks all shadow rays, with every rounding error, on every engine. */
 class FullOccluderTest {
     private static final int ROWS = 16;
     private final FullOcclusionTest occlusionTest = new FullOcclusionTest();
 
     /**
-     * Solids of scales from 10⁻⁹ to 10⁹, stretched and moved, in single precision of their rows; ways from 10⁻⁴ to 10⁹ of their sizes, which pass a
-     * solid's surface at depths from 10⁻¹⁷ to 1 or just outside it, from blocks of rows that are a point or up to as large as the solid.
+     * Uses solids of scales from 10⁻⁹ to 10⁹, stretched and moved, with rows in single precision. Shadow rays from 10⁻⁴ to 10⁹
+     * of their sizes pass a solid's surface at depths from 10⁻¹⁷ to 1 or just outside it. Blocks of rows are a point or up to
+     * as large as the solid.
      */
     @Property
     void fullOccluder_blocksAllShadowRaysOnEveryEngine(@ForAll long seed) {
@@ -70,7 +71,7 @@ class FullOccluderTest {
         return CandidateList.fromBvh(geometry.bvh(), selected);
     }
 
-    /** Rows of a block and places of a light, the ways between them past the surface of a primitive. */
+    /** Rows of a block and positions of a light, with shadow rays past the surface of a primitive. */
     private static final class ShadowRayBundle {
         private final HitRows rows = new HitRows(ROWS, false);
         private final boolean toPoints;
@@ -83,7 +84,7 @@ class FullOccluderTest {
             Vec3 in = inside(primitives.kind(s), random);
             Vec3 along = unit(random);
             if (random.nextBoolean()) {
-                // Along the surface rather than through it.
+                // Along the surface instead of through it.
                 along = new Vec3(-in.z(), random.nextInt(2) * along.y(), in.x());
             }
             Vec3 from = in.minus(along.times(randomPower(random, -4, 7)));
@@ -95,7 +96,7 @@ class FullOccluderTest {
                 rows.py[i] = (float) p.y();
                 rows.pz[i] = (float) p.z();
             }
-            // Aimed from a row as it is stored, so that it passes where it should.
+            // Aimed from a row as stored, so that it passes the intended point.
             Vec3 origin = LocalSpace.toLocal(primitives, s, new Vec3(rows.px[0], rows.py[0], rows.pz[0]));
             Vec3 direction = in.minus(origin).times(1 + randomPower(random, -4, 6));
             center = toPoints ? LocalSpace.toRender(primitives, s, origin.plus(direction))
@@ -124,7 +125,7 @@ class FullOccluderTest {
             return box;
         }
 
-        /** A point of a canonical solid's own space near its surface: a little, or much, within, or without. */
+        /** Returns a local point near the surface of a canonical solid: slightly or far inside, or outside. */
         private static Vec3 inside(SolidKind kind, Random random) {
             double depth = (random.nextInt(4) == 0 ? -1 : 1) * randomPower(random, -17, 0);
             Vec3 u = unit(random);
@@ -142,7 +143,7 @@ class FullOccluderTest {
             return v.times(1 / v.length());
         }
 
-        /** Ten to a power between two. */
+        /** Returns ten to a power between two values. */
         private static double randomPower(Random random, double least, double most) {
             return Math.pow(10, least + (most - least) * random.nextDouble());
         }
@@ -155,7 +156,7 @@ class FullOccluderTest {
         assertThat(ballBlocks(new Vec3(0, 1, 0), 0, false)).isTrue();
     }
 
-    /** Three above the middle of the ball, a light of radius 2.5 is seen past it from under it. */
+    /** A light of radius 2.5, three units above the center of the ball, is visible past it from below. */
     @Test
     void ballSmallerThanLight_isNoFullOccluder() {
         assertThat(ballBlocks(new Vec3(0, 4, -5), 2.5, true)).isFalse();
@@ -174,7 +175,7 @@ class FullOccluderTest {
         assertThat(ballBlocks(new Vec3(0, -1.5, -5), 0, true)).isFalse();
     }
 
-    /** The ball on a floor, and points under it. */
+    /** Uses a ball on a floor, and points under it. */
     private boolean ballBlocks(Vec3 light, double extent, boolean toPoints) {
         Geometry geometry = new Geometry(TraceScenes.ballOnFloor());
         occlusionTest.setRays(box(-0.2f, -2.5f, -5.2f, 0.2f, -2, -4.8f), light, extent, toPoints, _ -> false);

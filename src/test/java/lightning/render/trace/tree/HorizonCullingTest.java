@@ -17,11 +17,11 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** What ways leave behind is met by none of them, to the last bit of what rays compute. */
+/** Tests that no shadow ray hits a culled primitive, with every rounding error. */
 class HorizonCullingTest {
     private final HorizonCulling culling = new HorizonCulling();
 
-    /** Scales from 10⁻³ to 10⁶ and stretched ones, points and lights near the ends of solids, most of them hardly off. */
+    /** Uses scales from 10⁻³ to 10⁶ and stretched solids, with points and lights near their ends, most of them barely outside. */
     @Property
     void culledPrimitive_isHitByNoShadowRay(@ForAll @IntRange(min = 1, max = 12) int shapes, @ForAll long seed) {
         Geometry geometry = new Geometry(switch (Math.floorMod(seed, 3)) {
@@ -57,7 +57,7 @@ class HorizonCullingTest {
         }
     }
 
-    /** One point or direction, or some near each other: places of an area. */
+    /** Returns one point or direction, or several nearby: positions of an area light. */
     private static Vec3[] targets(PrimitiveTable primitives, int s, boolean toPoints, Random random) {
         Vec3 first = toPoints ? LocalSpace.toRender(primitives, s, near(random)) : direction(primitives, s, random);
         Vec3[] all = new Vec3[random.nextBoolean() ? 1 : 4];
@@ -76,7 +76,7 @@ class HorizonCullingTest {
         return Arrays.stream(all).map(Vec3::negated).toArray(Vec3[]::new);
     }
 
-    /** Heights and directions of all sizes, many of them just an end of the solid. */
+    /** Uses heights and directions of all magnitudes, many of them at an end of the solid. */
     @Property
     void certainMiss_isNeverHit(@ForAll long seed) {
         Random random = new Random(seed);
@@ -116,7 +116,7 @@ class HorizonCullingTest {
         assertThat(cullsFloor(new Vec3(0.5, -1, -5), true)).isFalse();
     }
 
-    /** A ball on a floor, and points just above the floor around it. */
+    /** Uses a ball on a floor, and points just above the floor around it. */
     private boolean cullsFloor(Vec3 source, boolean toPoints) {
         Geometry geometry = new Geometry(TraceScenes.ballOnFloor());
         ShadowRayTarget end = toPoints ? geometry.shadowRayTarget(source) : ShadowRayTarget.OFF_SURFACE;
@@ -145,7 +145,7 @@ class HorizonCullingTest {
         return new Vec3(2 * random.nextDouble() - 1, height(random), 2 * random.nextDouble() - 1);
     }
 
-    /** Near 0 or 1, by 10⁻¹⁷ to 10, or just there. */
+    /** Returns a height near 0 or 1, by 10⁻¹⁷ to 10, or exactly there. */
     private static double height(Random random) {
         double off = random.nextInt(5) == 0 ? 0 : size(random);
         return random.nextInt(2) + (random.nextInt(20) == 0 ? 0x1p-1030 * off : off);
@@ -155,7 +155,7 @@ class HorizonCullingTest {
         return (random.nextBoolean() ? 1 : -1) * Math.pow(10, 18 * random.nextDouble() - 17);
     }
 
-    /** Level in the solid's own space, or almost, or any. */
+    /** Returns a direction that is horizontal in the solid's local space, almost horizontal, or any. */
     private static Vec3 direction(PrimitiveTable primitives, int s, Random random) {
         Vec3 from = LocalSpace.toRender(primitives, s, Vec3.ZERO);
         double rise = random.nextInt(3) == 0 ? 0 : size(random);
