@@ -31,10 +31,10 @@ public final class Main {
             System.exit(0);
         }
         if (file.stream().allMatch(name -> name.endsWith(".jen"))) {
-            System.err.println("lightning: " + reason.get() + "; here is the tour of the scene instead.");
+            System.err.println("lightning: " + reason.get() + "; running 'lightning tour' instead.");
             runCommand(Stream.concat(Stream.of("tour"), file.stream()).toArray(String[]::new));
         }
-        System.err.println("lightning: " + reason.get() + "; 'lightning import' makes a scene of the file without one.");
+        System.err.println("lightning: " + reason.get() + "; 'lightning import' converts the file without a window.");
         System.exit(BAD_INPUT);
     }
 
@@ -62,8 +62,8 @@ public final class Main {
             return Lightning.run(System.out, System.err, args);
         } catch (LinkageError e) {
             // Not even the class that explains problems could be loaded.
-            System.err.println("lightning: a part of the program cannot be read (" + e.getMessage()
-                    + "); if file handles are short, raise their limit, as with 'ulimit -n 4096', and start again");
+            System.err.println("lightning: cannot load a part of the program (" + e.getMessage()
+                    + "); if too many files are open, raise the limit, for example with 'ulimit -n 4096', and restart");
             return BAD_INPUT;
         }
     }

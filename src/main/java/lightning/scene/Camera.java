@@ -24,7 +24,7 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
             new SceneAttribute<>("to", "to", NumericKind.position(), DEFAULT.to, "scene units",
                     Camera::to, (c, v) -> new Camera(c.from, v, c.up, c.fov));
     public static final SceneAttribute<Camera, Vec3> UP =
-            new SceneAttribute<>("up", "up", NumericKind.direction(), DEFAULT.up, "any length but 0",
+            new SceneAttribute<>("up", "up", NumericKind.direction(), DEFAULT.up, "any nonzero vector",
                     Camera::up, (c, v) -> new Camera(c.from, c.to, v, c.fov));
     public static final SceneAttribute<Camera, Double> FOV = new SceneAttribute<>("fov", "fov",
             NumericKind.degrees(SceneLimits.MIN_FOV, SceneLimits.MAX_FOV, 1), DEFAULT.fov, "degrees, vertical", Camera::fov,
@@ -46,10 +46,10 @@ public record Camera(Vec3 from, Vec3 to, Vec3 up, double fov, Vec3 origin) {
         SceneLimits.checkPosition("origin", origin);
         Vec3 view = to.minus(from);
         if (!(view.maxAbs() >= 1e-12)) {
-            throw new IllegalArgumentException("from and to must be two different points");
+            throw new IllegalArgumentException("from and to must be different points");
         }
         if (!(view.normalized().cross(up.normalized()).length() >= 1e-9)) {
-            throw new IllegalArgumentException("up must not be along the view");
+            throw new IllegalArgumentException("up must not be parallel to the view direction");
         }
     }
 

@@ -48,20 +48,20 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             "scene units", Light::position, Light::withPosition, Section.PLACE,
             Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Vec3> DIRECTION = of("direction", NumericKind.direction(), new Vec3(0, -1, 0),
-            "any length but 0", Light::direction, Light::withDirection, Section.PLACE,
+            "any nonzero vector", Light::direction, Light::withDirection, Section.PLACE,
             Map.of(DIRECTIONAL, LightTerm.SOURCE, SPOT, LightTerm.CONE_AXIS, RECT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Attenuation> ATTENUATION = of("attenuation", NumericKind.attenuation(), Attenuation.NONE,
             "per scene unit to the power 0, 1, 2", Light::attenuation, Light::withAttenuation, Section.ATTENUATION,
             Map.of(POINT, LightTerm.FALLOFF, SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF, DISC, LightTerm.FALLOFF));
     public static final LightAttribute<Double> ANGLE = of("angle", NumericKind.degrees(0, SceneLimits.MAX_ANGLE, 1), 30.0,
-            "degrees from the axis", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
+            "degrees, half-angle", Light::angle, Light::withAngle, Section.CONE, Map.of(SPOT, LightTerm.CONE_ANGLE));
     public static final LightAttribute<Double> DROPOFF = of("dropoff", NumericKind.number(0, SceneLimits.MAX_DROPOFF, 0.1), 0.0,
             "exponent", Light::dropoff, Light::withDropoff, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
     public static final LightAttribute<BarnDoors> DOORS =
-            of("doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 is open",
+            of("doors", NumericKind.doors(), BarnDoors.OPEN, "degrees from the axis, 90 = open",
                     Light::doors, Light::withDoors, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Double> FEATHER = of("feather", NumericKind.degrees(0, SceneLimits.MAX_FEATHER, 1), 0.0,
-            "degrees inside the edge of a door", Light::feather, Light::withFeather, Section.CONE,
+            "degrees inside the door's edge", Light::feather, Light::withFeather, Section.CONE,
             Map.of(SPOT, LightTerm.FALLOFF, RECT, LightTerm.FALLOFF));
     public static final LightAttribute<Optional<Gobo>> GOBO = of("gobo", new ValueKind.GoboKind(), Optional.empty(), "a PNG or JPEG file",
             Light::gobo, Light::withGobo, Section.CONE, Map.of(SPOT, LightTerm.FALLOFF));
@@ -74,7 +74,7 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Map.of(POINT, LightTerm.SOURCE, SPOT, LightTerm.SOURCE, DISC, LightTerm.SOURCE));
     public static final LightAttribute<Double> SPREAD =
             of("spread", NumericKind.degrees(0, SceneLimits.MAX_SPREAD, 0.5), AreaShape.DEFAULT.spread(),
-                    "degrees from the direction", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
+                    "degrees, half-angle", l -> l.area().spread(), (l, v) -> l.withArea(l.area().withSpread(v)), Section.AREA,
                     Map.of(DIRECTIONAL, LightTerm.SOURCE));
     public static final LightAttribute<Double> WIDTH =
             of("width", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.width(),
@@ -84,11 +84,11 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             of("height", NumericKind.number(0, SceneLimits.MAX_EXTENT, 0.1), AreaShape.DEFAULT.height(),
                     "scene units", l -> l.area().height(), (l, v) -> l.withArea(l.area().withHeight(v)), Section.AREA,
                     Map.of(RECT, LightTerm.SOURCE));
-    public static final LightAttribute<Vec3> UP = of("up", NumericKind.direction(), AreaShape.DEFAULT.up(), "any length but 0",
+    public static final LightAttribute<Vec3> UP = of("up", NumericKind.direction(), AreaShape.DEFAULT.up(), "any nonzero vector",
             l -> l.area().up(), (l, v) -> l.withArea(l.area().withUp(v)), Section.AREA, Map.of(RECT, LightTerm.SOURCE));
     public static final LightAttribute<Integer> SAMPLES =
             of("samples", NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES),
-                    AreaShape.DEFAULT.samples(), "of a light that is larger than a point", l -> l.area().samples(),
+                    AreaShape.DEFAULT.samples(), "soft shadow samples", l -> l.area().samples(),
                     (l, v) -> l.withArea(l.area().withSamples(v)), Section.AREA, forAllTypes(LightTerm.SOURCE));
     public static final LightAttribute<Boolean> ON = of("on", ChoiceKind.YES_OR_NO, true, "", Light::on, Light::withOn,
             Section.SWITCHES, Map.of());
@@ -96,13 +96,13 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
             Section.SWITCHES, Map.of());
     public static final LightAttribute<String> LIGHT_GROUP =
             of("bank", new ValueKind.NameKind(scene -> scene.rig().lightGroups().stream().map(LightGroup::name).toList(),
-                    Messages.key("The bank that the light belongs to")), "", "the name of a bank", Light::lightGroup, Light::withLightGroup,
+                    Messages.key("Light group of this light")), "", "name of a bank", Light::lightGroup, Light::withLightGroup,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
-            Messages.key("Shines on"), Messages.key("The shapes and groups that the light shines on")), ShapeLinks.ALL, "shapes and groups",
+            Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")), ShapeLinks.ALL, "shapes and groups",
             Light::illuminates, Light::withIlluminates, Section.LINKS, forAllTypes(LightTerm.ILLUMINATION_LINKS));
     public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.LinksKind(
-            Messages.key("Shadowed by"), Messages.key("The shapes and groups that throw shadows in its light")),
+            Messages.key("Casts shadows from"), Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
 

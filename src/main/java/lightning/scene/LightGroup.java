@@ -17,9 +17,9 @@ import lightning.base.math.Rgb;
 @RecordBuilder
 public record LightGroup(String name, Rgb color, double intensity, boolean on, boolean solo) implements LightGroupBuilder.With {
     public static final SceneAttribute<LightGroup, Rgb> COLOR = new SceneAttribute<>("color", "color", NumericKind.color(1), Rgb.WHITE,
-            "linear factors of the lights' colors", LightGroup::color, LightGroup::withColor);
+            "linear, multiplies the lights' colors", LightGroup::color, LightGroup::withColor);
     public static final SceneAttribute<LightGroup, Double> INTENSITY = new SceneAttribute<>("intensity", "intensity",
-            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "factor of the lights' intensities", LightGroup::intensity,
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the lights' intensities", LightGroup::intensity,
             LightGroup::withIntensity);
     public static final SceneAttribute<LightGroup, Boolean> ON =
             new SceneAttribute<>("on", "on", ChoiceKind.YES_OR_NO, true, "", LightGroup::on, LightGroup::withOn);

@@ -68,7 +68,7 @@ public final class Mesh {
         }
         if (tangents != null) {
             if (normals == null) {
-                throw new IllegalArgumentException("tangents must have normals beside them, were alone");
+                throw new IllegalArgumentException("tangents need normals, found none");
             }
             checkLength("tangents", tangents, 4);
             checkUnitLength("tangent", tangents, 4, true);

@@ -49,7 +49,7 @@ public record OverflowCheck(Light light, Material material, double limit, double
     public String message() {
         return "light " + Quote.of(light.name()) + ": color times intensity of all lights must add up to at most "
                 + SceneLimits.format(rounded(limit, RoundingMode.DOWN))
-                + " before metallic material " + Quote.of(material.name()) + ", which has highlights so sharp, was "
+                + " for metallic material " + Quote.of(material.name()) + ", whose highlights are this sharp, was "
                 + SceneLimits.format(rounded(sum, RoundingMode.HALF_EVEN));
     }
 

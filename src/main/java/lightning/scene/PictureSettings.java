@@ -10,7 +10,7 @@ package lightning.scene;
  */
 public record PictureSettings(int width, int height, int depth, SamplingSettings sampling) {
     public static final SceneAttribute<PictureSettings, Integer> DEPTH = new SceneAttribute<>("depth", "depth",
-            NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "mirror bounces", PictureSettings::depth, PictureSettings::withDepth);
+            NumericKind.integer(0, SceneLimits.MAX_DEPTH), 3, "reflection bounces", PictureSettings::depth, PictureSettings::withDepth);
 
     public static final PictureSettings DEFAULT = new PictureSettings(200, 200, DEPTH.initial());
 

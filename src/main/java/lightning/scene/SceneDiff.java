@@ -121,7 +121,7 @@ public final class SceneDiff {
             }
         }
         if (!names(before.lightGroups(), after).equals(names(after.lightGroups(), before))) {
-            parts.add(Messages.tr("order of banks"));
+            parts.add(Messages.tr("order of light groups"));
         }
     }
 

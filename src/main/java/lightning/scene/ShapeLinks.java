@@ -68,6 +68,6 @@ public record ShapeLinks(boolean exclusive, List<String> names) {
     public String format() {
         String list = names.stream().map(Quote::of).collect(Collectors.joining(", "));
         return isAll() ? Messages.tr("all") : equals(NONE) ? Messages.tr("none") : exclusive ? Messages.tr("only {0}", list)
-                : Messages.tr("all but {0}", list);
+                : Messages.tr("all except {0}", list);
     }
 }

@@ -130,7 +130,7 @@ public sealed interface Solid {
         @Override
         public List<SceneAttribute<Canonical, ?>> attributes() {
             return List.of(
-                    attribute(Frustum.class, "top", NumericKind.number(0, SceneLimits.MAX_TOP, 0.1), 0.5, "radius, that of the base is 1",
+                    attribute(Frustum.class, "top", NumericKind.number(0, SceneLimits.MAX_TOP, 0.1), 0.5, "radius; the base has radius 1",
                             Frustum::top, (f, v) -> new Frustum(v, f.caps)),
                     capsAttribute(Frustum.class, Frustum::caps, (f, v) -> new Frustum(f.top, v)));
         }

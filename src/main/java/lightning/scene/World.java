@@ -34,15 +34,15 @@ public record World(double ambience, Rgb background, Optional<Environment> envir
             NumericKind.degrees(-SceneLimits.MAX_ROTATION, SceneLimits.MAX_ROTATION, 5), 0.0, "degrees about y", World::rotation,
             World::withRotation);
     public static final SceneAttribute<World, Double> INTENSITY = new SceneAttribute<>("intensity", "environment intensity",
-            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "factor of the environment", World::intensity,
+            NumericKind.number(0, SceneLimits.MAX_GROUP_INTENSITY, 0.1), 1.0, "multiplies the environment", World::intensity,
             World::withIntensity);
-    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment lamps",
+    public static final SceneAttribute<World, Integer> LIGHT_COUNT = new SceneAttribute<>("lamps", "environment samples",
             NumericKind.integer(SceneLimits.MIN_LIGHT_SAMPLES, SceneLimits.MAX_LIGHT_SAMPLES), 16,
-            "that the environment's light is made of", World::lightCount,
+            "directional lights", World::lightCount,
             World::withLightCount);
 
-    public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment softness",
-            NumericKind.number(0, 1, 0.1), 0.0, "share of the parts that the lamps stand for", World::softness, World::withSoftness);
+    public static final SceneAttribute<World, Double> SOFTNESS = new SceneAttribute<>("softness", "environment shadow smoothing",
+            NumericKind.number(0, 1, 0.1), 0.0, "0 = sharp shadows, 1 = smooth", World::softness, World::withSoftness);
 
     /** All of them, in the order in which a file writes them. */
     public static final List<SceneAttribute<World, ?>> ATTRIBUTES =

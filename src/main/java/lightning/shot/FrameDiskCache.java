@@ -62,7 +62,7 @@ final class FrameDiskCache implements AutoCloseable {
 
     private CacheFile write(String name, PixelCache cache, ColumnsWriter columns) {
         if (usedBytes.get() >= maxBytes) {
-            reportProblem(Messages.tr("the frames took all of the disk's room that they may take"));
+            reportProblem(Messages.tr("the frame cache has reached its disk limit"));
             return null;
         }
         Path file = folder.file(name + fileCount.incrementAndGet());
@@ -72,7 +72,7 @@ final class FrameDiskCache implements AutoCloseable {
             usedBytes.addAndGet(part.bytes);
             return part;
         } catch (IOException e) {
-            reportProblem(Messages.tr("frames could not be written to disk: {0}", e.getMessage()));
+            reportProblem(Messages.tr("cannot cache frames on disk: {0}", e.getMessage()));
             return null;
         }
     }
@@ -94,7 +94,7 @@ final class FrameDiskCache implements AutoCloseable {
     private static ColumnReader reader(CacheFile part, Arena arena) throws IOException {
         try (FileChannel channel = FileChannel.open(part.file)) {
             if (channel.size() != part.bytes) {
-                throw new IOException("it has " + channel.size() + " bytes in place of " + part.bytes);
+                throw new IOException("expected " + part.bytes + " bytes, found " + channel.size());
             }
             return new ColumnReader(channel.map(FileChannel.MapMode.READ_ONLY, 0, part.bytes, arena));
         }

@@ -92,7 +92,7 @@ final class FrameStore implements AutoCloseable {
         if (frames.get(stored.frame) != stored) {
             return false;
         }
-        diskCache.reportProblem(Messages.tr("a frame's file could not be read: {0}", e.getMessage()));
+        diskCache.reportProblem(Messages.tr("cannot read a cached frame: {0}", e.getMessage()));
         remove(stored.frame);
         return true;
     }

@@ -103,7 +103,7 @@ public final class LocalFrameHost implements FrameHost {
 
     private FrameRejectedException rejection(long requiredBytes) {
         return new FrameRejectedException(
-                Messages.tr("the frame takes about {0}, and there is room for {1} more", ShotMemoryEstimate.formatBytes(requiredBytes),
+                Messages.tr("the frame needs about {0}, but only {1} is free", ShotMemoryEstimate.formatBytes(requiredBytes),
                         ShotMemoryEstimate.formatBytes(Math.max(0, store.freeBytes()))));
     }
 

@@ -66,9 +66,9 @@ public record ShotMemoryEstimate(int frameCount, long bytesPerFrame, long meshBy
         int width = (int) (picture.width() * scale);
         int height = (int) (picture.height() * scale);
         throw new ShotTooLargeException(String.format(Locale.ROOT,
-                "%d frames of about %s take %s, and there is room for %s in memory and for %s on disk; %s",
+                "%d frames of about %s need %s, but only %s of memory and %s of disk space are free; %s",
                 frameCount, formatBytes(bytesPerFrame), formatBytes(totalBytes()), formatBytes(memory), formatBytes(disk),
-                Math.min(width, height) < 1 ? "nothing would fit"
+                Math.min(width, height) < 1 ? "no frame would fit"
                         : (fittingFrames == 0 ? "" : fittingFrames == 1 ? "one frame would fit, or "
                                 : fittingFrames + " frames would fit, or ")
                                 + "a size of " + width + "x" + height + (fittingFrames > 0 ? "" : " would fit")));

@@ -37,7 +37,7 @@ class OverflowCheckTest {
     void smoothMetal_isReportedAtBrightestLight() {
         assertThatThrownBy(() -> read("light \"dim\" point { on no }\n" + BRIGHT + GOLD)).isInstanceOf(JenException.class)
                 .hasMessageContaining("sun.jen:6:").hasMessageContaining("light 'sun': color times intensity of all lights must add up "
-                        + "to at most 1.66e28 before metallic material 'gold', which has highlights so sharp, was 1e33");
+                        + "to at most 1.66e28 for metallic material 'gold', whose highlights are this sharp, was 1e33");
     }
 
     @Test

@@ -94,7 +94,7 @@ class FrameRejectionTest {
             shot.awaitIdle();
             assertThat(states(shot)).containsOnly(FrameState.CURRENT, FrameState.FAILED);
             assertThat(states(shot).stream().filter(FrameState.CURRENT::equals)).hasSize(4);
-            assertThat(failures).singleElement(STRING).endsWith(": nobody has room for it: it holds 2");
+            assertThat(failures).singleElement(STRING).endsWith(": no node has enough memory for it: it holds 2");
             shot.setRevision(SECOND);
             shot.awaitIdle();
             assertThat(failures).hasSize(2);

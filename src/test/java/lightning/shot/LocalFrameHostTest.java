@@ -146,7 +146,7 @@ class LocalFrameHostTest {
                 keeper.focus(2);
                 keeper.update(1, FIRST, Progress.NONE);
                 assertThatThrownBy(() -> keeper.update(2, FIRST, Progress.NONE)).isInstanceOf(FrameRejectedException.class)
-                        .hasMessageMatching("the frame takes about .* MB, and there is room for .* MB more");
+                        .hasMessageMatching("the frame needs about .* MB, but only .* MB is free");
                 assertThat(keeper.film(2)).isEmpty();
                 assertThat(keeper.usage()).isEqualTo(new CacheUsage(1, each, 0, 0));
                 FrameUpdate relit = keeper.update(1, BRIGHTER, Progress.NONE);
@@ -191,7 +191,7 @@ class LocalFrameHostTest {
     void tooLargeShot_isReportedWithSuggestion() {
         ShotMemoryEstimate need = ShotMemoryEstimate.of(FIRST, 1, 100, RenderOptions.DEFAULT);
         assertThatThrownBy(() -> need.check(2 * need.bytesPerFrame(), 3 * need.bytesPerFrame())).isInstanceOf(ShotTooLargeException.class)
-                .hasMessageContainingAll("100 frames", "in memory", "on disk; 5 frames would fit, or a size of ");
+                .hasMessageContainingAll("100 frames", "of memory", "of disk space are free; 5 frames would fit, or a size of ");
         need.check(need.totalBytes(), 0);
         assertThat(need.frameBudget(0)).isZero();
     }

@@ -9,6 +9,6 @@ public final class ChangedFileException extends IOException {
     private static final long serialVersionUID = 1;
 
     ChangedFileException(Path file) {
-        super(Quote.path(file) + ": was changed by another program since it was read or written here");
+        super(Quote.path(file) + ": was changed by another program since it was last opened or saved");
     }
 }

@@ -83,7 +83,7 @@ public record FileState(FileTime modified, long size, String content) {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
+            throw new AssertionError("every Java runtime has SHA-256", e);
         }
     }
 }

@@ -28,7 +28,7 @@ public final class RegularFile {
     /** What stands there instead of a file, as in {@code a folder}; empty for a file, and where there is nothing. */
     public static Optional<String> describeIrregular(Path file) {
         return Files.isDirectory(file) ? Optional.of("a folder")
-                : Files.exists(file) && !Files.isRegularFile(file) ? Optional.of("no file but a pipe or a device") : Optional.empty();
+                : Files.exists(file) && !Files.isRegularFile(file) ? Optional.of("a pipe or a device") : Optional.empty();
     }
 
     /**

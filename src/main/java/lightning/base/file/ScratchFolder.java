@@ -48,7 +48,7 @@ public final class ScratchFolder implements AutoCloseable {
      */
     public static ScratchFolder createIn(Path parent) throws IOException {
         if (!Files.isDirectory(parent)) {
-            throw new IOException(Quote.path(parent) + ": is no folder");
+            throw new IOException(Quote.path(parent) + ": is not a folder");
         }
         removeStaleIn(parent);
         Path folder = parent.resolve("lightning-scratch-" + UUID.randomUUID());
@@ -65,7 +65,7 @@ public final class ScratchFolder implements AutoCloseable {
         } catch (FileSystemException e) {
             remove(folder);
             OPEN_FOLDERS.remove(folder.getFileName());
-            throw new IOException(Quote.path(parent) + ": no folder can be made in it ("
+            throw new IOException(Quote.path(parent) + ": cannot create a folder in it ("
                     + (e.getReason() == null ? e.getClass().getSimpleName() : e.getReason()) + ")", e);
         }
     }

@@ -26,17 +26,17 @@ final class WriteTarget {
     static Path resolve(Path path) throws IOException {
         Path file = resolveLinks(path);
         if (Files.isDirectory(file)) {
-            throw new IOException(Quote.path(path) + ": is a folder, expected a file");
+            throw new IOException(Quote.path(path) + ": expected a file, found a folder");
         }
         Path folder = file.getParent();
         if (!Files.isDirectory(folder)) {
-            throw new IOException(Quote.path(path) + ": there is no folder " + Quote.path(folder));
+            throw new IOException(Quote.path(path) + ": folder not found: " + Quote.path(folder));
         }
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new IOException(Quote.path(path) + ": is a device, a pipe or a socket, expected a file");
+            throw new IOException(Quote.path(path) + ": expected a file, found a device, a pipe or a socket");
         }
         if (!Files.isWritable(folder)) {
-            throw new IOException(Quote.path(path) + ": permission denied to write into " + Quote.path(folder));
+            throw new IOException(Quote.path(path) + ": no permission to write to " + Quote.path(folder));
         }
         return file;
     }
@@ -48,7 +48,7 @@ final class WriteTarget {
         }
         for (int links = 0; Files.isSymbolicLink(file); links++) {
             if (links == MAX_LINKS) {
-                throw new IOException(Quote.path(path) + ": is a symbolic link that leads in a circle");
+                throw new IOException(Quote.path(path) + ": circular symbolic link");
             }
             file = file.resolveSibling(Files.readSymbolicLink(file));
         }

@@ -49,7 +49,7 @@ public record Vec3(double x, double y, double z) {
     public Vec3 normalized() {
         double scale = maxAbs();
         if (!(scale > 0) || !Double.isFinite(x + y + z)) {
-            throw new ArithmeticException("no direction in " + this);
+            throw new ArithmeticException("cannot normalize " + this);
         }
         double sx = x / scale;
         double sy = y / scale;

@@ -70,7 +70,7 @@ public final class NumberExpression {
         try {
             return new Value(new NumberExpression(plain, current).parseAll(measure, current));
         } catch (SyntaxException m) {
-            return new Invalid("must be a number or a sum as 0.3*2: " + m.getMessage());
+            return new Invalid("must be a number or an expression such as 0.3*2: " + m.getMessage());
         }
     }
 
@@ -245,8 +245,8 @@ public final class NumberExpression {
     private SyntaxException syntaxError(String expectation) {
         skipBlanks();
         String before = text.substring(0, position).strip();
-        String found = position == text.length() ? "nothing" : Quote.of(text.substring(position));
-        String hint = position < text.length() && text.charAt(position) == ',' ? "; decimals are written with a point" : "";
+        String found = position == text.length() ? "the end" : Quote.of(text.substring(position));
+        String hint = position < text.length() && text.charAt(position) == ',' ? "; use a decimal point" : "";
         return new SyntaxException(
                 "expected " + expectation + (before.isEmpty() ? "" : " after " + Quote.of(before)) + ", found " + found + hint);
     }

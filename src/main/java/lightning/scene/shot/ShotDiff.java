@@ -68,7 +68,7 @@ public final class ShotDiff {
                 allNames.stream().filter(n -> !Optional.ofNullable(previous.get(n)).equals(Optional.ofNullable(current.get(n))))
                         .map(n -> text(previous.get(n), current.get(n))).toList();
         parts.addAll(
-                descriptions.size() <= MAX_ATTRIBUTES ? descriptions : List.of(Messages.tr("keys of {0} attributes", descriptions.size())));
+                descriptions.size() <= MAX_ATTRIBUTES ? descriptions : List.of(Messages.tr("keyframes of {0} attributes", descriptions.size())));
     }
 
     /** @param before null where there was none; likewise {@code after} */
@@ -85,9 +85,9 @@ public final class ShotDiff {
             return Messages.tr("{0} at frame {1}", title, added.getFirst().frame());
         }
         if (added.isEmpty() && removed.size() == 1) {
-            return Messages.tr("{0} without key at frame {1}", title, removed.getFirst().frame());
+            return Messages.tr("{0}: keyframe deleted at frame {1}", title, removed.getFirst().frame());
         }
-        return Messages.tr("{0}: keys", title);
+        return Messages.tr("{0}: keyframes", title);
     }
 
     /** As lists call what has keys. */

@@ -20,12 +20,12 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
     public Track {
         keys = List.copyOf(keys);
         if (keys.isEmpty()) {
-            throw new IllegalArgumentException(target + ": " + attribute + " must have a key");
+            throw new IllegalArgumentException(target + ": " + attribute + " must have a keyframe");
         }
         for (int i = 1; i < keys.size(); i++) {
             if (keys.get(i).frame() <= keys.get(i - 1).frame()) {
-                throw new IllegalArgumentException(target + ": " + attribute + ": keys must be in the order of their frames, found "
-                        + keys.get(i).frame() + " behind " + keys.get(i - 1).frame());
+                throw new IllegalArgumentException(target + ": " + attribute + ": keyframes must be in frame order, found "
+                        + keys.get(i).frame() + " after " + keys.get(i - 1).frame());
             }
         }
     }
@@ -78,7 +78,7 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
      */
     public void check(Scene scene) {
         check(target.attribute(scene, attribute).<SceneAttribute<?, ?>>map(a -> a)
-                .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " with keys")));
+                .orElseThrow(() -> new IllegalArgumentException(target + " has no " + attribute + " that can be animated")));
     }
 
     /**
@@ -89,11 +89,11 @@ public record Track(TrackTarget target, String attribute, List<Keyframe> keys) {
      */
     private void check(SceneAttribute<?, ?> definition) {
         if (definition.kind().keyframeSupport() == KeyframeSupport.NONE) {
-            throw new IllegalArgumentException(target + ": " + attribute + " has no keys: only numbers and words have");
+            throw new IllegalArgumentException(target + ": " + attribute + " cannot be animated: only numbers and words can");
         }
         for (Keyframe key : keys) {
             if (definition.kind().keyframeSupport() == KeyframeSupport.STEPPED && key.interpolation() != Interpolation.STEPPED) {
-                throw new IllegalArgumentException(target + ": " + attribute + " stays until its next key, so it must be stepped");
+                throw new IllegalArgumentException(target + ": " + attribute + " holds until its next keyframe, so it must be stepped");
             }
             check(definition.kind(), key.value());
         }

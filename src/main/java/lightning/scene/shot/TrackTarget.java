@@ -100,7 +100,7 @@ public record TrackTarget(Kind kind, String name) {
 
     private <T> KeyframeValue value(T record, List<? extends SceneAttribute<T, ?>> attributes, String attribute) {
         return attributes.stream().filter(a -> a.name().equals(attribute)).findFirst().map(a -> value(record, a))
-                .orElseThrow(() -> new IllegalArgumentException(this + " has no " + attribute + " with keys"));
+                .orElseThrow(() -> new IllegalArgumentException(this + " has no " + attribute + " that can be animated"));
     }
 
     private <T, V> KeyframeValue value(T record, SceneAttribute<T, V> attribute) {
@@ -108,7 +108,7 @@ public record TrackTarget(Kind kind, String name) {
             case NumericKind<V> q -> new KeyframeValue.Numbers(q.components().apply(attribute.get(record)));
             case ChoiceKind<V> c -> new KeyframeValue.Word(c.format(attribute.get(record)));
             case ValueKind.AssetKind<?> _,ValueKind.LinksKind _,ValueKind.NameKind _,ValueKind.TextureKind _ ->
-                    throw new IllegalArgumentException(this + ": " + attribute.name() + " has no keys: only numbers and words have");
+                    throw new IllegalArgumentException(this + ": " + attribute.name() + " cannot be animated: only numbers and words can");
         };
     }
 

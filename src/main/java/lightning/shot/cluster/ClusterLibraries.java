@@ -16,7 +16,7 @@ final class ClusterLibraries {
         try {
             Class.forName("org.jgroups.JChannel", false, ClusterLibraries.class.getClassLoader());
         } catch (ClassNotFoundException e) {
-            throw new JoinException(Messages.tr("the libraries for other machines are not at hand; start with bin/lightning"), e);
+            throw new JoinException(Messages.tr("cluster libraries not found; start Lightning with bin/lightning"), e);
         }
         rejectSerializedObjects();
     }

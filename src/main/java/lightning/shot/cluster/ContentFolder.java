@@ -62,11 +62,11 @@ final class ContentFolder {
         try {
             lock = FolderLock.tryLock(folder);
         } catch (IOException e) {
-            throw new IOException(Quote.path(folder) + ": cannot be locked for this node (" + reason(e)
-                    + "); name a folder on another disk with --folder", e);
+            throw new IOException(Quote.path(folder) + ": cannot lock the folder (" + reason(e)
+                    + "); choose a folder on another disk with --folder", e);
         }
         return lock
-                .orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; name another one with --folder"));
+                .orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; choose another one with --folder"));
     }
 
     private static String reason(IOException e) {
@@ -90,7 +90,7 @@ final class ContentFolder {
         }
         if (storedBytes + content.bytes() > MAX_BYTES) {
             throw new IOException(
-                    "there is room for " + (MAX_BYTES - storedBytes) + " bytes of content more, and this has " + content.bytes());
+                    "content has " + content.bytes() + " bytes, but only " + (MAX_BYTES - storedBytes) + " are free");
         }
         AtomicFile.of(file).forOwnerOnly().write(out -> {
             long offset = 0;
@@ -105,7 +105,7 @@ final class ContentFolder {
         });
         if (!ContentHash.of(file).equals(content.hash())) {
             Files.delete(file);
-            throw new InvalidContentException("content has other bytes than its hash says; the file was written to meanwhile");
+            throw new InvalidContentException("content does not match its hash; the file changed during the transfer");
         }
         storedBytes += content.bytes();
         return file;
@@ -119,14 +119,14 @@ final class ContentFolder {
      */
     synchronized Path sceneFolder(SceneManifest manifest, PartSource parts) throws IOException {
         if (cleared) {
-            throw new IOException("the node has ended");
+            throw new IOException("the node has stopped");
         }
         Path folder = scenes
                 .resolve(ContentHash.of(new SceneManifest(new SceneManifest.Content(EMPTY_HASH, 0), manifest.files()).encode()).hex());
         PrivateFolder.create(folder);
         for (Map.Entry<String, SceneManifest.Content> entry : manifest.files().entrySet()) {
             if (!ReferencedFiles.isAllowed(entry.getKey())) {
-                throw new InvalidContentException("expected the name of a file beside a scene, found " + Quote.of(entry.getKey()));
+                throw new InvalidContentException("expected a file name relative to the scene, found " + Quote.of(entry.getKey()));
             }
             Path file = fetch(entry.getValue(), MeshLimits.FILE_BYTES, parts);
             Path link = folder.resolve(entry.getKey());

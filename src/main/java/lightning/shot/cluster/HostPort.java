@@ -25,7 +25,7 @@ public record HostPort(String host, int port) {
         int port = matcher.matches() && matcher.group(3) != null ? Integer.parseInt(matcher.group(3)) : NodeConfig.NODE_PORT;
         if (!matcher.matches() || port < 1 || port > MAX_PORT) {
             throw new IllegalArgumentException(
-                    Messages.tr("expected a machine and a port from 1 to {0} as in render7:7800, found {1}", MAX_PORT, Quote.of(text)));
+                    Messages.tr("expected a host and a port from 1 to {0}, such as render7:7800, found {1}", MAX_PORT, Quote.of(text)));
         }
         return new HostPort(matcher.group(1) == null ? matcher.group(2) : matcher.group(1), port);
     }
@@ -62,7 +62,7 @@ public record HostPort(String host, int port) {
         try {
             return InetAddress.getByName(host);
         } catch (UnknownHostException e) {
-            throw new JoinException(Messages.tr("there is no machine {0} that this one knows of", Quote.of(host)), e);
+            throw new JoinException(Messages.tr("unknown host {0}", Quote.of(host)), e);
         }
     }
 }

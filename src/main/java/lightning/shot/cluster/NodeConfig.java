@@ -73,10 +73,10 @@ public record NodeConfig(InetAddress bind, int port, int ports, List<InetSocketA
                 return socket.getLocalAddress();
             }
         } catch (IOException | UncheckedIOException e) {
-            throw new JoinException(Messages.tr("there is no way from this machine to {0}: {1}", remote.getHostString(), e.getMessage()),
+            throw new JoinException(Messages.tr("no network route to {0}: {1}", remote.getHostString(), e.getMessage()),
                     e);
         }
-        throw new JoinException(Messages.tr("there is no way from this machine to {0}", remote.getHostString()), null);
+        throw new JoinException(Messages.tr("no network route to {0}", remote.getHostString()), null);
     }
 
     /**

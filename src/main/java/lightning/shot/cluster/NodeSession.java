@@ -109,7 +109,7 @@ final class NodeSession implements AutoCloseable {
             return failure(request, Message.FailureReason.REJECTED, e.getMessage());
         } catch (OutOfMemoryError e) {
             drop(request.frame());
-            return failure(request, Message.FailureReason.REJECTED, "it has not enough memory");
+            return failure(request, Message.FailureReason.REJECTED, "not enough memory");
         } catch (InvalidContentException | WireException | JenException | IllegalArgumentException | HostLostException e) {
             return failure(request, Message.FailureReason.INVALID, String.valueOf(e.getMessage()));
         } catch (FrameRejectedException | IOException e) {

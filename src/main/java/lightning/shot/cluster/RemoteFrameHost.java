@@ -74,7 +74,7 @@ final class RemoteFrameHost implements FrameHost {
                 }
                 throw failure(failed);
             }
-            default -> throw new IllegalStateException("an answer that is none: " + answer);
+            default -> throw new IllegalStateException("unexpected answer: " + answer);
         };
     }
 
@@ -88,7 +88,7 @@ final class RemoteFrameHost implements FrameHost {
 
     private RuntimeException failure(Message.UpdateFailed failed) {
         // What the node says is in its own language.
-        String message = Messages.tr("the node {0}: {1}", name, failed.message());
+        String message = Messages.tr("node {0}: {1}", name, failed.message());
         return switch (failed.reason()) {
             case CANCELED -> new CancellationException();
             case INVALID -> new IllegalArgumentException(message);
@@ -152,7 +152,7 @@ final class RemoteFrameHost implements FrameHost {
     }
 
     private HostLostException lost(Throwable cause) {
-        return new HostLostException(Messages.tr("the node {0} is there no more; others trace its frames again", name), cause);
+        return new HostLostException(Messages.tr("lost node {0}; its frames are being rendered on other nodes", name), cause);
     }
 
     @Override

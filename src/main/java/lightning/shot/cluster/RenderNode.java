@@ -115,10 +115,10 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
         try {
             sessions.put(id, new NodeSession(from, id, settings.hosts().create(), contents,
                     message -> network.send(from, MessageCodec.encode(message))));
-            settings.log().accept("holds frames for " + network.addressOf(from));
+            settings.log().accept("rendering for " + network.addressOf(from));
             return true;
         } catch (IOException e) {
-            rejectedPeers.report(from, "there is no room for its frames: " + e.getMessage());
+            rejectedPeers.report(from, "cannot store its frames: " + e.getMessage());
             return false;
         }
     }
@@ -126,7 +126,7 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
     private void closeSession(UUID id) {
         NodeSession session = sessions.remove(id);
         if (session != null) {
-            settings.log().accept("holds no more frames for " + network.addressOf(session.owner));
+            settings.log().accept("finished rendering for " + network.addressOf(session.owner));
             session.close();
         }
     }

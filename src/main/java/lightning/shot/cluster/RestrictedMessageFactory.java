@@ -48,7 +48,7 @@ final class RestrictedMessageFactory extends MessageFactory {
             SizeStreamable payload =
                     kind == SEQUENCE_LIST ? new BoundedSequenceList() : kind == DIGEST || kind == MUTABLE_DIGEST ? new Digest() : null;
             if (payload == null) {
-                throw new IOException("expected numbers of messages, found an object of kind " + kind);
+                throw new IOException("expected sequence numbers, found an object of kind " + kind);
             }
             payload.readFrom(in);
             obj = payload;
@@ -63,7 +63,7 @@ final class RestrictedMessageFactory extends MessageFactory {
         public void readFrom(DataInput in) throws IOException {
             size = in.readInt();
             if (size < 1 || size > MAX_SIZE) {
-                throw new IOException("expected 1 to " + MAX_SIZE + " numbers of messages, found " + size);
+                throw new IOException("expected 1 to " + MAX_SIZE + " sequence numbers, found " + size);
             }
             offset = in.readLong();
             words = new long[(size + Long.SIZE - 1) / Long.SIZE];

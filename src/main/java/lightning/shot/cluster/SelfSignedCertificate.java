@@ -75,10 +75,10 @@ public final class SelfSignedCertificate {
             store.store(bytes, ClusterCertificate.PASSWORD);
             AtomicFile.of(file).forOwnerOnly().ifUnchanged(FileState.MISSING).write(bytes.toByteArray());
         } catch (ChangedFileException e) {
-            throw new IOException(Quote.path(file) + ": is there already, and is not written over: all machines of a cluster have one file",
+            throw new IOException(Quote.path(file) + ": already exists and is not overwritten; all machines of a cluster share one file",
                     e);
         } catch (GeneralSecurityException e) {
-            throw new IOException("this Java cannot make a certificate: " + e.getMessage(), e);
+            throw new IOException("cannot create a certificate: " + e.getMessage(), e);
         }
     }
 

@@ -71,7 +71,7 @@ public final class TlsNetwork implements ClusterNetwork {
             channel.connect(CLUSTER);
         } catch (Exception e) {
             close();
-            throw new JoinException(Messages.tr("cannot take part in a cluster at {0}: {1}",
+            throw new JoinException(Messages.tr("cannot join a cluster at {0}: {1}",
                     config.addressText(), reason(e)), e);
         }
     }

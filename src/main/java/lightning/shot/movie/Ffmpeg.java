@@ -54,7 +54,7 @@ public record Ffmpeg(Path program) {
 
     /** What is told where there is none: a clause without a full stop. */
     public static String missingMessage() {
-        return Messages.tr("a film takes the program ffmpeg, which is not installed here; numbered pictures need no other program");
+        return Messages.tr("video export needs ffmpeg, which is not installed; numbered images do not need it");
     }
 
     /**

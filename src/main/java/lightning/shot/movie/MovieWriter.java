@@ -122,7 +122,7 @@ public final class MovieWriter implements AutoCloseable {
      */
     public void finish() throws IOException {
         if (process == null) {
-            throw new IOException(Messages.tr("a film must have a frame"));
+            throw new IOException(Messages.tr("a video needs at least one frame"));
         }
         try (OutputStream in = process.getOutputStream()) {
             in.flush();
@@ -139,7 +139,7 @@ public final class MovieWriter implements AutoCloseable {
     private String awaitExit(String fallback) {
         try {
             if (!process.waitFor(TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
-                return Messages.tr("ffmpeg did not end");
+                return Messages.tr("ffmpeg did not finish");
             }
             errorReader.join(TimeUnit.SECONDS.toMillis(TIMEOUT_SECONDS));
         } catch (InterruptedException e) {
@@ -150,7 +150,7 @@ public final class MovieWriter implements AutoCloseable {
             return "";
         }
         String last = errorText.strip().lines().reduce((_, line) -> line).orElse(fallback);
-        return Messages.tr("ffmpeg could not make the film: {0}",
+        return Messages.tr("ffmpeg failed: {0}",
                 Quote.path(last.substring(0, Math.min(MAX_REPORTED_CHARS, last.length()))));
     }
 

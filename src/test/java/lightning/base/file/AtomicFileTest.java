@@ -34,7 +34,7 @@ class AtomicFileTest {
     @Test
     void unprintableName_isEscapedInErrors() throws IOException {
         Path directory = Files.createDirectory(folder.resolve("a\n\u001B[2J"));
-        assertThatThrownBy(() -> AtomicFile.of(directory).check()).hasMessage(Quote.path(directory) + ": is a folder, expected a file");
+        assertThatThrownBy(() -> AtomicFile.of(directory).check()).hasMessage(Quote.path(directory) + ": expected a file, found a folder");
         assertThatThrownBy(() -> AtomicFile.of(directory.resolve("no/b.jen")).check()).hasMessageStartingWith("\"")
                 .satisfies(e -> assertThat(e.getMessage()).matches(PrintableText::isPrintable, "is visible"));
     }
@@ -111,7 +111,7 @@ class AtomicFileTest {
     void circularLink_isRejected() throws IOException {
         Path link = Files.createSymbolicLink(folder.resolve("b"), Path.of("b"));
         assertThatIOException().isThrownBy(() -> AtomicFile.write(link, out -> {}))
-                .withMessage(link + ": is a symbolic link that leads in a circle");
+                .withMessage(link + ": circular symbolic link");
     }
 
     @Test
@@ -122,7 +122,7 @@ class AtomicFileTest {
         try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
             server.bind(UnixDomainSocketAddress.of(socket));
             assertThatIOException().isThrownBy(() -> AtomicFile.write(link, out -> {}))
-                    .withMessage(link + ": is a device, a pipe or a socket, expected a file");
+                    .withMessage(link + ": expected a file, found a device, a pipe or a socket");
             assertThatIOException().isThrownBy(() -> AtomicFile.of(socket).check());
             assertThat(Files.isRegularFile(socket)).isFalse();
             assertThat(link).isSymbolicLink();
@@ -133,7 +133,7 @@ class AtomicFileTest {
     void missingFolder_isNamedInError() {
         Path file = folder.resolve("no/a");
         assertThatIOException().isThrownBy(() -> AtomicFile.write(file, out -> {}))
-                .withMessage(file + ": there is no folder " + folder.resolve("no"));
+                .withMessage(file + ": folder not found: " + folder.resolve("no"));
     }
 
     @Test

@@ -83,6 +83,6 @@ class ScratchFolderTest {
     @Test
     void parentThatIsNoFolder_isRejected() {
         assertThatThrownBy(() -> ScratchFolder.createIn(place.resolve("none"))).hasMessageContaining("none")
-                .hasMessageContaining("is no folder");
+                .hasMessageContaining("is not a folder");
     }
 }

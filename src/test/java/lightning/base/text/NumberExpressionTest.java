@@ -57,14 +57,14 @@ class NumberExpressionTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {"wide|must be a number, was 'wide'",
-        "0.3*|must be a number or a sum as 0.3*2: expected a number after '0.3*', found nothing",
-        "(1+2|must be a number or a sum as 0.3*2: expected ) after '(1+2', found nothing",
-        "1/0|must be a number or a sum as 0.3*2: division by zero in '1/0'",
-        "1/(2-2)|must be a number or a sum as 0.3*2: division by zero in '1/(2-2)'",
-        "3 cm|must be a number or a sum as 0.3*2: expected the unit stop, stops after '3', found 'cm'",
-        "0,5|must be a number or a sum as 0.3*2: expected +, -, *, / or the end after '0', found ',5'; decimals are written with a point",
-        "1e999999999|must be a number or a sum as 0.3*2: '1e999999999' is too large or too small",
-        "2*1e99999999999|must be a number or a sum as 0.3*2: '1e99999999999' is too large or too small"})
+        "0.3*|must be a number or an expression such as 0.3*2: expected a number after '0.3*', found the end",
+        "(1+2|must be a number or an expression such as 0.3*2: expected ) after '(1+2', found the end",
+        "1/0|must be a number or an expression such as 0.3*2: division by zero in '1/0'",
+        "1/(2-2)|must be a number or an expression such as 0.3*2: division by zero in '1/(2-2)'",
+        "3 cm|must be a number or an expression such as 0.3*2: expected the unit stop, stops after '3', found 'cm'",
+        "0,5|must be a number or an expression such as 0.3*2: expected +, -, *, / or the end after '0', found ',5'; use a decimal point",
+        "1e999999999|must be a number or an expression such as 0.3*2: '1e999999999' is too large or too small",
+        "2*1e99999999999|must be a number or an expression such as 0.3*2: '1e99999999999' is too large or too small"})
     void syntaxError_isReportedWithPosition(String text, String reason) {
         if (text.startsWith("1e")) {
             // A plain number is read as everywhere.

@@ -194,7 +194,7 @@ final class ClusterTest {
             assertThat(machines.count()).isEqualTo(1);
             network.setDisconnected(end, true);
             Await.until("it is told that the node is gone", () -> !lostFrames.isEmpty());
-            assertThat(lostFrames).containsExactly("the node member 0 is there no more; others trace its frames again");
+            assertThat(lostFrames).containsExactly("lost node member 0; its frames are being rendered on other nodes");
             assertThat(shot.state(1)).isEqualTo(FrameState.MISSING);
             assertThat(shot.film(1)).isEmpty();
             node(network.addEndpoint(), "r");
@@ -226,8 +226,8 @@ final class ClusterTest {
         try (ShotRelighter shot = ShotRelighter.of(1, LAST, ShotListener.NONE);
                 NodePool machines = new NodePool(network.addEndpoint(), "r", folder, shot, log::add)) {
             machines.start();
-            Await.until("it is told why the node is left aside", () -> !log.isEmpty());
-            assertThat(log).containsExactly("member 0 is left aside: it runs other, this machine r");
+            Await.until("it is told why the node is ignored", () -> !log.isEmpty());
+            assertThat(log).containsExactly("ignoring member 0: it runs other, this machine r");
             assertThat(machines.count()).isZero();
         }
     }
@@ -261,7 +261,7 @@ final class ClusterTest {
             shot.setRevision(take);
             awaitAll(shot);
             assertThat(failed).hasSize(LAST - 2).allSatisfy(sentence -> assertThat(sentence)
-                    .matches("nobody has room for it: the node member 0: the frame takes about .* MB, and there is room for .* MB more"));
+                    .matches("no node has enough memory for it: node member 0: the frame needs about .* MB, but only .* MB is free"));
             node(network.addEndpoint(), "r", LAST * each);
             Await.until("the node is asked too", () -> joined.get() == 2);
             checkAll(shot, take);

@@ -136,8 +136,8 @@ final class RenderNodeTest {
         peer.sendBytes("rO0ABXNyABFqYXZhLnV0aWwuSGFzaE1hcA==".getBytes(StandardCharsets.UTF_8));
         peer.sendUpdate(1, Map.of(), text());
         assertThat(peer.await(Message.FrameUpdated.class).width()).isEqualTo(40);
-        assertThat(log).filteredOn(sentence -> sentence.contains("left aside")).singleElement().asString()
-                .contains("expected version 1 of the protocol, found 2");
+        assertThat(log).filteredOn(sentence -> sentence.contains("ignoring")).singleElement().asString()
+                .contains("expected protocol version 1, found 2");
     }
 
     @Test
@@ -148,7 +148,7 @@ final class RenderNodeTest {
         peer.sendUpdate(1, Map.of(), text());
         Message.UpdateFailed failed = peer.await(Message.UpdateFailed.class);
         assertThat(failed.reason()).isEqualTo(Message.FailureReason.INVALID);
-        assertThat(failed.message()).contains("other bytes than its hash says");
+        assertThat(failed.message()).contains("does not match its hash");
     }
 
     @Test
@@ -170,7 +170,7 @@ final class RenderNodeTest {
     void pathOutsideFolder_isRejected() throws Exception {
         for (String name : List.of("../stolen.png", "/etc/passwd", "a/../../b", "")) {
             peer.sendUpdate(name.hashCode() & 0xff, Map.of(name, text()), text());
-            assertThat(peer.await(Message.UpdateFailed.class).message()).contains("expected the name of a file beside a scene");
+            assertThat(peer.await(Message.UpdateFailed.class).message()).contains("expected a file name relative to the scene");
         }
         assertThat(folder).isDirectoryNotContaining("glob:**stolen*");
     }
@@ -250,7 +250,7 @@ final class RenderNodeTest {
         peer.await(Message.FrameUpdated.class);
         Path nodeFolder = folder.resolve("own");
         assertThatThrownBy(() -> new ContentFolder(nodeFolder)).isInstanceOf(IOException.class)
-                .hasMessage(nodeFolder + ": another node uses this folder; name another one with --folder");
+                .hasMessage(nodeFolder + ": another node uses this folder; choose another one with --folder");
         assertThat(nodeFolder.resolve("contents")).isNotEmptyDirectory();
         node.close();
         new ContentFolder(nodeFolder).clear();
@@ -260,6 +260,6 @@ final class RenderNodeTest {
     void lateOpenSession_atEndedNode_isIgnored() {
         node.close();
         node.messageReceived(new ClusterMember(UUID.randomUUID()), MessageCodec.encode(new Message.OpenSession(new UUID(5, 6), "r")));
-        assertThat(log).containsExactly("holds frames for member 1");
+        assertThat(log).containsExactly("rendering for member 1");
     }
 }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Nodes as processes that are given one folder, as machines with one home folder are. */
 @Slow
 final class SharedFolderTest {
-    private static final String REFUSED = "another node uses this folder; name another one with --folder";
+    private static final String REFUSED = "another node uses this folder; choose another one with --folder";
 
     @TempDir
     private Path folder;

@@ -213,7 +213,7 @@ final class TlsNetworkTest {
             for (Object object : List.of("words", 1, new View(UUID.randomUUID(), 1, List.of(UUID.randomUUID())),
                     new ObjectWrapperSerializable(new ArrayList<>()))) {
                 assertThatThrownBy(() -> roundTrip(new ObjectMessage(null, object))).isInstanceOf(IOException.class)
-                        .hasMessageContaining("expected numbers of messages, found an object");
+                        .hasMessageContaining("expected sequence numbers, found an object");
             }
         }
     }
@@ -242,7 +242,7 @@ final class TlsNetworkTest {
             assertThat(roundTrip(new ObjectMessage(null, sofar)).<Digest>getObject()).isEqualTo(digest);
             assertThat(roundTrip(new LongMessage(null, 5_000_000)).<Long>getObject()).isEqualTo(5_000_000);
             assertThatThrownBy(() -> roundTrip(new ObjectMessage(null, new SeqnoList(1 << 21, 7)))).isInstanceOf(IOException.class)
-                    .hasMessageContaining("expected 1 to 1048576 numbers of messages");
+                    .hasMessageContaining("expected 1 to 1048576 sequence numbers");
         }
     }
 

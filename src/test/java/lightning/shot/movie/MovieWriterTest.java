@@ -94,7 +94,7 @@ class MovieWriterTest {
         Path script = Files.writeString(folder.resolve("ffmpeg"), "#!/bin/sh\necho 'no codec here' >&2\nexit 3\n");
         Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwxr-xr-x"));
         assertThatThrownBy(() -> write(new Ffmpeg(script), file, 24, gray(400, 400, 0), gray(400, 400, 0))).isInstanceOf(IOException.class)
-                .hasMessage("ffmpeg could not make the film: no codec here");
+                .hasMessage("ffmpeg failed: no codec here");
         assertThat(Files.readString(file)).isEqualTo("old");
         assertThat(files()).containsExactlyInAnyOrder(file, script);
     }

@@ -89,7 +89,7 @@ class EnvironmentFieldTest extends EditorFixture {
         assertThat(world().rotation()).isEqualTo(-30);
         assertThat(world().lightCount()).isEqualTo(7);
         assertThat(world().softness()).isEqualTo(0.5);
-        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment lamps 16 → 7");
+        assertThat(model().editor().editorStateProperty().get().undoLabel()).contains("environment samples 16 → 7");
         choose("None");
         waitFor("it is gone", () -> choiceText().isEmpty());
         assertThat(world().rotation()).as("is kept for the next").isEqualTo(-30);

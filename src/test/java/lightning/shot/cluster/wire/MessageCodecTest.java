@@ -60,7 +60,7 @@ final class MessageCodecTest {
         byte[] bytes = MessageCodec.encode(new Message.CloseSession(SESSION));
         bytes[2] = 9;
         assertThatThrownBy(() -> MessageCodec.decode(bytes)).isInstanceOf(WireException.class)
-                .hasMessage("at byte 2: expected version 1 of the protocol, found 9; all machines must run the same release");
+                .hasMessage("at byte 2: expected protocol version 1, found 9; all machines must run the same release");
     }
 
     @Test
