@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import lightning.base.text.Quote;
 
-/** A file holds something that would be lost if it were replaced. */
+/** Thrown if replacing a file would lose changes that another program made. */
 public final class ChangedFileException extends IOException {
     private static final long serialVersionUID = 1;
 

@@ -9,11 +9,11 @@ import java.nio.file.NotDirectoryException;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 
-/** What Java's file errors mean; their own messages are mostly just the file's name. */
+/** Messages for Java's file exceptions, whose own messages are mostly only the file's name. */
 public final class FileErrorMessage {
     private FileErrorMessage() {}
 
-    /** A sentence without its full stop. */
+    /** Returns a sentence without its full stop. */
     public static String of(IOException e) {
         return switch (e) {
             case NoSuchFileException missing -> Messages.tr("{0}: file not found", Quote.path(missing.getFile()));
