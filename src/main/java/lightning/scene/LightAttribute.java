@@ -16,17 +16,14 @@ import lightning.base.math.Rgb;
 import lightning.base.math.Vec3;
 import lightning.base.text.Messages;
 
-/**
- * The attributes of lights, each described here and nowhere else, in the order in which a file writes them. What a light does
- * with them is told by the lighting equation.
- */
+/** Attributes of lights, in file order. The lighting equation defines their effect. */
 public final class LightAttribute<V> extends SceneAttribute<Light, V> {
 
-    /** What people find together. */
+    /** Section of the attribute in the editor. */
     public enum Section {
-        /** What it is. */
+        /** Type of the light. */
         KIND,
-        /** Whether it shines, and with which others. */
+        /** On, solo and light group. */
         SWITCHES,
         COLOR,
         CONE,
@@ -99,14 +96,14 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Messages.key("Light group of this light")), "", "name of a bank", Light::lightGroup, Light::withLightGroup,
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
-            Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")), ShapeLinks.ALL, "shapes and groups",
-            Light::illuminates, Light::withIlluminates, Section.LINKS, forAllTypes(LightTerm.ILLUMINATION_LINKS));
+            Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),
+            ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS, forAllTypes(LightTerm.ILLUMINATION_LINKS));
     public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.LinksKind(
             Messages.key("Casts shadows from"), Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,
             forAllTypes(LightTerm.SHADOW_LINKS));
 
-    /** All of them, as they are declared above. */
+    /** All attributes, in declaration order. */
     public static final List<LightAttribute<?>> ALL = List.copyOf(REGISTRY);
 
     private final ValueKind.LightKind<V> kind;
@@ -114,8 +111,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
     private final Map<LightType, LightTerm> terms;
 
     /**
-     * @param terms what it changes of a light of each type that has it; none where it decides which others act, or
-     *              whether any does
+     * @param terms terms that it changes for each type of light that has it; none for attributes that only decide which others or which
+     *     lights act
      */
     private LightAttribute(String name, String title, ValueKind.LightKind<V> kind, V initial, String unit, Function<Light, V> get,
             BiFunction<Light, V, Light> with, Section section, Map<LightType, LightTerm> terms) {
@@ -144,28 +141,28 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
         return section;
     }
 
-    /** What it changes of a light of this type; empty where it does not act, and for those that decide about others. */
+    /** Returns the term that it changes for this type of light; empty if it has no effect, or only decides about other attributes. */
     public Optional<LightTerm> term(LightType type) {
         return Optional.ofNullable(terms.get(type));
     }
 
-    /** What it changes of this light; samples change nothing of one that is a point. */
+    /** Returns the term that it changes for this light; the number of samples has no effect on a point light. */
     public Optional<LightTerm> term(Light light) {
         return this == SAMPLES && !light.isArea() ? Optional.empty() : term(light.type());
     }
 
-    /** Whether it acts on the picture of a light of this type. The value is kept all the same (paper §4.5). */
+    /** Returns whether it affects the image for this type of light. The value is kept in any case (paper §4.5). */
     public boolean appliesTo(LightType type) {
         return terms.isEmpty() || terms.containsKey(type);
     }
 
-    /** Why it does nothing for a light of this type: a clause; empty where it acts. */
+    /** Returns a clause that says why it has no effect for this type of light; empty if it has. */
     public Optional<String> inactiveReason(LightType type) {
         return appliesTo(type) ? Optional.empty()
                 : Optional.of(Messages.tr("a {0} light has no {1}", TYPE.kind().format(type), Messages.tr(title())));
     }
 
-    /** Whether a light takes it over from another whose settings it is given: all but where it is and whether it shines. */
+    /** Returns whether copying a light's settings includes it: all except its placement and switches. */
     public boolean isSetting() {
         return switch (section) {
             case KIND, COLOR, CONE, AREA, ATTENUATION -> true;

@@ -5,18 +5,16 @@ import java.util.List;
 import java.util.Map;
 import lightning.base.text.Quote;
 
-/** The names of a rig's lights and banks, shared by all rigs that differ in their attributes alone. */
+/** Table of the names of a rig's lights and groups, shared by all rigs with the same names. */
 final class LightRigNames {
     private final List<Light> lights;
     private final List<LightGroup> lightGroups;
     private final Map<String, Integer> lightIndices;
     private final Map<String, Integer> groupIndices;
-    /** A stage that has none of the names; null where none was asked. Any thread may set it: each that does is right. */
+    /** Last stage found to have none of the names; null for none. Any thread may set it to any such stage. */
     private Stage disjointStage;
 
-    /**
-     * @throws IllegalArgumentException if two of them have the same name
-     */
+    /** @throws IllegalArgumentException if two of them have the same name */
     LightRigNames(List<Light> lights, List<LightGroup> banks) {
         this.lights = lights;
         this.lightGroups = banks;
@@ -34,20 +32,20 @@ final class LightRigNames {
         }
     }
 
-    /** The place of the bank of that name, or −1. */
+    /** Returns the index of the light group of that name, or −1. */
     int groupIndex(String name) {
         return groupIndices.getOrDefault(name, -1);
     }
 
-    /** The place of the light of that name, or −1. */
+    /** Returns the index of the light of that name, or −1. */
     int lightIndex(String name) {
         return lightIndices.getOrDefault(name, -1);
     }
 
     /**
-     * Asks a stage for the names, unless the one asked last has the same shapes.
+     * Checks a stage for name conflicts, unless the last one checked has the same names.
      *
-     * @throws IllegalArgumentException if a shape or a group has the name of a light or a bank
+     * @throws IllegalArgumentException if a shape or a group has the name of a light or a light group
      */
     void checkDisjoint(Stage stage) {
         Stage checked = disjointStage;

@@ -8,10 +8,10 @@ import java.util.function.Function;
 import lightning.base.math.Rgb;
 import lightning.base.text.Messages;
 
-/** The attributes of materials, each described here and nowhere else, in the order in which a file writes them. */
+/** Attributes of materials, in file order. */
 public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
 
-    /** What people find together, in this order. */
+    /** Section of the attribute in the editor, in this order. */
     public enum Section {
         MODEL,
         DIFFUSE,
@@ -104,12 +104,12 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                     ShadowCasting.FULL, "", Transmission::shadows, Transmission::withShadows, MaterialTerm.SHADOW,
                     "Shadows of objects with this material: full, tinted by the transmitted color, or none");
 
-    /** All of them, as they are declared above; that which decides about others before these. */
+    /** All attributes, in declaration order; the model comes before the attributes that depend on it. */
     public static final List<MaterialAttribute<?>> ALL = List.copyOf(REGISTRY);
 
     private final ValueKind.MaterialKind<V> kind;
     private final MaterialTerm term;
-    /** The only one by which it acts; null where it acts by all. */
+    /** The only shading model that has it; null if all have it. */
     private final ShadingModel model;
     private final Section section;
     private final String help;
@@ -142,21 +142,21 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return new MaterialAttribute<>(name, NumericKind.number(0, max, step), initial, unit, get, with, term, model, section, help);
     }
 
-    /** Whether it acts on a material of this model; else it has its initial value there. */
+    /** Returns whether it acts on materials of this model; otherwise it has its initial value there. */
     public boolean appliesTo(ShadingModel materialModel) {
         return model == null || model == materialModel;
     }
 
-    /** Why a material of this model does not have it: a clause; empty where it acts. */
+    /** Returns a clause that says why materials of this model do not have it; empty if they do. */
     public Optional<String> inactiveReason(ShadingModel materialModel) {
         return appliesTo(materialModel) ? Optional.empty()
                 : Optional.of(Messages.tr("a material of model {0} has no {1}", MODEL.kind().format(materialModel), Messages.tr(title())));
     }
 
     /**
-     * The value as a material of this model has it.
+     * Returns the value for a material of this model.
      *
-     * @throws IllegalArgumentException if no record may have the value; the message says why
+     * @throws IllegalArgumentException if no material may have the value; the message says why
      */
     V checkFor(ShadingModel materialModel, V value) {
         check(value);
@@ -183,7 +183,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
                 (m, v) -> m.withTransmission(with.apply(m.transmission(), v)), term, null, Section.CLEAR, help);
     }
 
-    /** Colors are alike where they are as floats, which rows are colored with. */
+    /** Colors are equivalent if equal as floats, the precision of shading. */
     @Override
     public boolean isEquivalent(Material a, Material b) {
         return super.isEquivalent(a, b) || get(a) instanceof Rgb before && get(b) instanceof Rgb after && equalsAsFloat(before, after);
@@ -198,7 +198,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return kind;
     }
 
-    /** What it changes. */
+    /** Returns the term that it changes. */
     public MaterialTerm term() {
         return term;
     }
@@ -207,7 +207,7 @@ public final class MaterialAttribute<V> extends SceneAttribute<Material, V> {
         return section;
     }
 
-    /** What it does, a sentence without a full stop. */
+    /** Returns its help text, a sentence without a full stop. */
     public String help() {
         return help;
     }

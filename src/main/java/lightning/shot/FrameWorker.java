@@ -27,7 +27,8 @@ record FrameWorker(FrameQueue queue, int hostIndex, FrameQueue.Lane lane, FrameH
             // Something else is wanted.
         } catch (FrameRejectedException e) {
             if (queue.reject(job)) {
-                listener.frameFailed(job.frame, new FrameRejectedException(Messages.tr("no node has enough memory for it: {0}", e.getMessage())));
+                listener.frameFailed(job.frame,
+                        new FrameRejectedException(Messages.tr("no node has enough memory for it: {0}", e.getMessage())));
             }
         } catch (HostLostException e) {
             if (queue.removeHost(hostIndex)) {

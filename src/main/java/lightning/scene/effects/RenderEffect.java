@@ -28,10 +28,7 @@ import lightning.scene.ShapeLinks;
 import lightning.scene.Solid;
 import lightning.scene.Transmission;
 
-/**
- * The parts of the picture that a scene may or may not call for: the one place that names them. Each tells who calls for
- * it, and what the scene is without it.
- */
+/** Registry of optional render effects. Each effect lists its users in a scene, and can remove itself from a scene. */
 public final class RenderEffect {
     private static final List<RenderEffect> REGISTRY = new ArrayList<>();
 
@@ -100,7 +97,7 @@ public final class RenderEffect {
             register("environment", "environment", uses -> uses.scene().world().environment().stream().map(Environment::file),
                     scene -> scene.withWorld(scene.world().withEnvironment(Optional.empty())), UnaryOperator.identity(), false);
 
-    /** Those above, then one for each type of light and each form of a shape. */
+    /** All effects: those above, then one for each type of light and each type of solid. */
     public static final List<RenderEffect> ALL = Stream.of(REGISTRY.stream(), Arrays.stream(LightType.values()).map(RenderEffect::lights),
             Solid.CANONICAL.stream().map(RenderEffect::shapes),
             Stream.of(shapes("meshes", Solid.TriangleMesh.class))).flatMap(all -> all).toList();
@@ -157,40 +154,42 @@ public final class RenderEffect {
                 UnaryOperator.identity(), false);
     }
 
-    /** The effect of that {@link #id}. */
+    /** Returns the effect with that {@link #id}. */
     public static RenderEffect of(String id) {
         return ALL.stream().filter(effect -> effect.id.equals(id)).findFirst().orElseThrow();
     }
 
-    /** For programs: lower case, words joined by hyphens, as in {@code barn-doors}. */
+    /** Returns the identifier for programs: lower case, words joined by hyphens, such as {@code barn-doors}. */
     public String id() {
         return id;
     }
 
-    /** For people, lower case, in the plural where there is one. */
+    /** Returns the title for the user: lower case, in the plural if possible. */
     public String title() {
         return title;
     }
 
-    /** Whether its work can be done where nothing calls for it; that of a light, a bank or a shape which is not there cannot. */
+    /**
+     * Returns whether its work can be forced in a scene without users; impossible for the work of a missing light, light group or shape.
+     */
     public boolean isForcible() {
         return forcible;
     }
 
-    /** The names of the lights, materials or shapes that call for it, in the order of the scene, perhaps repeatedly. */
+    /** Returns the names of the lights, materials or shapes that use it, in scene order, possibly repeated. */
     Stream<String> users(EffectUsers uses) {
         return users.apply(uses);
     }
 
     /**
-     * A scene that calls for it and has the very same picture; the scene itself where there is none: then those who keep
-     * columns and cast rays force it ({@link ViewEffects#forces}), or nobody can.
+     * Returns a scene that uses it with an identical image; the scene itself if there is none. Some effects can then be forced in the
+     * renderer instead ({@link ViewEffects#forces}).
      */
     Scene addTo(Scene scene) {
         return addition.apply(scene);
     }
 
-    /** The scene without it; for shadows the scene itself, because nothing in a scene tells of them. */
+    /** Returns the scene without it; for shadows the scene itself, because no setting of a scene switches them off. */
     Scene removeFrom(Scene scene) {
         return removal.apply(scene);
     }

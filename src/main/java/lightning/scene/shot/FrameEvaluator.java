@@ -15,7 +15,7 @@ import lightning.scene.SceneAttribute;
 import lightning.scene.SceneNode;
 import lightning.scene.Shape;
 
-/** Makes the scene of one frame. All that goes together is set together, so that nothing in between is ever refused. */
+/** Evaluation of the scene at one frame. Sets dependent values together, so that no intermediate state is rejected. */
 final class FrameEvaluator {
     private final Map<TrackTarget, List<Track>> tracks;
     private final double frame;

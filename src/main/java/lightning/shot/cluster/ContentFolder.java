@@ -66,7 +66,8 @@ final class ContentFolder {
                     + "); choose a folder on another disk with --folder", e);
         }
         return lock
-                .orElseThrow(() -> new IOException(Quote.path(folder) + ": another node uses this folder; choose another one with --folder"));
+                .orElseThrow(() -> new IOException(
+                        Quote.path(folder) + ": another node uses this folder; choose another one with --folder"));
     }
 
     private static String reason(IOException e) {

@@ -55,7 +55,8 @@ final class RevisionReader {
     private byte[] readManifest(ContentHash hash, int bytes) throws IOException {
         byte[] manifest = parts.read(hash, 0);
         if (manifest.length != bytes || !ContentHash.of(manifest).equals(hash)) {
-            throw new InvalidContentException("expected a manifest of " + bytes + " bytes with its hash, found " + manifest.length + " bytes");
+            throw new InvalidContentException(
+                    "expected a manifest of " + bytes + " bytes with its hash, found " + manifest.length + " bytes");
         }
         return manifest;
     }

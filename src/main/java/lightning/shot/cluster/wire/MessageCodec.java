@@ -103,7 +103,8 @@ public final class MessageCodec {
             case 1 -> new OpenSession(session, in.text("the release", Message.TEXT_BYTES));
             case 2 -> new SessionOpened(session, in.text("the release", Message.TEXT_BYTES), in.int32("threads", MAX_INT),
                     in.int64("memory"));
-            case 3 -> new UpdateFrame(session, in.int64("the request"), frame(in), in.hash("the manifest"), in.int32("the manifest's size", MAX_INT));
+            case 3 -> new UpdateFrame(session, in.int64("the request"), frame(in), in.hash("the manifest"),
+                    in.int32("the manifest's size", MAX_INT));
             case 4 -> new FrameUpdated(session, in.int64("the request"), in.bool("traced"), in.text("the plan", Message.TEXT_BYTES),
                     in.int64("rays"), in.int64("nanoseconds"), in.int32("the width", MAX_SIDE), in.int32("the height", MAX_SIDE),
                     in.int64("memory"), in.int64("disk"));
