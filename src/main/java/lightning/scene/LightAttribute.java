@@ -97,7 +97,8 @@ public final class LightAttribute<V> extends SceneAttribute<Light, V> {
                     Section.SWITCHES, Map.of());
     public static final LightAttribute<ShapeLinks> ILLUMINATES = of("illuminates", new ValueKind.LinksKind(
             Messages.key("Illuminates"), Messages.key("Objects and groups that the light illuminates")),
-            ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS, forAllTypes(LightTerm.ILLUMINATION_LINKS));
+            ShapeLinks.ALL, "shapes and groups", Light::illuminates, Light::withIlluminates, Section.LINKS,
+            forAllTypes(LightTerm.ILLUMINATION_LINKS));
     public static final LightAttribute<ShapeLinks> SHADOWED_BY = new LightAttribute<>("shadowed_by", "shadowed by", new ValueKind.LinksKind(
             Messages.key("Casts shadows from"), Messages.key("Objects and groups that cast shadows from this light")),
             ShapeLinks.ALL, "shapes and groups", Light::shadowedBy, Light::withShadowedBy, Section.LINKS,

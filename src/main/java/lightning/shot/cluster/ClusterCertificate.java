@@ -22,18 +22,18 @@ import lightning.base.file.RegularFile;
 import lightning.base.text.Messages;
 import lightning.base.text.Quote;
 
-/** The key and the certificate that all members of a cluster share: a file of PKCS #12. Who has it is a member. */
+/** Key and certificate shared by all members of a cluster, in a PKCS #12 file. Anyone with the file can join. */
 final class ClusterCertificate {
-    /** Its format demands one; what protects the file is who may read it. */
+    /** The format requires a password; the file's permissions protect it. */
     static final char[] PASSWORD = "lightning".toCharArray();
     private static final int MAX_BYTES = 1 << 16;
 
     private ClusterCertificate() {}
 
     /**
-     * What makes connections that only members can make.
+     * Creates the TLS context for connections between members.
      *
-     * @throws JoinException if the file cannot be read, or holds anything but one key with its certificate
+     * @throws JoinException if the file cannot be read, or does not hold exactly one key with its certificate
      */
     static SSLContext sslContext(Path file) throws JoinException {
         try {
@@ -72,7 +72,7 @@ final class ClusterCertificate {
         throw new CertificateException(Messages.tr("the file contains no key"));
     }
 
-    /** Trusts those who show the very same certificate, and so must have its key; nobody else, whoever signed theirs. */
+    /** Trusts only peers that present the same certificate and so must have its key, whoever signed others. */
     private static final class CertificatePinning extends X509ExtendedTrustManager {
         private final X509Certificate certificate;
 

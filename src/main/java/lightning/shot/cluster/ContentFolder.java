@@ -22,11 +22,11 @@ import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.SceneManifest;
 
 /**
- * Content that came from others, in a folder for nobody else to read: files named by their hash, and for each set of files that a scene
- * names a folder where they have these names.
+ * Content-addressed file cache, readable by its owner only: files named by hash, and for each scene's set of files a folder with their
+ * original names.
  */
 final class ContentFolder {
-    /** Bytes of all content. */
+    /** Maximum bytes of all content. */
     private static final long MAX_BYTES = 32L << 30;
 
     private final Path contents;
@@ -35,16 +35,16 @@ final class ContentFolder {
     private long storedBytes;
     private boolean cleared;
 
-    /** Where content comes from. */
+    /** Source of content. */
     interface PartSource {
-        /** Some bytes from an offset on, none at the end; waits for them. */
+        /** Reads some bytes from an offset, none at the end; blocks until they arrive. */
         byte[] read(ContentHash hash, long offset) throws IOException;
     }
 
     /**
-     * Takes a folder, and removes what an earlier process left in it.
+     * Locks a folder and removes what an earlier process left in it.
      *
-     * @throws IOException if another node uses the folder, or it cannot be used; a sentence
+     * @throws IOException if another node uses the folder, or it is unusable; the message is a sentence
      */
     ContentFolder(Path folder) throws IOException {
         PrivateFolder.restrict(folder);
@@ -75,11 +75,11 @@ final class ContentFolder {
     }
 
     /**
-     * The file that holds some content, which is fetched where it is not there.
+     * Returns the file with some content, and fetches it if missing.
      *
-     * @param maxBytes bytes that it may have
-     * @throws InvalidContentException if it is longer, or what came has another hash
-     * @throws IOException      if it cannot be kept
+     * @param maxBytes maximum size
+     * @throws InvalidContentException if it is longer, or has another hash
+     * @throws IOException             if it cannot be stored
      */
     synchronized Path fetch(SceneManifest.Content content, long maxBytes, PartSource parts) throws IOException {
         Path file = contents.resolve(content.hash().hex());
@@ -113,10 +113,10 @@ final class ContentFolder {
     }
 
     /**
-     * The folder where the files of a bill have the names that its scene writes.
+     * Returns a folder with the files of a manifest under their names in the scene.
      *
-     * @throws InvalidContentException if a name leads elsewhere, or as {@link #fetch}
-     * @throws IOException      as {@link #fetch}
+     * @throws InvalidContentException if a name leads out of the folder, or as {@link #fetch}
+     * @throws IOException             as {@link #fetch}
      */
     synchronized Path sceneFolder(SceneManifest manifest, PartSource parts) throws IOException {
         if (cleared) {
@@ -143,13 +143,13 @@ final class ContentFolder {
         try {
             Files.createLink(link, file);
         } catch (FileAlreadyExistsException e) {
-            // The same: the folder's name says what is in it.
+            // It exists with the same content, because its name is a hash of it.
         } catch (IOException | UnsupportedOperationException e) {
             AtomicFile.of(link).forOwnerOnly().write(out -> Files.copy(file, out));
         }
     }
 
-    /** Removes all, and keeps nothing any more; whoever reads a file of it goes on. */
+    /** Removes all content and stores nothing more; open files stay readable. */
     synchronized void clear() {
         cleared = true;
         try {

@@ -27,11 +27,11 @@ import lightning.shot.cluster.wire.ContentHash;
 import lightning.shot.cluster.wire.Message;
 import lightning.shot.cluster.wire.WireException;
 
-/** One coordinator's frames at a node. */
+/** Session of one coordinator at a node, with its frames. */
 final class NodeSession implements AutoCloseable {
-    /** Wishes at once: a coordinator has two, and one more of each frame that it no longer wanted. */
+    /** Maximum concurrent requests: a coordinator has two, and one canceled request of each such frame. */
     private static final int MAX_CALLS = 8;
-    /** Answers that are kept, to be given again. */
+    /** Maximum number of answers kept for repeated requests. */
     private static final int MAX_ANSWERS = 64;
 
     final ClusterMember owner;
@@ -44,11 +44,11 @@ final class NodeSession implements AutoCloseable {
     private final ExecutorService filmExecutor = DedicatedThread.sequentialExecutor("lightning-films");
     private final Map<Long, AtomicBoolean> runningCalls = new HashMap<>();
     private final Map<Long, Message> answers = new LinkedHashMap<>();
-    /** By frame, the newest wish. */
+    /** Newest request by frame. */
     private final Map<Integer, Long> newestCalls = new HashMap<>();
-    /** By frame, whose film is kept. */
+    /** Request of the cached film, by frame. */
     private final Map<Integer, Long> shownCalls = new HashMap<>();
-    /** By frame: one wish at a time works with it. */
+    /** Locks by frame: one request at a time works on a frame. */
     private final Map<Integer, Object> locks = new HashMap<>();
     private long filmCall = -1;
     private Film film;
@@ -169,7 +169,10 @@ final class NodeSession implements AutoCloseable {
         return Downscale.fit(film.width(), film.height(), Math.max(1, ask.maxWidth()), Math.max(1, ask.maxHeight())).apply(film);
     }
 
-    /** On the one thread of films, which keeps the last: its tiles are asked for one after the other. */
+    /**
+     * Returns the film of a request. Runs on the single film thread and caches the last film, because its tiles are requested one after the
+     * other.
+     */
     private Optional<Film> film(Message.RequestTiles ask) {
         if (filmCall == ask.call()) {
             return Optional.of(film);
@@ -200,7 +203,7 @@ final class NodeSession implements AutoCloseable {
         host.drop(frame);
     }
 
-    /** Stops all that is under way; drops all frames, beside the caller. */
+    /** Cancels running work and drops all frames, without blocking the caller. */
     @Override
     public void close() {
         contentRequests.close();

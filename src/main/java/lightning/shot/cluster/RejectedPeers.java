@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import lightning.base.text.Messages;
 import lightning.shot.cluster.wire.WireException;
 
-/** Tells once of each member whose messages cannot be used. */
+/** Log of members whose messages are unusable; reports each member once. */
 final class RejectedPeers {
     private final ClusterNetwork network;
     private final Consumer<String> log;

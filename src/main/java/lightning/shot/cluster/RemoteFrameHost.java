@@ -20,7 +20,7 @@ import lightning.shot.HostLostException;
 import lightning.shot.ShotRevision;
 import lightning.shot.cluster.wire.Message;
 
-/** A node's frames, as those who want them see them. */
+/** Frame host on a remote node, as seen by the coordinator. */
 final class RemoteFrameHost implements FrameHost {
     private final UUID id;
     private final String name;
@@ -35,8 +35,8 @@ final class RemoteFrameHost implements FrameHost {
     private record TileRange(long call, int maxWidth, int maxHeight, int firstTile) {}
 
     /**
-     * @param name what people call the node
-     * @param send gives a message to the node
+     * @param name the node's name for the user
+     * @param send sends a message to the node
      */
     RemoteFrameHost(UUID id, String name, AssetTransfer parcels, Consumer<Message> send) {
         this.id = id;
@@ -87,7 +87,7 @@ final class RemoteFrameHost implements FrameHost {
     }
 
     private RuntimeException failure(Message.UpdateFailed failed) {
-        // What the node says is in its own language.
+        // The node's message is in its own language.
         String message = Messages.tr("node {0}: {1}", name, failed.message());
         return switch (failed.reason()) {
             case CANCELED -> new CancellationException();
@@ -102,13 +102,13 @@ final class RemoteFrameHost implements FrameHost {
         return Optional.ofNullable(updates.get(frame)).flatMap(update -> film(frame, update, update.width(), update.height()));
     }
 
-    /** Made smaller by the node, so that little travels. */
+    /** Downscales on the node, to save bandwidth. */
     @Override
     public Optional<Film> film(int frame, int maxWidth, int maxHeight) {
         return Optional.ofNullable(updates.get(frame)).flatMap(update -> film(frame, update, maxWidth, maxHeight));
     }
 
-    /** The film that an answer tells of; empty where it is there no more. */
+    /** Fetches the film of an answer; empty if it is gone. */
     private Optional<Film> film(int frame, Message.FrameUpdated update, int maxWidth, int maxHeight) {
         Downscale size = Downscale.fit(update.width(), update.height(), maxWidth, maxHeight);
         Film film = Film.black(size.width(), size.height());
@@ -144,7 +144,7 @@ final class RemoteFrameHost implements FrameHost {
         }
     }
 
-    /** The node is lost: whoever waits for it hears so. */
+    /** Marks the node as lost; waiting callers fail. */
     HostLostException disconnect() {
         updateRequests.close();
         tileRequests.close();

@@ -18,9 +18,9 @@ import lightning.shot.cluster.wire.Message.SessionOpened;
 import lightning.shot.cluster.wire.Message.UpdateFailed;
 import lightning.shot.cluster.wire.Message.UpdateFrame;
 
-/** Messages as bytes: two letters, the version, the kind, the session, and what the kind has. */
+/** Binary message format: two magic bytes, the version, the kind, the session, and the fields of the kind. */
 public final class MessageCodec {
-    /** Of the protocol: members of another one are told so, and do not go together. */
+    /** Protocol version; members of another version are reported and ignored. */
     public static final int VERSION = 1;
     private static final int MAGIC = 'L' << 8 | 'n';
     private static final int MAX_SIDE = 1 << 20;
@@ -50,7 +50,7 @@ public final class MessageCodec {
             case FocusFrame m -> out.int32(m.frame());
             case DropFrame m -> out.int32(m.frame());
             case Heartbeat _,CloseSession _ -> {
-                // Nothing but its session.
+                // No fields except the session.
             }
         }
         return out.toBytes();
@@ -76,7 +76,7 @@ public final class MessageCodec {
         };
     }
 
-    /** @throws WireException if the bytes are no message of this version, whole and nothing behind */
+    /** @throws WireException if the bytes are not exactly one message of this version */
     public static Message decode(byte[] bytes) throws WireException {
         if (bytes.length > Message.MAX_BYTES) {
             throw new WireException("expected at most " + Message.MAX_BYTES + " bytes, found " + bytes.length);
