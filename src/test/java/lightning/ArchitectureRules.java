@@ -27,8 +27,8 @@ import java.util.Set;
 import lightning.base.text.UserFacingException;
 
 /**
- * Who may know whom: a row for each package, with all that it may import. Nothing is known that is not told here, and no
- * row is told a later one, so that all ways go in one direction. A package without a row is a fault.
+ * Rules of the package architecture: for each package the packages that it may import. Rows are in order of dependency, so imports go only
+ * downwards. Every package needs a row.
  */
 final class ArchitectureRules {
     private static final String ENGINE =
@@ -40,10 +40,10 @@ final class ArchitectureRules {
             ENGINE + " base.file scene.shot format.jen format.image bench.accuracy editor.loop editor.document";
     private static final String WINDOW = DOCUMENT + " editor.window.widget editor.window.model editor.window.command";
 
-    /** The groups from the bottom of the program up: a package imports from its own group and from those before it. */
+    /** Groups from the bottom up: a package imports from its own group and from those before it. */
     private static final List<String> GROUPS = List.of("base", "scene", "render", "format", "shot", "bench", "editor", "cli");
 
-    /** The rows from the bottom of the program up. */
+    /** Packages from the bottom up. */
     private static final List<Layer> LAYERS = List.of(
             row("base.text", ""),
             row("base.math", ""),
@@ -135,9 +135,9 @@ final class ArchitectureRules {
                             + " shot shot.cluster shot.movie bench.accuracy bench bench.report"),
             row("", "editor.window cli"));
 
-    /** @param dependencies the packages that it may import, beside itself */
+    /** @param dependencies packages that it may import, in addition to itself */
     private record Layer(String name, Set<String> dependencies) {
-        /** What starts the program stands above all packages. */
+        /** Classes of the root package start the program and may use all packages. */
         String packageName() {
             return name.isEmpty() ? "lightning" : "lightning." + name;
         }
@@ -147,12 +147,12 @@ final class ArchitectureRules {
         return new Layer(name, known.isEmpty() ? Set.of() : Set.of(known.split(" ")));
     }
 
-    /** The class that no reader may have to doubt: the oracle of every equality test. */
+    /** The reference tracer: the oracle of every equality test, kept simple enough to trust. */
     private static final String REFERENCE = "lightning\\.render\\.shading\\.ReferenceTracer(\\$.*)?";
 
     private ArchitectureRules() {}
 
-    /** One rule for each row: it knows nothing but the rows that it may know. */
+    /** Returns a rule for each row: it imports only the listed packages. */
     static ArchRule layersDependOnlyOnLowerLayers() {
         CompositeArchRule all = CompositeArchRule.of(everyClassHasALayer());
         for (Layer row : LAYERS) {
@@ -166,7 +166,7 @@ final class ArchitectureRules {
         return all;
     }
 
-    /** The rows that stand before one of a lower group, or belong to none: none. */
+    /** Returns rows that precede one of a lower group, or belong to no group; must be empty. */
     static List<String> layersOutOfOrder() {
         List<String> wrong = new ArrayList<>();
         int highest = 0;
@@ -180,7 +180,7 @@ final class ArchitectureRules {
         return wrong;
     }
 
-    /** The rows that are told one that comes after them, or that there is not: none. */
+    /** Returns rows that depend on a later or missing row; must be empty. */
     static List<String> layersWithForwardDependency() {
         List<String> wrong = new ArrayList<>();
         Set<String> before = new HashSet<>();
@@ -205,7 +205,7 @@ final class ArchitectureRules {
                 .allowEmptyShould(true);
     }
 
-    /** Whatever a menu offers is made of a command. A menu within a menu and a line between items do nothing. */
+    /** Menu items are created only from commands. Submenus and separators have no action. */
     static ArchRule onlyCommandItemsCreateMenuItems() {
         return noClasses().that(not(nameMatching("lightning\\.editor\\.window\\.command\\.CommandMenuItems")))
                 .should().callConstructorWhere(target(owner(assignableTo("javafx.scene.control.MenuItem")
@@ -222,8 +222,8 @@ final class ArchitectureRules {
     }
 
     /**
-     * A pipe that is opened waits for ever, and some devices never end: what users and their files name is opened where that is checked. The
-     * other rows read what the program itself has written, or found to be a file.
+     * Opening a pipe may block forever, and some devices never end, so one class opens all files named by users or their files. The other
+     * listed classes read files that the program wrote, or found to be regular.
      */
     static ArchRule userFilesAreOpenedByOneClass() {
         DescribedPredicate<JavaClass> own =
@@ -242,7 +242,7 @@ final class ArchitectureRules {
                         .allowEmptyShould(true));
     }
 
-    /** What is thrown to be caught by others reaches a user somewhere, and must not be taken there for a fault of the program. */
+    /** Checked exceptions reach the user and must not look like internal errors. */
     static ArchRule checkedExceptionsAreUserFacing() {
         return classes()
                 .that(assignableTo(Exception.class).and(not(assignableTo(RuntimeException.class)))
@@ -253,8 +253,8 @@ final class ArchitectureRules {
     }
 
     /**
-     * The oracle stays independent of what it judges. Through its helpers it reaches no kernel and no
-     * cache; the tree, which the geometry of a scene keeps ready for the kernels, it never names itself.
+     * The oracle stays independent of the tested code. Through its helpers it uses no kernel and no cache; it never uses the BVH, which a
+     * scene's geometry holds for the kernels.
      */
     static ArchRule referenceTracerIsIndependent() {
         return CompositeArchRule

@@ -19,7 +19,7 @@ import lightning.sample.Slow;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program keeps the rules of {@link ArchitectureRules}, and the rules catch what breaks them. */
+/** Checks that the program follows {@link ArchitectureRules}, and that the rules detect violations. */
 @Slow
 class ArchitectureTest {
     private static final JavaClasses PROGRAM = new ClassFileImporter()
@@ -216,7 +216,7 @@ class ArchitectureTest {
                 .hasMessageContaining(sentence);
     }
 
-    /** Compiles classes, each given as its source on one line, in a folder of their own. */
+    /** Compiles classes, each given as its source on one line, in a separate folder. */
     private JavaClasses compile(String... sources) throws IOException {
         var compiler = ToolProvider.getSystemJavaCompiler();
         List<Path> files = new ArrayList<>();

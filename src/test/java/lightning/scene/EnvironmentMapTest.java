@@ -13,7 +13,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** What is seen of a sky, and the lamps that it is cut into. */
+/** Tests lookups in an environment map, and its median cut into lights. */
 class EnvironmentMapTest {
     private static EnvironmentMap sky(int width, int height, long seed) {
         var random = new Random(seed);
@@ -30,7 +30,7 @@ class EnvironmentMapTest {
         return to;
     }
 
-    /** Four pixels side by side: +z to −x, −x to −z, −z to x, x to +z. */
+    /** Four adjacent pixels: +z to −x, −x to −z, −z to x, x to +z. */
     private static final EnvironmentMap FOUR = new EnvironmentMap(4, 1, new float[] {1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0});
 
     @Test
@@ -49,7 +49,7 @@ class EnvironmentMapTest {
         assertThat(radiance(two, 0.6, 0, -0.8, 0)[0]).isEqualTo(3, within(1e-12));
     }
 
-    /** A shape at −z that is turned by 90 degrees about y is at −x. */
+    /** A shape at −z rotated by 90 degrees about y is at −x. */
     @Test
     void rotation_matchesShapeRotation() {
         assertThat(radiance(FOUR, -1, 0, 0, 90)[0]).isEqualTo(2.5, within(1e-12));
@@ -62,7 +62,7 @@ class EnvironmentMapTest {
         }
     }
 
-    /** All light of the picture is in the lamps: its integral over π, whatever the number of lamps. */
+    /** The lights have the total energy of the map, its integral over π, for any number of lights. */
     @Property
     void lights_preserveTotalEnergy(@ForAll @IntRange(min = 1, max = 600) int width, @ForAll @IntRange(min = 1, max = 40) int height,
             @ForAll @IntRange(min = 4, max = 64) int maxLights, @ForAll long seed) {
@@ -80,7 +80,7 @@ class EnvironmentMapTest {
         assertThat(sphere).isEqualTo(4 * Math.PI, within(1e-12 * 4 * Math.PI));
         List<EnvironmentLight> lamps = sky.lights(maxLights);
         assertThat(lamps).hasSizeBetween(1, maxLights);
-        // Sums of at most 24,000 terms that are not negative, each of them off by a rounding at most: 24,000 · 2⁻⁵³ of the sum, on both sides.
+        // Sums of at most 24,000 nonnegative terms, each with one rounding: an error of 24,000 · 2⁻⁵³ of the sum, on both sides.
         double bound = 2 * 24_010 * 0x1p-53;
         assertThat(lamps.stream().mapToDouble(EnvironmentLight::red).sum()).isEqualTo(lights[0], within(bound * lights[0]));
         assertThat(lamps.stream().mapToDouble(EnvironmentLight::green).sum()).isEqualTo(lights[1], within(bound * lights[1]));
@@ -101,7 +101,7 @@ class EnvironmentMapTest {
         assertThat(sun.direction().minus(sunLights).length()).isLessThan(0.01);
     }
 
-    /** Of all parts of one solid angle a cap has the longest mean direction, so that what is no cap is spread farther. */
+    /** Of all regions of a solid angle, a cap has the longest mean direction, so other regions get a larger spread. */
     @Property
     void uniformSky_lightsCoverTheirRegions(@ForAll @IntRange(min = 32, max = 256) int width,
             @ForAll @IntRange(min = 4, max = 64) int maxLights) {
@@ -109,7 +109,7 @@ class EnvironmentMapTest {
         java.util.Arrays.fill(rgb, 1);
         for (EnvironmentLight lamp : new EnvironmentMap(width, width / 2, rgb).lights(maxLights)) {
             double cap = Math.toDegrees(Math.acos(1 - lamp.red() * Math.PI / (2 * Math.PI)));
-            // The caps that cells are taken for shorten a direction by less than the cells do.
+            // The caps that replace cells shorten a direction by less than the cells do.
             assertThat(lamp.spread()).isBetween(0.99 * cap, Math.min(90, 2 * cap));
         }
     }
@@ -141,7 +141,7 @@ class EnvironmentMapTest {
         assertThat(new EnvironmentMap(3, 2, new float[18]).lights(16)).hasSize(1).allSatisfy(lamp -> assertThat(lamp.red()).isZero());
     }
 
-    /** The sun of a file may have a name that the lamps would have. */
+    /** The file's sun may have a name that the environment lights would get. */
     @Test
     void environmentLights_haveUniqueNames() {
         World world = World.DEFAULT.withEnvironment(Optional.of(new Environment("x.hdr", FOUR)));
@@ -156,7 +156,7 @@ class EnvironmentMapTest {
         for (EnvironmentLight lamp : new EnvironmentMap(64, 32, rgb).lights(64)) {
             sum += lamp.red() * Math.max(lamp.direction().y(), 0);
         }
-        // 64 lamps of some 0.2 sr each stand for what they are in the middle of: their cosines' mean is off by less than their width, 0.25.
+        // 64 lights of some 0.2 sr each represent their regions: the error of the mean cosine is less than their width, 0.25.
         assertThat(sum).isEqualTo(1, within(0.25));
         assertThat(Rgb.WHITE.r()).isEqualTo(1);
     }

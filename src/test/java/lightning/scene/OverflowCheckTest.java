@@ -50,7 +50,7 @@ class OverflowCheckTest {
         assertThat(LightEdits.edit(smooth, "sun", l -> l.withIntensity(1e30)).refusal()).isPresent();
     }
 
-    /** What is switched on, or leaves a bank that dims it, would be too bright then. */
+    /** Switching a light on, or removing its dimming group, must not exceed the limit. */
     @Test
     void darkLight_countsAsLit() throws JenException {
         String dark = BRIGHT.replace("1e30", "1e30 bank \"dim\" on no") + "bank \"dim\" { intensity 0 }\n";

@@ -14,7 +14,7 @@ import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** From an edit to the films of all frames, over the threads of their keepers. */
+/** Model-checks the path from an edit to the films of all frames, over the threads of their hosts. */
 @Tag("model")
 class FrameQueueModelTest {
     private static final ShotRevision FIRST = new ShotRevision(DeskScene.scene(), Shot.DEFAULT);
@@ -22,11 +22,11 @@ class FrameQueueModelTest {
             new ShotRevision(DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);
     private static final int LAST = 2;
 
-    /** Frames of one tile, each known by the take that it shows. */
+    /** Frames of one tile that record the revision that they show. */
     private static final class FakeHost extends FilmlessHost {
         private final ShotRevision[] kept = new ShotRevision[LAST + 1];
         private final boolean[] inWork = new boolean[LAST + 1];
-        /** The frame that it is asked for when it goes away; −1 for never. */
+        /** Frame whose update makes the host leave; −1 for never. */
         private final int leavesAt;
         private boolean gone;
 
@@ -61,7 +61,7 @@ class FrameQueueModelTest {
         }
     }
 
-    /** A queue of frames 1 and 2, the lanes of its keepers, and what was told. */
+    /** Queue of frames 1 and 2, the lanes of its hosts, and the events reported. */
     private static final class TestShot implements ShotListener {
         final FrameQueue queue = new FrameQueue(1, LAST);
         final List<Integer> made = Collections.synchronizedList(new ArrayList<>());

@@ -16,7 +16,7 @@ import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A frame for which a keeper has no room is given to another. */
+/** Tests that a frame rejected by one host goes to another. */
 @Timeout(value = Await.TIMEOUT_SECONDS, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class FrameRejectionTest {
     private static final ShotRevision FIRST = new ShotRevision(DeskScene.scene(), Shot.DEFAULT);
@@ -24,7 +24,7 @@ class FrameRejectionTest {
             new ShotRevision(DeskScene.sceneOf(DeskScene.parameter("intensity").set(FIRST.scene(), "key", 2)), Shot.DEFAULT);
     private static final int LAST = 5;
 
-    /** Holds so many frames and refuses others. */
+    /** Host that keeps a fixed number of frames and rejects others. */
     private static final class LimitedHost extends FilmlessHost {
         final Set<Integer> held = new TreeSet<>();
         final List<Integer> refused = new ArrayList<>();

@@ -21,7 +21,7 @@ import lightning.scene.shot.Shot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Frames on disk are as good as frames in memory, and what the disk loses is traced again. */
+/** Checks that frames on disk equal frames in memory, and that frames lost by the disk are traced again. */
 class LocalFrameHostTest {
     private static final Scene SCENE = DeskScene.scene();
     private static final ShotRevision FIRST = new ShotRevision(SCENE, Shot.DEFAULT);
@@ -140,7 +140,7 @@ class LocalFrameHostTest {
             keeper.update(1, FIRST, Progress.NONE);
             each = keeper.usage().memoryBytes();
         }
-        // Room that a forecast may take for enough, and room that is none.
+        // Space that the estimate may accept, and space that is too small.
         for (long remaining : new long[] {each - 1, each / 10}) {
             try (LocalFrameHost keeper = LocalFrameHost.createPinned(RenderOptions.DEFAULT.withThreads(1), each + remaining, place, 0)) {
                 keeper.focus(2);

@@ -14,7 +14,7 @@ import lightning.render.relight.tile.RenderOptions;
 import lightning.scene.Scene;
 import lightning.scene.shot.Shot;
 
-/** What it takes to relight all frames of scenes/dusk.jen, from memory and from disk, beside tracing each; run by hand. */
+/** Measures relighting all frames of scenes/dusk.jen, from memory and from disk, against tracing each; run by hand. */
 final class ShotRelighterCost {
     private static final int FRAMES = 48;
 

@@ -28,7 +28,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
-/** Every frame has the bits of its reference trace, whatever edits came, and whatever was kept. */
+/** Checks that every frame has the bits of its reference trace, after any edits and with any caches. */
 class ShotRelighterTest {
     private static final int FRAMES = 3;
 
@@ -38,9 +38,9 @@ class ShotRelighterTest {
         folder = Files.createDirectories(Path.of("target", "shelves"));
     }
 
-    /** A session of edits, and keys over its first scene. */
+    /** Session of edits, and keyframes over its first scene. */
     record Scenario(EditSession session, Shot shot) {
-        /** The takes of the session: keys follow their scenes. */
+        /** Returns the revisions of the session: keyframes follow their scenes. */
         List<ShotRevision> revisions() {
             List<Scene> scenes = session.scenes();
             ShotRevision[] takes = new ShotRevision[scenes.size()];
@@ -53,7 +53,7 @@ class ShotRelighterTest {
         }
     }
 
-    /** What was told last of each frame. */
+    /** Records the last report for each frame. */
     private static final class FilmCollector implements ShotListener {
         final Map<Integer, Film> films = new ConcurrentHashMap<>();
 
@@ -85,7 +85,7 @@ class ShotRelighterTest {
             for (int i = 0; i < takes.size(); i++) {
                 shot.setRevision(takes.get(i));
                 shot.focus(first + i % FRAMES);
-                // Some edits come while frames of those before are under way.
+                // Some edits arrive while earlier ones are still rendered.
                 if (i == takes.size() - 1 || (settles >> i % 4 & 1) == 1) {
                     shot.awaitIdle();
                     check(shot, takes.get(i), collector);

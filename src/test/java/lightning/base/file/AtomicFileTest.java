@@ -25,7 +25,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Where modes are spoken of, on systems that have them. */
+/** Checks of modes apply to systems with POSIX permissions. */
 @DisabledOnOs(OS.WINDOWS)
 class AtomicFileTest {
     @TempDir
@@ -116,7 +116,7 @@ class AtomicFileTest {
 
     @Test
     void irregularFile_isRejectedUnchanged() throws IOException {
-        // A socket stands for all of them: a real device would be lost if this ever failed for an administrator.
+        // A socket represents all special files: a real device would be lost if this failed for an administrator.
         Path socket = folder.resolve("s");
         Path link = Files.createSymbolicLink(folder.resolve("b"), socket);
         try (var server = ServerSocketChannel.open(StandardProtocolFamily.UNIX)) {
@@ -220,7 +220,7 @@ class AtomicFileTest {
         Path file = Files.writeString(folder.resolve("a"), "old");
         FileState state = FileState.of(file);
         Files.writeString(file, "his");
-        // Within the clock's grain, or by a program that keeps times.
+        // As if written within the clock's resolution, or by a program that preserves times.
         Files.setLastModifiedTime(file, state.modified());
         assertThatExceptionOfType(ChangedFileException.class)
                 .isThrownBy(() -> AtomicFile.of(file).ifUnchanged(state).write(new byte[] {1}))
@@ -295,7 +295,7 @@ class AtomicFileTest {
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString(mode));
     }
 
-    /** The name of the file that is being written. */
+    /** Returns the name of the temporary file being written. */
     private String temporary() throws IOException {
         return names().stream().filter(name -> name.startsWith(".")).findFirst().orElseThrow();
     }

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.condition.OS;
 @EnabledOnOs(OS.LINUX)
 class ProcessRestartTest {
 
-    /** Gives its place to a program, which its arguments name. */
+    /** Replaces itself by the program that its arguments name. */
     static final class RestartingProgram {
         public static void main(String[] args) {
             Runtime.getRuntime().addShutdownHook(new Thread(() -> System.out.println("its hook")));

@@ -9,12 +9,12 @@ import lightning.modelcheck.ScheduleExplorer;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** Tiles shared by threads, whatever these do when. */
+/** Model-checks the distribution of tiles to threads in all schedules. */
 @Tag("model")
 class WorkerPoolModelTest {
     private static final int TILES = 2;
 
-    /** A picture of tiles, each written once, and by nobody after the run. */
+    /** Counts writes per tile: each is written once, and never after the run. */
     private static final class TileCounter implements WorkerPool.TileTask {
         private final int[] writes = new int[TILES];
         private volatile boolean over;
@@ -45,7 +45,7 @@ class WorkerPoolModelTest {
         }
     }
 
-    /** A progress that can be stopped, and counts. */
+    /** Progress that can be canceled and counts polls. */
     private static final class CancelFlag implements Progress {
         private volatile boolean asked;
         private final AtomicInteger last = new AtomicInteger();

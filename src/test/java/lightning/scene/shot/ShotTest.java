@@ -39,7 +39,7 @@ import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 
-/** What a scene is at each frame of a shot. */
+/** Tests the scene at each frame of a shot. */
 class ShotTest {
     private static final SceneNode BALL = new Shape(new Solid.Frustum(0.5, true), "ball", Material.DEFAULT.name(), Placement.IDENTITY);
     private static final Scene SCENE = new Scene(PictureSettings.DEFAULT, Camera.DEFAULT, World.DEFAULT,
@@ -235,7 +235,7 @@ class ShotTest {
             assertThat((v - last) * Math.signum(c - b)).isGreaterThanOrEqualTo(-4 * Math.ulp(8.0));
             last = v;
         }
-        // The derivative, by a difference small beside the interval, is the slope at the key from both sides.
+        // A difference over a small interval approximates the derivative, which must equal the slope at the keyframe on both sides.
         double e = 0x1p-20;
         double before = (b - KeyframeInterpolator.cubic(a, b, 0, atB, h, 1 - e)) / (e * h);
         double after = (KeyframeInterpolator.cubic(b, c, atB, atC, k, e) - b) / (e * k);

@@ -31,8 +31,8 @@ import lightning.shot.ShotRelighter;
 import lightning.shot.ShotRevision;
 
 /**
- * What an edit without rays costs over frames on three nodes, beside the same work of three processes that are told by pipes which edit to
- * make: in turns, medians. With {@code piped} it is such a process. Prints a table.
+ * Measures an edit without rays over frames on three nodes against three processes that receive the edits through pipes; interleaved runs,
+ * medians. With {@code piped} it is such a process. Prints a table.
  *
  * <p>{@code ClusterBenchmark [WIDTH HEIGHT FRAMES EDITS NODES]}
  */
@@ -67,7 +67,7 @@ final class ClusterBenchmark {
         run(folder, scene, frames, edits, nodes);
     }
 
-    /** Counts what goes through a network. */
+    /** Counts the messages and bytes of a network. */
     private record CountingNetwork(ClusterNetwork network, AtomicLong messages, AtomicLong bytes) implements ClusterNetwork {
         @Override
         public void join(Listener listener) throws JoinException {
@@ -175,7 +175,7 @@ final class ClusterBenchmark {
                     pipe.in.readLine();
                 }
                 double second = (System.nanoTime() - start) / 1e6;
-                // The first half is for the compilers.
+                // The first half warms up the compilers.
                 if (edit >= edits) {
                     messages[edit - edits] = results - sent;
                     bytes[edit - edits] = carried - length;
@@ -210,7 +210,7 @@ final class ClusterBenchmark {
             film = shot.film(frame).orElse(null);
             times[frame - 1] = (System.nanoTime() - start) / 1e6;
             if (film == null) {
-                // Its node is lost: another traces it.
+                // Its node is lost; another traces the frame.
                 awaitAll(shot);
                 frame--;
             }
@@ -244,13 +244,13 @@ final class ClusterBenchmark {
         while (!shot.isIdle()) {
             shot.awaitIdle();
             if (!shot.isIdle()) {
-                // Nobody is there at the moment.
+                // No node is connected at the moment.
                 Thread.sleep(1);
             }
         }
     }
 
-    /** A process that holds frames without a network. */
+    /** Process that renders frames without a network. */
     private static final class PipedProcess {
         private final Process process;
         private final BufferedReader in;

@@ -33,7 +33,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Nodes and a coordinator in one process; what is between them loses messages, and is cut. */
+/** Nodes and a coordinator in one process, over a network that loses messages and can be cut. */
 @Slow
 final class ClusterTest {
     private static final int LAST = 6;
@@ -47,7 +47,7 @@ final class ClusterTest {
         return node(end, release, 1 << 28);
     }
 
-    /** @param room bytes that its frames may take */
+    /** @param room bytes for its frames */
     private RenderNode node(LocalNetwork.Endpoint end, String release, long room) throws Exception {
         Path own = folder.resolve("node" + open.size());
         var node = new RenderNode(end, new RenderNode.Settings(release, 1, 1 << 30, own,
@@ -66,7 +66,7 @@ final class ClusterTest {
         Await.until("all frames are current", shot::isIdle);
     }
 
-    /** A node may be lost after all frames were current, and while a film is on its way: then another traces it. */
+    /** A node may be lost after all frames were current, while a film is in transit: another then traces it. */
     private static void checkAll(ShotRelighter shot, ShotRevision take) throws Exception {
         for (int frame = 1; frame <= LAST; frame++) {
             Film film = null;
@@ -79,7 +79,7 @@ final class ClusterTest {
         }
     }
 
-    /** What a node still does after it is closed ends before its folder goes. */
+    /** Waits for background work of closed nodes before their folder is removed. */
     @AfterEach
     void closeNodes() throws Exception {
         for (AutoCloseable each : open) {

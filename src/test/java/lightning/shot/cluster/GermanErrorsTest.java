@@ -9,7 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** What an editor in German says of other machines. */
+/** Tests German messages about other machines. */
 class GermanErrorsTest {
     @BeforeEach
     void setGerman() {

@@ -31,8 +31,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Three nodes, each a process, that are killed at random moments while edits go on, and started anew: every film of every frame is held
- * against its full trace. {@code -Dlightning.kills=100} kills as often, and stops every tenth for so long that it counts as lost.
+ * Kills and restarts three node processes at random moments during edits, and compares every film of every frame with its full trace.
+ * {@code -Dlightning.kills=100} kills as often, and suspends every tenth node until it counts as lost.
  */
 @Slow
 final class NodeKillTest {
@@ -40,7 +40,7 @@ final class NodeKillTest {
     private static final int NODES = 3;
     private static final int LAST = 12;
     private static final long TIMEOUT_NANOSECONDS = 240_000_000_000L;
-    /** Longer than silence and question together. */
+    /** Longer than the silence timeout and the check together. */
     private static final long STOPPED_MILLISECONDS = 22_000;
 
     @TempDir
@@ -98,7 +98,7 @@ final class NodeKillTest {
                     }
                     checkAll(shot, take, workers);
                 }
-                // A node that held no frame is missed by nobody before its silence tells.
+                // The loss of a node without frames is noticed only by its silence.
                 await("a node is known to be lost", () -> lost.get() > 0);
             }
         } finally {
@@ -108,7 +108,7 @@ final class NodeKillTest {
         }
     }
 
-    /** With rays and without. */
+    /** Returns an edit with or without rays. */
     private static String edit(Random random) {
         return switch (random.nextInt(3)) {
             case 0 -> "lamp.intensity=" + (1 + random.nextInt(100)) / 50.0;

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a node does with messages that no coordinator sends. */
+/** Tests a node's handling of messages that no coordinator sends. */
 final class RenderNodeTest {
     private static final UUID SESSION = new UUID(3, 4);
     private static final byte[] TEXT = """
@@ -49,7 +49,7 @@ final class RenderNodeTest {
     private RenderNode node;
     private Peer peer;
 
-    /** A member that sends what it likes. */
+    /** Member that sends arbitrary messages. */
     private static final class Peer implements ClusterNetwork.Listener {
         private final LocalNetwork.Endpoint end;
         private final BlockingQueue<Set<ClusterMember>> views = new LinkedBlockingQueue<>();
@@ -208,7 +208,7 @@ final class RenderNodeTest {
     @Test
     void foreignMember_cannotUseSession() throws Exception {
         var other = new Peer(network.addEndpoint());
-        // The peer hears of it before the node is asked for more.
+        // The peer is notified before the node receives further requests.
         other.node = peer.node;
         other.send(new Message.UpdateFrame(SESSION, 1, 1, ContentHash.of(TEXT), 10));
         other.send(new Message.CloseSession(SESSION));
@@ -240,7 +240,7 @@ final class RenderNodeTest {
         contents.clear();
         assertThatThrownBy(() -> contents.sceneFolder(new SceneManifest(text(), new TreeMap<>()), (_, _) -> TEXT))
                 .isInstanceOf(IOException.class);
-        // Its lock, which the next node takes.
+        // Its lock, which the next node takes over.
         assertThat(contentFolder.toFile().list()).containsExactly("in-use");
     }
 

@@ -67,7 +67,7 @@ final class MessageCodecTest {
     void excessiveLength_allocatesNothing() {
         byte[] bytes = MessageCodec.encode(new Message.ContentPart(SESSION, HASH, 0, new byte[4]));
         int length = bytes.length - 8;
-        // Nearly a mebibyte, of which four bytes are there; then two gibibytes.
+        // Nearly a mebibyte with only four bytes present; then two gibibytes.
         bytes[length + 1] = 0x0f;
         bytes[length + 2] = (byte) 0xff;
         bytes[length + 3] = 0;
