@@ -86,8 +86,8 @@ class LauncherTest {
         Path java = java("25", "echo started");
         Path there = Files.move(launcher.getParent().getParent(), folder.resolve("a:b"));
         Result result = run(Map.of("JAVA_HOME", java), "", there.resolve("bin/lightning"));
-        assertThat(result).isEqualTo(new Result(2, "", "lightning: Java cannot run from a folder with ':' in its path, which is "
-                + there.toRealPath() + "; move or rename it.\n"));
+        assertThat(result).isEqualTo(new Result(2, "", "lightning: " + there.toRealPath()
+                + ": Java cannot run from a folder with ':' in its path; move or rename it.\n"));
     }
 
     @ParameterizedTest

@@ -72,7 +72,7 @@ record ParametricSurface(int across, int rows, boolean closed, SurfaceFunction f
     }
 
     private Vec3 normal(double u, double v) {
-        // At a pole all u map to one point; slightly beside it the surface has a normal.
+        // At a pole all u map to one point; slightly next to it the surface has a normal.
         double w = Math.min(1 - STEP, Math.max(STEP, v));
         Vec3 du = form.at(u + STEP, w).minus(form.at(u - STEP, w));
         Vec3 dv = form.at(u, w + STEP / 2).minus(form.at(u, w - STEP / 2));

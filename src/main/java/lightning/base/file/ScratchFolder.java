@@ -42,7 +42,7 @@ public final class ScratchFolder implements AutoCloseable {
     }
 
     /**
-     * Creates a folder and removes those that ended processes left in the same place.
+     * Creates a folder and removes folders left in the same place by ended processes.
      *
      * @throws IOException if it cannot be created; the message begins with {@code parent}
      */

@@ -72,7 +72,7 @@ final class ClusterCertificate {
         throw new CertificateException(Messages.tr("the file contains no key"));
     }
 
-    /** Trusts only peers that present the same certificate and so must have its key, whoever signed others. */
+    /** Trusts only peers that present the same certificate, and so have its key; ignores certificate authorities. */
     private static final class CertificatePinning extends X509ExtendedTrustManager {
         private final X509Certificate certificate;
 
