@@ -160,7 +160,7 @@ final class ArchitectureRules {
                     .map(Layer::packageName).toArray(String[]::new);
             all = all.and(noClasses().that().resideInAPackage(row.packageName())
                     .should().dependOnClassesThat(resideInAnyPackage(unknown))
-                    .as(row.packageName() + " knows only rows above it")
+                    .as(row.packageName() + " depends only on rows above it")
                     .allowEmptyShould(true));
         }
         return all;
@@ -194,7 +194,7 @@ final class ArchitectureRules {
     private static ArchRule everyClassHasALayer() {
         return classes().that(not(nameMatching("module-info")))
                 .should().resideInAnyPackage(LAYERS.stream().map(Layer::packageName).toArray(String[]::new))
-                .as("every class lives in a package that has a row in this test")
+                .as("every class is in a package that has a row in this test")
                 .allowEmptyShould(true);
     }
 
@@ -210,7 +210,7 @@ final class ArchitectureRules {
         return noClasses().that(not(nameMatching("lightning\\.editor\\.window\\.command\\.CommandMenuItems")))
                 .should().callConstructorWhere(target(owner(assignableTo("javafx.scene.control.MenuItem")
                         .and(not(nameMatching("javafx\\.scene\\.control\\.(Menu|SeparatorMenuItem)").forSubtype())))))
-                .as("only CommandMenuItems makes items of menus")
+                .as("only CommandMenuItems creates menu items")
                 .allowEmptyShould(true);
     }
 
@@ -233,12 +233,12 @@ final class ArchitectureRules {
                 .of(noClasses().that(not(own))
                         .should().callMethodWhere(target(owner(assignableTo(Files.class)))
                                 .and(target(nameMatching("newInputStream|newBufferedReader|readAll.*|readString|lines|copy|mismatch"))))
-                        .as("only RegularFile opens files that users name")
+                        .as("only RegularFile opens files named by users")
                         .allowEmptyShould(true))
                 .and(noClasses().that(not(own))
                         .should().callConstructorWhere(target(owner(assignableTo(FileInputStream.class)
                                 .or(assignableTo(RandomAccessFile.class)).or(assignableTo(FileReader.class)))))
-                        .as("only RegularFile opens files that users name")
+                        .as("only RegularFile opens files named by users")
                         .allowEmptyShould(true));
     }
 
@@ -248,7 +248,7 @@ final class ArchitectureRules {
                 .that(assignableTo(Exception.class).and(not(assignableTo(RuntimeException.class)))
                         .and(not(assignableTo(IOException.class))))
                 .should().beAssignableTo(UserFacingException.class)
-                .as("checked exceptions are for users to read")
+                .as("checked exceptions are user-facing")
                 .allowEmptyShould(true);
     }
 
@@ -261,11 +261,11 @@ final class ArchitectureRules {
                 .of(noClasses().that(nameMatching(REFERENCE))
                         .should().transitivelyDependOnClassesThat(resideInAnyPackage(packageOf("render.cache"),
                                 packageOf("render.relight"), packageOf("render.engine")).or(kernel(".*(Packet|Lanes).*")))
-                        .as("the reference tracer knows neither cache nor relight nor engine nor fast kernels")
+                        .as("the reference tracer uses no cache, relighting, engine or fast kernel")
                         .allowEmptyShould(true))
                 .and(noClasses().that(nameMatching(REFERENCE))
                         .should().dependOnClassesThat(kernel(".*Bvh.*"))
-                        .as("the reference tracer asks every shape, and no tree of boxes")
+                        .as("the reference tracer tests every shape, without a BVH")
                         .allowEmptyShould(true));
     }
 

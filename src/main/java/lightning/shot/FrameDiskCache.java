@@ -68,9 +68,9 @@ final class FrameDiskCache implements AutoCloseable {
         Path file = folder.file(name + fileCount.incrementAndGet());
         try {
             folder.write(file, channel -> columns.write(cache, new ColumnWriter(channel)));
-            CacheFile part = new CacheFile(file, Files.size(file));
-            usedBytes.addAndGet(part.bytes);
-            return part;
+            CacheFile cacheFile = new CacheFile(file, Files.size(file));
+            usedBytes.addAndGet(cacheFile.bytes);
+            return cacheFile;
         } catch (IOException e) {
             reportProblem(Messages.tr("cannot cache frames on disk: {0}", e.getMessage()));
             return null;
@@ -91,26 +91,26 @@ final class FrameDiskCache implements AutoCloseable {
         }
     }
 
-    private static ColumnReader reader(CacheFile part, Arena arena) throws IOException {
-        try (FileChannel channel = FileChannel.open(part.file)) {
-            if (channel.size() != part.bytes) {
-                throw new IOException("expected " + part.bytes + " bytes, found " + channel.size());
+    private static ColumnReader reader(CacheFile cacheFile, Arena arena) throws IOException {
+        try (FileChannel channel = FileChannel.open(cacheFile.file)) {
+            if (channel.size() != cacheFile.bytes) {
+                throw new IOException("expected " + cacheFile.bytes + " bytes, found " + channel.size());
             }
-            return new ColumnReader(channel.map(FileChannel.MapMode.READ_ONLY, 0, part.bytes, arena));
+            return new ColumnReader(channel.map(FileChannel.MapMode.READ_ONLY, 0, cacheFile.bytes, arena));
         }
     }
 
     /** Removes a file; null for none. */
-    void remove(CacheFile part) {
-        if (part == null) {
+    void remove(CacheFile cacheFile) {
+        if (cacheFile == null) {
             return;
         }
         try {
-            Files.deleteIfExists(part.file);
+            Files.deleteIfExists(cacheFile.file);
         } catch (IOException e) {
             // It is removed with the folder.
         }
-        usedBytes.addAndGet(-part.bytes);
+        usedBytes.addAndGet(-cacheFile.bytes);
     }
 
     /** Records a problem, in a sentence without its full stop. */

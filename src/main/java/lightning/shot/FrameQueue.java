@@ -100,24 +100,24 @@ final class FrameQueue {
     }
 
     /** Removes a host with all its frames. Returns false if it was removed before. */
-    synchronized boolean removeHost(int keeper) {
-        boolean news = present.set(keeper, false);
+    synchronized boolean removeHost(int host) {
+        boolean wasPresent = present.set(host, false);
         for (int i = 0; i < hosts.length; i++) {
-            if (hosts[i] == keeper) {
+            if (hosts[i] == host) {
                 hosts[i] = NO_HOST;
                 shownRevision[i] = NO_REVISION;
             }
             retryRejected(i);
         }
         notifyAll();
-        return news;
+        return wasPresent;
     }
 
-    synchronized void setRevision(ShotRevision take) {
-        newestRevision = take;
+    synchronized void setRevision(ShotRevision revision) {
+        newestRevision = revision;
         newestRevisionNumber++;
-        for (BitSet keepers : rejectedBy) {
-            keepers.clear();
+        for (BitSet rejected : rejectedBy) {
+            rejected.clear();
         }
         notifyAll();
     }
@@ -145,15 +145,15 @@ final class FrameQueue {
     }
 
     /** Waits for work for a host's lane; returns null when the queue is closed or the host removed. */
-    synchronized Job nextJob(int keeper, Lane lane) throws InterruptedException {
-        while (!closed && present.get(keeper)) {
-            int frame = nextFrame(keeper, lane);
+    synchronized Job nextJob(int host, Lane lane) throws InterruptedException {
+        while (!closed && present.get(host)) {
+            int frame = nextFrame(host, lane);
             if (frame >= 0) {
-                Job work = new Job(keeper, lane, frame);
+                Job work = new Job(host, lane, frame);
                 busy[frame - firstFrame] = true;
                 activeJobs++;
                 if (lane == Lane.FOREGROUND) {
-                    foreground.set(keeper, work);
+                    foreground.set(host, work);
                 }
                 return work;
             }
@@ -162,18 +162,18 @@ final class FrameQueue {
         return null;
     }
 
-    private int nextFrame(int keeper, Lane lane) {
-        boolean focused = canStart(focus - firstFrame, keeper);
+    private int nextFrame(int host, Lane lane) {
+        boolean focused = canStart(focus - firstFrame, host);
         if (lane == Lane.FOREGROUND) {
             return focused ? focus : -1;
         }
-        if (focused || foreground.get(keeper) != null) {
+        if (focused || foreground.get(host) != null) {
             return -1;
         }
         for (int distance = 0; distance < shownRevision.length; distance++) {
             // Later frames first, in playback order.
             for (int frame : new int[] {focus + distance, focus - distance}) {
-                if (canStart(frame - firstFrame, keeper)) {
+                if (canStart(frame - firstFrame, host)) {
                     return frame;
                 }
             }
@@ -182,8 +182,8 @@ final class FrameQueue {
     }
 
     /** Returns whether a host may start a frame: no host works on it, and no other host has its cache. */
-    private boolean canStart(int i, int keeper) {
-        return isPending(i) && !busy[i] && !rejectedBy[i].get(keeper) && (hosts[i] == keeper || hosts[i] == NO_HOST);
+    private boolean canStart(int i, int host) {
+        return isPending(i) && !busy[i] && !rejectedBy[i].get(host) && (hosts[i] == host || hosts[i] == NO_HOST);
     }
 
     private boolean isPending(int i) {
@@ -198,8 +198,8 @@ final class FrameQueue {
     }
 
     private boolean isRejectedByAll(int i) {
-        for (int keeper = 0; keeper < present.size(); keeper++) {
-            if (present.get(keeper) && !rejectedBy[i].get(keeper)) {
+        for (int host = 0; host < present.size(); host++) {
+            if (present.get(host) && !rejectedBy[i].get(host)) {
                 return false;
             }
         }

@@ -65,9 +65,9 @@ public final class LocalFrameHost implements FrameHost {
     }
 
     @Override
-    public FrameUpdate update(int frame, ShotRevision take, Progress progress) {
+    public FrameUpdate update(int frame, ShotRevision revision, Progress progress) {
         long start = System.nanoTime();
-        Scene scene = take.sceneAt(frame);
+        Scene scene = revision.sceneAt(frame);
         Renderer renderer = borrow();
         try {
             PixelCache cached = store.get(frame);

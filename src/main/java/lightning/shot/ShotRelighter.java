@@ -102,7 +102,7 @@ public final class ShotRelighter implements AutoCloseable {
     /** Focuses a frame: it is updated before all others, and its neighbors next. Clamped to the shot. */
     public void focus(int frame) {
         queue.focus(frame);
-        hosts().forEach(keeper -> keeper.focus(queue.focus()));
+        hosts().forEach(host -> host.focus(queue.focus()));
     }
 
     /**
@@ -120,12 +120,12 @@ public final class ShotRelighter implements AutoCloseable {
      * @throws IndexOutOfBoundsException if the shot has no such frame
      */
     public Optional<Film> film(int frame) {
-        return hostOf(frame).flatMap(keeper -> keeper.film(frame));
+        return hostOf(frame).flatMap(host -> host.film(frame));
     }
 
     /** Returns the newest film, downscaled to fit: see {@link FrameHost#film(int, int, int)}. */
     public Optional<Film> film(int frame, int maxWidth, int maxHeight) {
-        return hostOf(frame).flatMap(keeper -> keeper.film(frame, maxWidth, maxHeight));
+        return hostOf(frame).flatMap(host -> host.film(frame, maxWidth, maxHeight));
     }
 
     private Optional<FrameHost> hostOf(int frame) {

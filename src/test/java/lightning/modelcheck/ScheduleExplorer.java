@@ -22,8 +22,8 @@ public final class ScheduleExplorer {
     private ScheduleExplorer() {}
 
     /** Runs the scenario in all schedules; fails at the first violated assertion. Its threads must end with it. */
-    public static void explore(Scenario story) {
-        Lincheck.runConcurrentTest(MAX_SCHEDULES, () -> runScenario(story));
+    public static void explore(Scenario scenario) {
+        Lincheck.runConcurrentTest(MAX_SCHEDULES, () -> runScenario(scenario));
     }
 
     /** Checks an assertion. The model checker would step through AssertJ's code. */
@@ -34,15 +34,15 @@ public final class ScheduleExplorer {
     }
 
     /** Starts a further thread; {@link ConcurrentRun#end} rethrows its exception. */
-    public static ConcurrentRun startConcurrently(Scenario story) {
-        return new ConcurrentRun(story);
+    public static ConcurrentRun startConcurrently(Scenario scenario) {
+        return new ConcurrentRun(scenario);
     }
 
-    private static void runScenario(Scenario story) {
+    private static void runScenario(Scenario scenario) {
         try {
-            story.tell();
+            scenario.tell();
         } catch (InterruptedException e) {
-            throw new AssertionError("nobody interrupts", e);
+            throw new AssertionError("no interrupt expected", e);
         }
     }
 
@@ -51,10 +51,10 @@ public final class ScheduleExplorer {
         private final AtomicReference<Throwable> problem = new AtomicReference<>();
         private final Thread thread;
 
-        private ConcurrentRun(Scenario story) {
+        private ConcurrentRun(Scenario scenario) {
             thread = new Thread(() -> {
                 try {
-                    ScheduleExplorer.runScenario(story);
+                    ScheduleExplorer.runScenario(scenario);
                 } catch (Throwable e) {
                     problem.set(e);
                 }

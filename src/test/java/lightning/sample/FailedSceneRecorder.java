@@ -36,7 +36,7 @@ public final class FailedSceneRecorder {
             check.accept(scene);
         } catch (AssertionError | RuntimeException e) {
             String text = JenWriter.write(scene);
-            throw new AssertionError(e + "\nthe scene was left in " + save(test, "scene.jen", text) + " and was\n" + text, e);
+            throw new AssertionError(e + "\nthe scene was saved in " + save(test, "scene.jen", text) + " and was\n" + text, e);
         }
     }
 
@@ -47,7 +47,7 @@ public final class FailedSceneRecorder {
             Files.createDirectories(folder);
             return Files.writeString(folder.resolve(file), text);
         } catch (IOException e) {
-            throw new UncheckedIOException("the scene of a failed test could not be written", e);
+            throw new UncheckedIOException("cannot write the scene of a failed test", e);
         }
     }
 }

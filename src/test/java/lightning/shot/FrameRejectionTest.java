@@ -35,7 +35,7 @@ class FrameRejectionTest {
         }
 
         @Override
-        public synchronized FrameUpdate update(int frame, ShotRevision take, Progress progress) {
+        public synchronized FrameUpdate update(int frame, ShotRevision revision, Progress progress) {
             if (!held.contains(frame) && held.size() == room) {
                 refused.add(frame);
                 throw new FrameRejectedException("it holds " + room);
@@ -47,15 +47,15 @@ class FrameRejectionTest {
 
     private final List<String> failures = Collections.synchronizedList(new ArrayList<>());
 
-    private ShotRelighter shot(FrameHost... keepers) {
+    private ShotRelighter shot(FrameHost... hosts) {
         ShotRelighter shot = ShotRelighter.of(1, LAST, new ShotListener() {
             @Override
             public void frameFailed(int frame, Throwable problem) {
                 failures.add(frame + ": " + problem.getMessage());
             }
         });
-        for (FrameHost keeper : keepers) {
-            shot.addHost(keeper);
+        for (FrameHost host : hosts) {
+            shot.addHost(host);
         }
         return shot;
     }
@@ -83,7 +83,7 @@ class FrameRejectionTest {
             shot.setRevision(SECOND);
             shot.awaitIdle();
             assertThat(states(shot)).containsOnly(FrameState.CURRENT);
-            assertThat(narrow.refused).as("what another holds is asked of nobody else").containsExactlyInAnyOrder(3, 4, 5);
+            assertThat(narrow.refused).as("a frame held by another host is not requested").containsExactlyInAnyOrder(3, 4, 5);
         }
     }
 

@@ -158,8 +158,8 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
     public void messageReceived(ClusterMember from, byte[] bytes) {
         try {
             Message message = MessageCodec.decode(bytes);
-            if (message instanceof Message.SessionOpened ready) {
-                addNode(from, ready);
+            if (message instanceof Message.SessionOpened opened) {
+                addNode(from, opened);
             } else {
                 activeNode(from, message.session()).ifPresent(node -> handle(from, node, message));
             }
@@ -177,17 +177,17 @@ public final class NodePool implements ClusterNetwork.Listener, AutoCloseable {
         }
     }
 
-    private void addNode(ClusterMember from, Message.SessionOpened ready) {
-        if (!ready.release().equals(release)) {
-            rejectedPeers.report(from, Messages.tr("it runs {0}, this machine {1}", ready.release(), release));
+    private void addNode(ClusterMember from, Message.SessionOpened opened) {
+        if (!opened.release().equals(release)) {
+            rejectedPeers.report(from, Messages.tr("it runs {0}, this machine {1}", opened.release(), release));
             return;
         }
         RemoteFrameHost host;
         synchronized (this) {
-            if (!offeredSessions.remove(from, ready.session())) {
+            if (!offeredSessions.remove(from, opened.session())) {
                 return;
             }
-            UUID id = ready.session();
+            UUID id = opened.session();
             host = new RemoteFrameHost(id, network.addressOf(from), assetTransfer,
                     message -> network.send(from, MessageCodec.encode(message)));
             activeNodes.put(from, new ActiveNode(id, host));

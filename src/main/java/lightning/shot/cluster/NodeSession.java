@@ -157,36 +157,38 @@ final class NodeSession implements AutoCloseable {
         }
     }
 
-    void sendTiles(Message.RequestTiles ask) {
+    void sendTiles(Message.RequestTiles request) {
         execute(filmExecutor, () -> {
-            byte[] bytes = film(ask).map(f -> FilmTiles.encode(downscale(f, ask), ask.firstTile(), ask.tileCount())).orElse(new byte[0]);
-            send.accept(bytes.length == 0 ? new Message.FilmUnavailable(id, ask.call(), ask.frame())
-                    : new Message.FilmTileData(id, ask.call(), ask.frame(), ask.maxWidth(), ask.maxHeight(), ask.firstTile(), bytes));
+            byte[] bytes = film(request)
+                    .map(f -> FilmTiles.encode(downscale(f, request), request.firstTile(), request.tileCount())).orElse(new byte[0]);
+            send.accept(bytes.length == 0 ? new Message.FilmUnavailable(id, request.call(), request.frame())
+                    : new Message.FilmTileData(id, request.call(), request.frame(), request.maxWidth(), request.maxHeight(),
+                            request.firstTile(), bytes));
         });
     }
 
-    private static Film downscale(Film film, Message.RequestTiles ask) {
-        return Downscale.fit(film.width(), film.height(), Math.max(1, ask.maxWidth()), Math.max(1, ask.maxHeight())).apply(film);
+    private static Film downscale(Film film, Message.RequestTiles request) {
+        return Downscale.fit(film.width(), film.height(), Math.max(1, request.maxWidth()), Math.max(1, request.maxHeight())).apply(film);
     }
 
     /**
      * Returns the film of a request. Runs on the single film thread and caches the last film, because its tiles are requested one after the
      * other.
      */
-    private Optional<Film> film(Message.RequestTiles ask) {
-        if (filmCall == ask.call()) {
+    private Optional<Film> film(Message.RequestTiles request) {
+        if (filmCall == request.call()) {
             return Optional.of(film);
         }
-        synchronized (lock(ask.frame())) {
+        synchronized (lock(request.frame())) {
             synchronized (this) {
-                if (!shownCalls.getOrDefault(ask.frame(), -1L).equals(ask.call())) {
+                if (!shownCalls.getOrDefault(request.frame(), -1L).equals(request.call())) {
                     return Optional.empty();
                 }
             }
-            Optional<Film> cached = host.film(ask.frame());
+            Optional<Film> cached = host.film(request.frame());
             cached.ifPresent(f -> {
                 film = f;
-                filmCall = ask.call();
+                filmCall = request.call();
             });
             return cached;
         }

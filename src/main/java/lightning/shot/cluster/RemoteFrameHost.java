@@ -38,10 +38,10 @@ final class RemoteFrameHost implements FrameHost {
      * @param name the node's name for the user
      * @param send sends a message to the node
      */
-    RemoteFrameHost(UUID id, String name, AssetTransfer parcels, Consumer<Message> send) {
+    RemoteFrameHost(UUID id, String name, AssetTransfer assets, Consumer<Message> send) {
         this.id = id;
         this.name = name;
-        this.assetTransfer = parcels;
+        this.assetTransfer = assets;
         this.send = send;
     }
 
@@ -62,11 +62,11 @@ final class RemoteFrameHost implements FrameHost {
             throw e;
         }
         return switch (answer) {
-            case Message.FrameUpdated made -> {
-                updates.put(frame, made);
-                usage = new CacheUsage(updates.size(), made.memory(), 0, made.disk());
-                yield new FrameUpdate(frame, made.traced(), made.plan(), made.rays(), System.nanoTime() - start,
-                        () -> film(frame, made, made.width(), made.height()).orElseThrow(CancellationException::new));
+            case Message.FrameUpdated updated -> {
+                updates.put(frame, updated);
+                usage = new CacheUsage(updates.size(), updated.memory(), 0, updated.disk());
+                yield new FrameUpdate(frame, updated.traced(), updated.plan(), updated.rays(), System.nanoTime() - start,
+                        () -> film(frame, updated, updated.width(), updated.height()).orElseThrow(CancellationException::new));
             }
             case Message.UpdateFailed failed -> {
                 if (failed.reason() == Message.FailureReason.REJECTED) {

@@ -64,8 +64,8 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
     }
 
     private void handle(ClusterMember from, Message message) {
-        if (message instanceof Message.OpenSession hello) {
-            acceptSession(from, hello);
+        if (message instanceof Message.OpenSession offer) {
+            acceptSession(from, offer);
             return;
         }
         NodeSession session = sessions.get(message.session());
@@ -91,15 +91,15 @@ public final class RenderNode implements ClusterNetwork.Listener, AutoCloseable 
         }
     }
 
-    private void acceptSession(ClusterMember from, Message.OpenSession hello) {
-        if (!hello.release().equals(settings.release())) {
-            rejectedPeers.report(from, "it runs " + hello.release() + ", this node " + settings.release());
-        } else if (!sessions.containsKey(hello.session()) && !openSession(from, hello.session())) {
+    private void acceptSession(ClusterMember from, Message.OpenSession offer) {
+        if (!offer.release().equals(settings.release())) {
+            rejectedPeers.report(from, "it runs " + offer.release() + ", this node " + settings.release());
+        } else if (!sessions.containsKey(offer.session()) && !openSession(from, offer.session())) {
             return;
         }
         // Sends our release even to a member of another one, so that it can report the difference.
         network.send(from,
-                MessageCodec.encode(new Message.SessionOpened(hello.session(), settings.release(), settings.threads(), settings.memory())));
+                MessageCodec.encode(new Message.SessionOpened(offer.session(), settings.release(), settings.threads(), settings.memory())));
     }
 
     private synchronized boolean openSession(ClusterMember from, UUID id) {

@@ -13,7 +13,7 @@ public final class Await {
 
     /** Returns as soon as the condition holds. */
     public static void until(Callable<Boolean> condition) throws Exception {
-        until("it came about", condition);
+        until("the condition holds", condition);
     }
 
     /** Returns as soon as the described condition holds. */

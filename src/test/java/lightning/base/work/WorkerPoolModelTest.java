@@ -21,9 +21,9 @@ class WorkerPoolModelTest {
 
         @Override
         public void run(int worker, int tile) {
-            check(!over, "nobody works on after the run");
+            check(!over, "no thread works after the run");
             writes[tile]++;
-            check(!over, "nobody works on after the run");
+            check(!over, "no thread works after the run");
         }
 
         boolean isComplete() {
@@ -69,8 +69,8 @@ class WorkerPoolModelTest {
             try (var workers = new WorkerPool(2)) {
                 workers.run(TILES, tiles, heard);
                 tiles.over = true;
-                check(tiles.isComplete(), "every tile is done once");
-                check(heard.last.get() == TILES, "the last tile is told of");
+                check(tiles.isComplete(), "every tile runs once");
+                check(heard.last.get() == TILES, "the last tile is reported");
             }
         });
     }
@@ -84,10 +84,10 @@ class WorkerPoolModelTest {
             try (var workers = new WorkerPool(2)) {
                 workers.run(TILES, tiles, stop);
                 tiles.over = true;
-                check(tiles.isComplete(), "what is handed on is whole");
+                check(tiles.isComplete(), "a finished run is complete");
             } catch (CancellationException e) {
                 tiles.over = true;
-                check(!tiles.hasDuplicates(), "no tile is done twice");
+                check(!tiles.hasDuplicates(), "no tile runs twice");
             }
             other.end();
         });
@@ -105,10 +105,10 @@ class WorkerPoolModelTest {
                         throw problem;
                     }
                 }, Progress.NONE);
-                check(false, "a failure is handed on");
+                check(false, "a failure is rethrown");
             } catch (IllegalStateException e) {
                 tiles.over = true;
-                check(e == problem, "the failure itself is handed on");
+                check(e == problem, "the original failure is rethrown");
             }
         });
     }

@@ -75,8 +75,8 @@ final class LocalNetwork {
         }
 
         @Override
-        public void join(Listener heard) {
-            listener = heard;
+        public void join(Listener received) {
+            listener = received;
             add(this);
         }
 

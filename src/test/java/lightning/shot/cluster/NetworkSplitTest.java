@@ -31,7 +31,7 @@ final class NetworkSplitTest {
     /** Member with a filter that drops messages. */
     private static final class Endpoint implements ClusterNetwork.Listener, AutoCloseable {
         final TlsNetwork network;
-        private final Set<ClusterMember> heard = ConcurrentHashMap.newKeySet();
+        private final Set<ClusterMember> received = ConcurrentHashMap.newKeySet();
         private volatile Set<ClusterMember> others = Set.of();
         private JChannel channel;
         private DISCARD discard;
@@ -60,7 +60,7 @@ final class NetworkSplitTest {
 
         @Override
         public void messageReceived(ClusterMember from, byte[] bytes) {
-            heard.add(from);
+            received.add(from);
         }
 
         @Override
@@ -137,11 +137,11 @@ final class NetworkSplitTest {
     /** Tests with messages rather than views: members of one view may lack each other's addresses. */
     private static void awaitAllReachAll(List<Endpoint> ends) throws Exception {
         awaitOthers(ends, MEMBERS - 1);
-        ends.forEach(end -> end.heard.clear());
-        Await.until("each member hears all others", () -> {
+        ends.forEach(end -> end.received.clear());
+        Await.until("each member receives from all others", () -> {
             ends.forEach(end -> end.others.forEach(other -> end.network.send(other, new byte[1])));
             Thread.sleep(PAUSE_MILLISECONDS);
-            return ends.stream().allMatch(end -> end.heard.size() == MEMBERS - 1);
+            return ends.stream().allMatch(end -> end.received.size() == MEMBERS - 1);
         });
     }
 }

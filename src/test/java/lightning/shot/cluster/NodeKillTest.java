@@ -49,7 +49,7 @@ final class NodeKillTest {
     @Test
     @EnabledOnOs({OS.LINUX, OS.MAC})
     void randomlyKilledNodes_loseNoFrame() throws Exception {
-        ShotRevision take = revision();
+        ShotRevision revision = revision();
         SelfSignedCertificate.write(folder.resolve("shared.p12"));
         List<Integer> ports = new ArrayList<>();
         for (int i = 0; i < NODES; i++) {
@@ -77,26 +77,26 @@ final class NodeKillTest {
                     WorkerPool workers = new WorkerPool(2)) {
                 machines.start();
                 await("all nodes are in use", () -> machines.count() == NODES);
-                shot.setRevision(take);
+                shot.setRevision(revision);
                 awaitAll(shot);
                 for (int kill = 0; kill < KILLS; kill++) {
-                    take = new ShotRevision(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
-                    shot.setRevision(take);
+                    revision = new ShotRevision(PropertyEdit.apply(revision.scene(), edit(random)), revision.shot());
+                    shot.setRevision(revision);
                     shot.focus(1 + random.nextInt(LAST));
                     Thread.sleep(random.nextInt(150));
                     int which = random.nextInt(NODES);
                     if (kill % 10 == 9) {
                         nodes.get(which).setSuspended(true);
                         Thread.sleep(STOPPED_MILLISECONDS);
-                        take = new ShotRevision(PropertyEdit.apply(take.scene(), edit(random)), take.shot());
-                        shot.setRevision(take);
+                        revision = new ShotRevision(PropertyEdit.apply(revision.scene(), edit(random)), revision.shot());
+                        shot.setRevision(revision);
                         Thread.sleep(random.nextInt(500));
                         nodes.get(which).setSuspended(false);
                     } else {
                         nodes.get(which).kill();
                         nodes.set(which, new NodeProcess(ports.get(which), ports, folder));
                     }
-                    checkAll(shot, take, workers);
+                    checkAll(shot, revision, workers);
                 }
                 // The loss of a node without frames is noticed only by its silence.
                 await("a node is known to be lost", () -> lost.get() > 0);
@@ -147,7 +147,7 @@ final class NodeKillTest {
         }
     }
 
-    private static void checkAll(ShotRelighter shot, ShotRevision take, WorkerPool workers) throws InterruptedException {
+    private static void checkAll(ShotRelighter shot, ShotRevision revision, WorkerPool workers) throws InterruptedException {
         for (int frame = 1; frame <= LAST; frame++) {
             Film film = null;
             while (film == null) {
@@ -155,7 +155,7 @@ final class NodeKillTest {
                 assertThat(shot.state(frame)).isIn(FrameState.CURRENT, FrameState.MISSING);
                 film = shot.film(frame).orElse(null);
             }
-            Film traced = new TraditionalTracer(take.sceneAt(frame)).trace(workers, Progress.NONE).film();
+            Film traced = new TraditionalTracer(revision.sceneAt(frame)).trace(workers, Progress.NONE).film();
             assertThat(film.hasSameBits(traced)).as("frame " + frame).isTrue();
         }
     }

@@ -37,7 +37,7 @@ final class NodeProcess implements AutoCloseable {
     /** Waits until it ends by itself; returns its exit code. */
     int exit() throws InterruptedException {
         if (!process.waitFor(Await.TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
-            throw new IllegalStateException("a process that does not end");
+            throw new IllegalStateException("the process does not end");
         }
         return process.exitValue();
     }
@@ -46,7 +46,7 @@ final class NodeProcess implements AutoCloseable {
     void kill() throws InterruptedException {
         process.destroyForcibly();
         if (!process.waitFor(60, TimeUnit.SECONDS)) {
-            throw new IllegalStateException("a process that does not end");
+            throw new IllegalStateException("the process does not end");
         }
     }
 

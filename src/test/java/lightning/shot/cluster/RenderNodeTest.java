@@ -98,9 +98,9 @@ final class RenderNodeTest {
         }
 
         void sendUpdate(long call, Map<String, SceneManifest.Content> files, SceneManifest.Content text) {
-            byte[] bill = new SceneManifest(text, new TreeMap<>(files)).encode();
-            contents.put(ContentHash.of(bill), bill);
-            send(new Message.UpdateFrame(SESSION, call, 1, ContentHash.of(bill), bill.length));
+            byte[] manifest = new SceneManifest(text, new TreeMap<>(files)).encode();
+            contents.put(ContentHash.of(manifest), manifest);
+            send(new Message.UpdateFrame(SESSION, call, 1, ContentHash.of(manifest), manifest.length));
         }
     }
 
@@ -136,7 +136,7 @@ final class RenderNodeTest {
         peer.sendBytes("rO0ABXNyABFqYXZhLnV0aWwuSGFzaE1hcA==".getBytes(StandardCharsets.UTF_8));
         peer.sendUpdate(1, Map.of(), text());
         assertThat(peer.await(Message.FrameUpdated.class).width()).isEqualTo(40);
-        assertThat(log).filteredOn(sentence -> sentence.contains("ignoring")).singleElement().asString()
+        assertThat(log).filteredOn(line -> line.contains("ignoring")).singleElement().asString()
                 .contains("expected protocol version 1, found 2");
     }
 
