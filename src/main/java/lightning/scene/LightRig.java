@@ -24,9 +24,9 @@ public final class LightRig {
     /** True if any light is solo and on, so that the others are dark. */
     private final boolean anySolo;
 
-    private LightRig(List<Light> lights, List<LightGroup> banks, LightRigNames names, List<Light> sky) {
+    private LightRig(List<Light> lights, List<LightGroup> lightGroups, LightRigNames names, List<Light> sky) {
         this.lights = lights;
-        this.lightGroups = banks;
+        this.lightGroups = lightGroups;
         this.names = names;
         this.environmentLights = sky;
         List<Light> grouped =
@@ -41,14 +41,14 @@ public final class LightRig {
     }
 
     /**
-     * @param lights lights with names unique among lights and groups; the group of each is one of {@code banks}, or none
-     * @param banks  light groups with unique names
+     * @param lights lights with names unique among lights and groups; the group of each is one of {@code lightGroups}, or none
+     * @param lightGroups light groups with unique names
      * @throws IllegalArgumentException if a name is taken or a group missing, or if there are more lights or groups than {@link
      *     SceneLimits} allows
      */
-    public static LightRig of(List<Light> lights, List<LightGroup> banks) {
+    public static LightRig of(List<Light> lights, List<LightGroup> lightGroups) {
         List<Light> lightList = List.copyOf(lights);
-        List<LightGroup> groups = List.copyOf(banks);
+        List<LightGroup> groups = List.copyOf(lightGroups);
         SceneLimits.checkRange("the number of lights", lightList.size(), 0, SceneLimits.MAX_LIGHTS);
         SceneLimits.checkRange("the number of banks", groups.size(), 0, SceneLimits.MAX_LIGHT_GROUPS);
         return new LightRig(lightList, groups, new LightRigNames(lightList, groups), List.of());
@@ -146,16 +146,16 @@ public final class LightRig {
      *
      * @throws IllegalArgumentException if no group has that name
      */
-    public LightRig with(LightGroup bank) {
+    public LightRig with(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        updated.set(groupIndex(bank.name()), bank);
+        updated.set(groupIndex(group.name()), group);
         return new LightRig(lights, List.copyOf(updated), names, environmentLights);
     }
 
     /** Returns this rig with one more light group, at the end. */
-    public LightRig addLightGroup(LightGroup bank) {
+    public LightRig addLightGroup(LightGroup group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        updated.add(bank);
+        updated.add(group);
         return of(lights, updated);
     }
 
@@ -165,12 +165,12 @@ public final class LightRig {
      * @param before group that follows it afterwards; empty to move it to the end
      * @throws IllegalArgumentException if no group has one of these names
      */
-    public LightRig moveLightGroup(String bank, Optional<String> before) {
+    public LightRig moveLightGroup(String group, Optional<String> before) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        LightGroup moved = updated.get(groupIndex(bank));
+        LightGroup moved = updated.get(groupIndex(group));
         int index = before.map(this::groupIndex).orElse(updated.size());
         updated.add(index, moved);
-        updated.remove(groupIndex(bank) + (index <= groupIndex(bank) ? 1 : 0));
+        updated.remove(groupIndex(group) + (index <= groupIndex(group) ? 1 : 0));
         return of(lights, updated);
     }
 
@@ -179,11 +179,11 @@ public final class LightRig {
      *
      * @throws IllegalArgumentException if the group does not exist, or if the new name is taken
      */
-    public LightRig renameLightGroup(String bank, String newName) {
+    public LightRig renameLightGroup(String group, String newName) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        int index = groupIndex(bank);
+        int index = groupIndex(group);
         updated.set(index, updated.get(index).withName(newName));
-        return of(reassign(bank, newName), updated);
+        return of(reassign(group, newName), updated);
     }
 
     /**
@@ -191,10 +191,10 @@ public final class LightRig {
      *
      * @throws IllegalArgumentException if the group does not exist
      */
-    public LightRig removeLightGroup(String bank) {
+    public LightRig removeLightGroup(String group) {
         List<LightGroup> updated = new ArrayList<>(lightGroups);
-        updated.remove(groupIndex(bank));
-        return of(reassign(bank, ""), updated);
+        updated.remove(groupIndex(group));
+        return of(reassign(group, ""), updated);
     }
 
     /** Returns this rig with the links of all its lights mapped. */
@@ -210,14 +210,14 @@ public final class LightRig {
         return updated == null ? this : new LightRig(List.copyOf(updated), lightGroups, names, environmentLights);
     }
 
-    private List<Light> reassign(String bank, String newGroup) {
-        return lights.stream().map(l -> l.lightGroup().equals(bank) ? l.withLightGroup(newGroup) : l).toList();
+    private List<Light> reassign(String group, String newGroup) {
+        return lights.stream().map(l -> l.lightGroup().equals(group) ? l.withLightGroup(newGroup) : l).toList();
     }
 
-    private int groupIndex(String bank) {
-        int index = names.groupIndex(bank);
+    private int groupIndex(String group) {
+        int index = names.groupIndex(group);
         if (index < 0) {
-            throw new IllegalArgumentException("there is no bank " + Quote.of(bank));
+            throw new IllegalArgumentException("there is no bank " + Quote.of(group));
         }
         return index;
     }

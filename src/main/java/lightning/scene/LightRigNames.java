@@ -15,19 +15,19 @@ final class LightRigNames {
     private Stage disjointStage;
 
     /** @throws IllegalArgumentException if two of them have the same name */
-    LightRigNames(List<Light> lights, List<LightGroup> banks) {
+    LightRigNames(List<Light> lights, List<LightGroup> lightGroups) {
         this.lights = lights;
-        this.lightGroups = banks;
+        this.lightGroups = lightGroups;
         lightIndices = HashMap.newHashMap(lights.size());
-        groupIndices = HashMap.newHashMap(banks.size());
+        groupIndices = HashMap.newHashMap(lightGroups.size());
         for (Light light : lights) {
             if (lightIndices.putIfAbsent(light.name(), lightIndices.size()) != null) {
                 throw duplicateName("light", light.name());
             }
         }
-        for (LightGroup bank : banks) {
-            if (lightIndices.containsKey(bank.name()) || groupIndices.putIfAbsent(bank.name(), groupIndices.size()) != null) {
-                throw duplicateName("bank", bank.name());
+        for (LightGroup group : lightGroups) {
+            if (lightIndices.containsKey(group.name()) || groupIndices.putIfAbsent(group.name(), groupIndices.size()) != null) {
+                throw duplicateName("bank", group.name());
             }
         }
     }
@@ -57,9 +57,9 @@ final class LightRigNames {
                 throw duplicateName("light", light.name());
             }
         }
-        for (LightGroup bank : lightGroups) {
-            if (stage.hasNode(bank.name())) {
-                throw duplicateName("bank", bank.name());
+        for (LightGroup group : lightGroups) {
+            if (stage.hasNode(group.name())) {
+                throw duplicateName("bank", group.name());
             }
         }
         disjointStage = stage;

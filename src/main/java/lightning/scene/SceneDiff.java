@@ -104,21 +104,21 @@ public final class SceneDiff {
     /** Matches light groups by name, or by index if their number is unchanged. */
     private void addLightGroups(LightRig before, LightRig after) {
         boolean renames = before.lightGroups().size() == after.lightGroups().size();
-        for (LightGroup bank : before.lightGroups()) {
-            if (!renames && after.lightGroup(bank.name()).isEmpty()) {
-                parts.add(Messages.tr("delete {0}", bank.name()));
+        for (LightGroup group : before.lightGroups()) {
+            if (!renames && after.lightGroup(group.name()).isEmpty()) {
+                parts.add(Messages.tr("delete {0}", group.name()));
             }
         }
         for (int i = 0; i < after.lightGroups().size(); i++) {
-            LightGroup bank = after.lightGroups().get(i);
-            Optional<LightGroup> old = before.lightGroup(bank.name())
-                    .or(renames ? () -> Optional.of(before.lightGroups().get(after.lightGroups().indexOf(bank)))
+            LightGroup group = after.lightGroups().get(i);
+            Optional<LightGroup> old = before.lightGroup(group.name())
+                    .or(renames ? () -> Optional.of(before.lightGroups().get(after.lightGroups().indexOf(group)))
                             : Optional::empty);
             if (old.isEmpty()) {
-                parts.add(Messages.tr("add {0}", bank.name()));
-            } else if (!old.get().equals(bank)) {
-                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), old.get().name(), bank.name())));
-                changes.addAll(changes(LightGroup.ATTRIBUTES, old.get(), bank));
+                parts.add(Messages.tr("add {0}", group.name()));
+            } else if (!old.get().equals(group)) {
+                List<Change> changes = new ArrayList<>(List.of(new Change(Messages.key("name"), old.get().name(), group.name())));
+                changes.addAll(changes(LightGroup.ATTRIBUTES, old.get(), group));
                 parts.add(join(old.get().name(), changes));
             }
         }
@@ -127,8 +127,8 @@ public final class SceneDiff {
         }
     }
 
-    private static List<String> names(List<LightGroup> banks, LightRig among) {
-        return banks.stream().map(LightGroup::name).filter(name -> among.lightGroup(name).isPresent()).toList();
+    private static List<String> names(List<LightGroup> groups, LightRig among) {
+        return groups.stream().map(LightGroup::name).filter(name -> among.lightGroup(name).isPresent()).toList();
     }
 
     private String describeChanges(Light before, Light after) {

@@ -32,7 +32,7 @@ final class FrameEvaluator {
         }
         if (has(TrackTarget.Kind.LIGHT) || has(TrackTarget.Kind.LIGHT_GROUP)) {
             result = result.withRig(LightRig.of(scene.lights().stream().map(this::light).toList(),
-                    scene.rig().lightGroups().stream().map(this::bank).toList()));
+                    scene.rig().lightGroups().stream().map(this::animateLightGroup).toList()));
         }
         return has(TrackTarget.Kind.NODE) ? result.withNodes(nodes(scene.nodes())) : result;
     }
@@ -64,8 +64,8 @@ final class FrameEvaluator {
         return animate(light, TrackTarget.light(light.name()), LightAttribute.ALL);
     }
 
-    private LightGroup bank(LightGroup bank) {
-        return animate(bank, TrackTarget.bank(bank.name()), LightGroup.ATTRIBUTES);
+    private LightGroup animateLightGroup(LightGroup group) {
+        return animate(group, TrackTarget.bank(group.name()), LightGroup.ATTRIBUTES);
     }
 
     private List<SceneNode> nodes(List<SceneNode> nodes) {
